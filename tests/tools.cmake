@@ -146,7 +146,6 @@ marrow_c_program(marrow_example_play_c examples/play.c)
 target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
 marrow_example(jobs marrow::draco marrow::meshopt Threads::Threads)
-marrow_example(outfit marrow::runtime)
 set(example_draw "")
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   marrow_example(draw marrow::gles3 marrow::egl)
@@ -160,10 +159,26 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
   -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
-  -DOUTFIT=$<TARGET_FILE:marrow_example_outfit>
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")
+include(examples/guides.cmake)
+
+# The programs of docs/stages: every file of the folder, run with the sample and held to what is known of it.
+file(GLOB stages CONFIGURE_DEPENDS examples/stages/*.cpp)
+foreach(source ${stages})
+  get_filename_component(stage ${source} NAME_WE)
+  add_executable(marrow_stage_${stage} ${source})
+  target_link_libraries(marrow_stage_${stage} PRIVATE marrow::draco)
+  target_compile_options(marrow_stage_${stage} PRIVATE ${MARROW_TEST_OPTIMISATION})
+  set_target_properties(marrow_stage_${stage} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/stages)
+  marrow_warnings(marrow_stage_${stage})
+endforeach()
+if(MARROW_PYTHON AND NOT MARROW_SANITIZE)  # under which cooking takes minutes
+  add_test(NAME stages COMMAND ${MARROW_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/examples/stages/check.py $<TARGET_FILE:marrow>
+    ${CMAKE_CURRENT_BINARY_DIR}/stages ${CMAKE_CURRENT_BINARY_DIR}/stages/work)
+  set_tests_properties(stages PROPERTIES LABELS cli)
+endif()
 
 # What others make of exports: the Khronos validator, and three.js in a headless browser beside the source. Skipped, which
 # ctest says aloud, where npm cannot be had.

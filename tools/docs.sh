@@ -11,6 +11,7 @@ python=/usr/bin/python3  # Debian's, for which its mkdocs is made
 "$python" tools/docs/pages.py build/docs-source
 inputs=$("$python" tools/docs/api_comments.py --inputs build/docs-stages.dox)
 { cat tools/docs/Doxyfile; echo "INPUT = $inputs"; } | doxygen -
+[ ! -s build/docs-api.log ] || { cat build/docs-api.log >&2; exit 1; }  # what is not documented
 rm -rf build/docs
 "$python" -m mkdocs build --quiet --strict --config-file tools/docs/mkdocs.yml
 "$python" tools/docs/links.py build/docs

@@ -92,6 +92,8 @@ case "${1:-}" in
     for preset in asan tsan scalar aarch64; do test_preset $preset; done
     export MARROW_TESTS=all
     marrow=build/release/tools/marrow
+    where_possible "the manual" tools/check/docs.sh $marrow
+    where_possible "the tutorial, from an empty folder" tools/check/tutorial.sh $marrow
     where_possible "Rust, C# and JavaScript" tools/check/bindings.sh $marrow
     where_possible "same bytes everywhere" tools/same_bytes.sh
     where_possible "same bits everywhere" tools/same_bits.sh

@@ -1,4 +1,5 @@
-// Animation space's residual where a record has it apart from the codec's streams (docs/format.md, "Residuals apart").
+// Animation space's residual where a record has it apart from the codec's streams (docs/packed_format.md, "Residuals
+// apart").
 #pragma once
 
 #include "core/byte_reader.h"

@@ -21,10 +21,8 @@ endfunction()
 expect_shown(README.md play.cpp)
 expect_shown(docs/c.md play.c)
 expect_shown(docs/c.md draw.c)
-expect_shown(docs/programs.md crowd.cpp)
 expect_shown(docs/programs.md draw.cpp)
 expect_shown(docs/threads.md jobs.cpp)
-expect_shown(docs/programs.md outfit.cpp)
 set(sample ${FOLDER}/examples)
 execute_process(COMMAND ${MARROW} sample -o ${sample}.glb COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw -o ${sample}.mrw COMMAND_ERROR_IS_FATAL ANY)
@@ -37,11 +35,6 @@ execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-cod
   COMMAND_ERROR_IS_FATAL ANY)
 expect_printed(${JOBS} "${sample}.mrw;${sample}_fast.mrw"
   "^200 characters; the other file took [1-9][0-9]* steps, the longest [0-9.]+ ms, and their place in frame [0-9]+\n$")
-# The sample in its own skin.
-execute_process(COMMAND ${MARROW} cook ${sample}.glb --skeleton ${sample}_plain.mrw --mesh-codec none -o ${sample}_skin.mrw
-  COMMAND_ERROR_IS_FATAL ANY)
-expect_printed(${OUTFIT} "${sample}_plain.mrw;${sample}_skin.mrw"
-  "^[1-9] meshes of the body, [1-9] of the outfit, [0-9]+ vertices in 60 frames\n$")
 if(DRAW)  # as large before the context is lost as after
   expect_printed(${DRAW} ${sample}_plain.mrw "^frame 0: 2[0-9]+ pixels\nframe 29: 2[0-9]+ pixels\nframe 58: 2[0-9]+ pixels\n$")
   expect_printed(${DRAW_C} ${sample}_plain.mrw "^[1-9] meshes, 2[0-9]+ pixels\n$")

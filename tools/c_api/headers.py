@@ -119,7 +119,7 @@ def trailing_comment(line):
 
 def body_docs(lines, at, names):
     """What stands beside or above each name in the braces that begin at line `at`."""
-    docs, above, last, left = {}, [], None, list(names)
+    docs, above, last, left = {}, [], [], list(names)
     if '}' in lines[at]:
         return docs
     for line in lines[at + 1:]:
@@ -128,8 +128,9 @@ def body_docs(lines, at, names):
         indent = len(line) - len(line.lstrip())
         if line.lstrip().startswith('//'):
             text = re.sub(r'^\s*// ?', '', line).rstrip()
-            if indent > 2 and last is not None:
-                docs[last].append(text)
+            if indent > 2 and last:
+                for n in last:
+                    docs[n].append(text)
             else:
                 above.append(text)
             continue
@@ -137,14 +138,13 @@ def body_docs(lines, at, names):
         declared = re.sub(r'=[^,;]*', '', re.sub(r'\{[^}]*\}', '', code))
         found = [n for n in left if re.search(rf'\b{n}\b', declared)]
         for n in found:
-            docs[n] = []
+            docs[n] = above + beside
             left.remove(n)
         if found:
-            last = found[0]
-            docs[last] = above + beside
-            above = []
-        elif last is not None and beside:
-            docs[last] += beside
+            last, above = found, []
+        elif beside:
+            for n in last:
+                docs[n] += beside
     return docs
 
 
@@ -192,8 +192,10 @@ def add_docs(rows, read_header):
             row.beside = trailing_comment(lines[at])[1]
         if row.kind == 'enum':
             row.docs = body_docs(lines, at, row.values)
-        if row.kind == 'struct' and 'private' not in row.flags:
+        if row.kind == 'struct':
             names = [name for name, _ in row.fields]
             row.docs = body_docs(lines, at, names)
+            if 'private' in row.flags:
+                continue
             expect_all_fields(row, lines, at, names + [r.cpp for r in rows if r.is_member and r.method == row.name])
     expect_all_functions(rows, read_header)

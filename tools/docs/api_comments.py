@@ -55,6 +55,7 @@ def heading(name, comment):
 
 
 def convert(name, text):
+    text = re.sub(r"\n  union \{\n(.*?)\n  \};\n", r"\n\1\n", text, flags=re.S)  # Doxygen 1.9 links to nameless ones wrongly
     lines = text.split("\n")
     top = next(i for i, line in enumerate(lines) if not line.startswith("//"))
     out = heading(name, [as_text(line[2:].strip()) for line in lines[:top]])
@@ -76,12 +77,13 @@ def convert(name, text):
             continue
         behind = column
         note = as_text(comment) if column is not None else default_note(line)
-        if re.match(r"\s*(MARROW_API|[\w:]+ \w+\(.*\{ return)", code) and before == "function":
-            out += notes  # functions one below the other share the comment above them
+        alike = re.match(r"\s*(MARROW_API|[\w:]+ \w+\(.*\{ return|(const )?[a-z]\w+\*? mrw_\w+\()", code) and before == "function"
+        if (alike or code.startswith("#define") and before == "define") and not note:
+            out += notes  # functions and macros one below the other share the comment above them
         for part in declarators(code):
             out += [f"///{note}"] * bool(note) + [part]
-        function = re.search(r"\)( const)?( = 0)?;|\{ return .*\}$", code.rstrip())
-        before = "function" if function else "open" if before == "open" or code.startswith("  MARROW_API") else ""
+        function = re.search(r"\)( const| MRW_NODISCARD)*;|\{ return .*\}$", code.rstrip())
+        before = "define" if code.startswith("#define") else "function" if function else "open" if before == "open" or re.match(r"\s*MARROW_API|(const )?[a-z]\w+\*? mrw_\w+\(", code) else ""
         if re.match(r'namespace [\w:]+ {|extern "C" {', line):
             out.append(f"/// @addtogroup header_{name}\n/// @{{")
             opened = True
@@ -99,10 +101,19 @@ def declarators(code):
 
 
 def default_note(line):
-    """What is said of members that are alike everywhere."""
-    if re.match(r"\s*(std::)?uint\d+_t reserved\b", line):
-        return " 0."
-    return " Sets what C++ has by default." if re.match(r"void mrw_\w+_init\(", line) else ""
+    """What is said of what is alike everywhere, above all in C, where a span is two members."""
+    for pattern, note in {r"\s*(std::)?uint\d+_t reserved\b": " 0.",
+                          r"void mrw_\w+_init\(": " Sets what C++ has by default.",
+                          r"  size_t \w+_count;": " How many there are of the member above.",
+                          r"  size_t \w+_bytes;": " How many bytes there are of the member above.",
+                          r"  (const )?\w+\* data;": " The first of them.",
+                          r"  size_t size;": " How many there are.",
+                          r"struct mrw_(block|bytes|\w+_list) \{": " A pointer and a count: a Span of C++.",
+                          r"  ((uint32_t|size_t) (numbers|words)\[|const void\* (block|sections);|void\* user;)": " Marrow's own.",
+                          r"typedef .*\(\*\w+\)\(": " A function of the caller's."}.items():
+        if re.match(pattern, line):
+            return note
+    return ""
 
 
 def inputs():

@@ -76,11 +76,14 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     shutil.rmtree(folder, ignore_errors=True)
     site = Site(folder)
+    menu = (ROOT / "tools/docs/mkdocs.yml").read_text()
     for name, place in TOP.items():
         if (ROOT / name).exists():
             site.page(ROOT / name, place)
     for path in sorted((ROOT / "docs").rglob("*")):
         place = str(path.relative_to(ROOT / "docs"))
+        if path.suffix == ".md" and f" {place}\n" not in menu:
+            raise SystemExit(f"docs/{place} is not in tools/docs/mkdocs.yml")
         if path.suffix == ".md":
             site.page(path, place)
         elif path.is_file():

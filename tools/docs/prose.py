@@ -82,7 +82,7 @@ def check(page, known, show):
             counts.append(len(words))
             if len(words) > 30:
                 long_sentences.append((number, sentence))
-            if len(words) > 2 and not any(w.lower() in known or w.lower().endswith("n't") for w in words):
+            if len(words) > 2 and " = " not in sentence and not any(w.lower() in known or w.lower().endswith("n't") for w in words):
                 verbless.append((number, sentence))
     wide = [i for i, line in enumerate(text.split("\n"), 1) if len(line) > LINE and not line.lstrip().startswith("|")
             and "](" not in line and not re.match(r"\s*(\S+\s*)?http", line)]

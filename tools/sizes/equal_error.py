@@ -4,6 +4,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 import peers
 
@@ -49,15 +50,21 @@ HEAD = ("| model | --clip-error | joints: largest, RMS | vertices: largest, RMS 
         "|---|---|---|---|---|---|---|---|---|---|")
 NOTES = """## At gltfpack's own error
 
-`gltfpack -cz -af 0`, and Marrow with that `--clip-error` with which the largest of four errors is 97 to 100 % of gltfpack's: of
-joints and of vertices, the largest and the root mean square, at up to 240 moments of all clips together, against the source. Both
-files are read as glTF, ours by `marrow export` (`tools/sizes/posed_error.cjs`). Errors are shares of gltfpack's; bytes as above.
+Here neither file is helped by promising more or less. The peer is `gltfpack -cz -af 0`. Marrow has that `--clip-error`
+with which the largest of four errors is 97 to 100 % of gltfpack's.
+
+The four are those of joints and of vertices, each the largest and the root mean square. They are taken at up to 240
+moments of all clips together, against the source. Both files are read as glTF, ours by `marrow export`
+(`tools/sizes/posed_error.cjs`). Errors are shares of gltfpack's. Bytes are as above.
 """
 
 
 def table(found, them, setting, cook):
-    """Lines of Markdown. found: a name's model; them: a name's figures of peers; cook(model, options, glTF to write)."""
-    out, ratios, missing = ["", NOTES, HEAD], [[] for _ in range(4)], []
+    """Lines of Markdown, how many models, and their medians.
+
+    found: a name's model; them: a name's figures of peers; cook(model, options, glTF to write).
+    """
+    out, ratios, missing = [NOTES, HEAD], [[] for _ in range(4)], []
     for name, model in found.items():
         peer = (them.get(name) or {}).get(setting)
         if not peer or not peer["animation"]:
@@ -78,5 +85,5 @@ def table(found, them, setting, cook):
     medians = [f"{statistics.median(column):.2f}" if column else "–" for column in ratios]
     out.append(f"| **median** | | | | | {medians[0]} | {medians[1]} | | {medians[2]} | {medians[3]} |")
     if missing:
-        out += ["", "Not comparable: " + ", ".join(missing) + "."]
-    return out + [""]
+        out += ["", textwrap.fill("These cannot be compared: " + ", ".join(missing) + ".", 120)]
+    return out + [""], len(ratios[0]), medians

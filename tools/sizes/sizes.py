@@ -15,6 +15,7 @@ import statistics
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 import equal_error
 import peers
@@ -103,25 +104,39 @@ def peer_row(name, we, them, ratios):
 
 INTRO = """# Sizes
 
-Made by `tools/sizes/sizes.py`. Bytes as they are / after zstd -19; textures are left out everywhere.
+This page says how many bytes models take when Marrow cooks them, and when others compress them. `tools/sizes/sizes.py`
+writes it. Bytes are as they are / after zstd -19. Textures are left out everywhere.
 
-**Marrow**: `marrow cook --clip-error 0.05% --clip-shell 3cm --mesh-codec draco-smallest`, so that clips keep within 0.05 % of the skeleton's diagonal on a shell of 3 cm
-round every joint. Geometry is the GEOM records, weights and joints of vertices included; structure is everything that is neither
-geometry nor clips: skeletons, inverse bind matrices, materials, names, header. The errors are the cooker's own figures: positions as a share of the model's
-diagonal, clips of the skeleton's.
+These are the medians of Marrow's bytes by theirs. Below 1 Marrow is smaller.
 
-**Others**: nine settings, each with 14-bit positions.
+| table | models | geometry | zstd | clips | zstd | whole file | zstd |
+|---|---|---|---|---|---|---|---|
+"""
+HOW = """
+Geometry is compared with the best of nine settings, clips and whole files with `gltfpack -cz`.
+
+## How we measure
+
+**Marrow** cooks by `marrow cook --clip-error 0.05% --clip-shell 3cm --mesh-codec draco-smallest`. So clips keep within
+0.05 % of the skeleton's diagonal, on a shell of 3 cm round every joint.
+
+- *Geometry* is the GEOM records, with weights and joints of vertices.
+- *Structure* is all else but clips: skeletons, inverse bind matrices, materials, names, header.
+- *Errors* are the cooker's own figures. Positions are a share of the model's diagonal, clips of the skeleton's.
+
+**The others** have nine settings, each with 14-bit positions:
 
 | setting | bits of normals, texture coordinates, weights |
 |---|---|
 """
 NOTES = """
-"Best geometry" is the smallest of the nine settings, once as it is and once after zstd, each with the setting that made it;
-inverse bind matrices are left out of it, as of Marrow's. Animation and the whole file are those of `gltfpack -cz -af 0`, its JSON as it stands but for textures.
-The position error is the largest distance at rest between a vertex and the nearest of the other file; the animation
-error the largest distance between joints at up to 100 moments a clip, as a share of the skeleton's diagonal, where joints correspond.
-Ratios are Marrow's bytes by theirs: below 1, Marrow is smaller. gltfpack drops texture coordinates that no texture uses,
-and influences beyond four.
+- *Best geometry* is the smallest of the nine settings, once as it is and once after zstd. The table names the setting
+  that made each. Inverse bind matrices are left out, as they are of Marrow's.
+- *Animation* and the *whole* file are those of `gltfpack -cz -af 0`. Its JSON stays as it stands, without textures.
+- The *position error* is the largest distance at rest between a vertex and the nearest of the other file.
+- The *animation error* is the largest distance between joints at up to 100 moments a clip. It is a share of the
+  skeleton's diagonal, where joints correspond.
+- gltfpack drops texture coordinates that no texture uses, and influences beyond four.
 """
 HEAD = ("| model | vertices | geometry | animation | structure | whole | position error | clip error |\n"
         "|---|---|---|---|---|---|---|---|")
@@ -129,7 +144,12 @@ PEER_HEAD = ("| model | best geometry | by | position error | animation | error 
              "animation | zstd | whole | zstd |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|")
 
 
+def not_measured(names):
+    return textwrap.fill("Others were not measured for " + ", ".join(names) + ".", 120)
+
+
 def tables(title, names, we, them):
+    """Lines of Markdown, how many models were compared, and the medians of ratios."""
     out = [f"## {title}", "", "### Marrow", "", HEAD]
     out += [row(name, we[name], them.get(name)) for name in names]
     known = [name for name in names if any((them.get(name) or {}).values())]
@@ -140,9 +160,15 @@ def tables(title, names, we, them):
     out += ["| **median** |" + " |" * 6 + " " + " | ".join(medians) + " |", ""]
     missing = [name for name in names if name not in known]
     if missing:
-        out += ["Not measured: " + ", ".join(missing) + ".", ""]
+        out += [not_measured(missing), ""]
         print("sizes: NO PEERS' FIGURES for " + ", ".join(missing) + "; measure them with --peers", file=sys.stderr)
-    return out
+    return out, len(known), medians
+
+
+def summary(title, count, medians):
+    """A row of the first table."""
+    anchor = title.lower().replace(" ", "-").replace("'", "")
+    return "| " + " | ".join([f"[{title}](#{anchor})", str(count), *medians]) + " |\n"
 
 
 def models(assets):
@@ -185,12 +211,16 @@ def main():
     if a.peers:
         them = measure_peers(found, them)
     we = {name: ours(a.marrow, path) for name, path in found.items()}
-    page = INTRO + "".join(f"| {name} | {bits} |\n" for name, (_, bits) in peers.SETTINGS.items()) + NOTES + "\n"
-    page += "\n".join(tables("The main table", [n for n in found if n in MAIN], we, them) +
-                      tables("All other models", [n for n in found if n not in MAIN], we, them))
-    page += "\n".join(equal_error.table(found, them, ANIMATION, lambda model, promise, out: ours(a.marrow, model, promise, out)))
+    main_lines, *main_row = tables("The main table", [n for n in found if n in MAIN], we, them)
+    other_lines, *other_row = tables("All other models", [n for n in found if n not in MAIN], we, them)
+    equal_lines, equal_count, equal_medians = equal_error.table(
+        found, them, ANIMATION, lambda model, promise, out: ours(a.marrow, model, promise, out))
+    page = INTRO + summary("The main table", *main_row) + summary("All other models", *other_row)
+    page += summary("At gltfpack's own error", equal_count, ["–", "–", *equal_medians])
+    page += HOW + "".join(f"| {name} | {bits} |\n" for name, (_, bits) in peers.SETTINGS.items()) + NOTES + "\n"
+    page += "\n".join([*main_lines, *other_lines, *equal_lines])
     codecs = sorted({codec for name in we for codec in we[name]["codecs"]})
-    page += "\nMarrow's geometry codecs in this table: " + ", ".join(codecs) + ".\n"
+    page += "\nIn these tables Marrow's meshes are coded by " + ", ".join(f"`{codec}`" for codec in codecs) + ".\n"
     pathlib.Path(a.output).write_text(page)
 
 

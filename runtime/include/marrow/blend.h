@@ -44,6 +44,7 @@ MARROW_API Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers,
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
+// A change, and how much of it.
 struct AdditiveLayer {
   Span<const AdditiveTransform> change = {};  // at least skeleton.soa_size()
   float weight = 1.0f;                        // 0 … 1

@@ -10,6 +10,7 @@
 
 namespace marrow {
 
+// Bytes: where blocks begin at multiples of.
 inline constexpr std::size_t kBlockBoundary = 16;
 
 // How many bytes of any alignment hold a block of `bytes`.
@@ -17,6 +18,7 @@ constexpr std::size_t block_bytes(std::size_t bytes) {
   return bytes + kBlockBoundary - 1;
 }
 
+// Whether a block may begin there.
 inline bool is_on_boundary(const void* first) {
   return reinterpret_cast<std::uintptr_t>(first) % kBlockBoundary == 0;
 }

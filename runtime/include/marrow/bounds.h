@@ -16,15 +16,15 @@ namespace marrow {
 
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
 struct JointReach {
-  float centre[3] = {0, 0, 0};
+  float centre[3] = {0, 0, 0};   // the box's middle
   float half[3] = {-1, -1, -1};  // ≥ 0; below 0: nothing follows this entry
 };
 
 // What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
 // and about 0, in mesh space.
 struct MorphReach {
-  float least[3] = {0, 0, 0};
-  float most[3] = {0, 0, 0};
+  float least[3] = {0, 0, 0};  // ≤ 0
+  float most[3] = {0, 0, 0};   // ≥ 0
 };
 
 // Views into the caller's memory.

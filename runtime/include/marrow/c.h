@@ -37,6 +37,7 @@ uint32_t mrw_abi(void);
 // ---------------------------------------------------------------------------------------------------------------------
 // What a call came to: one enum for the whole runtime, with text. No exceptions, no logging.
 
+// What a call came to.
 typedef uint8_t mrw_status;
 enum {
   MRW_OK = 0,
@@ -55,9 +56,9 @@ enum {
 // Where a block of data breaks the format, and which rule. `rule` is a static string.
 typedef struct mrw_data_error mrw_data_error;
 struct mrw_data_error {
-  mrw_status status;
+  mrw_status status;  // what the call returns
   uint32_t offset;  // byte in the block
-  const char* rule;
+  const char* rule;  // in English
 };
 void mrw_data_error_init(mrw_data_error* out);
 
@@ -90,6 +91,7 @@ mrw_call_error_handler mrw_get_call_error_handler(void);
 //   std::vector<std::byte> memory(block_bytes(size));
 //   const Span<std::byte> block = block_in(memory);  // at least `size` bytes
 
+// Bytes: where blocks begin at multiples of.
 #define MRW_BLOCK_BOUNDARY 16u
 
 typedef struct mrw_block mrw_block;
@@ -101,6 +103,7 @@ struct mrw_block {
 // How many bytes of any alignment hold a block of `bytes`.
 size_t mrw_block_bytes(size_t bytes);
 
+// Whether a block may begin there.
 bool mrw_is_on_boundary(const void* first);
 
 // What lies behind the first boundary in `memory`; empty if there is none.
@@ -124,11 +127,13 @@ void mrw_bytes_init(mrw_bytes* out);
 typedef struct mrw_mesh_decoder mrw_mesh_decoder;
 struct mrw_mesh_decoder {
   uint32_t codec;  // as packed files name it
-  void (*decode)(void);
+  void (*decode)(void);  // the codec
 };
 
+// Bytes of Unpacking's state.
 #define MRW_UNPACK_STATE_BYTES 512u
 
+// How much memory unpack() takes.
 typedef struct mrw_unpack_sizes mrw_unpack_sizes;
 struct mrw_unpack_sizes {
   uint32_t file_bytes;  // of the unpacked file
@@ -223,13 +228,13 @@ struct MRW_ALIGN(16) mrw_soa_transform {
 // translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
 typedef struct mrw_additive_transform mrw_additive_transform;
 struct mrw_additive_transform {
-  mrw_soa_transform change;
+  mrw_soa_transform change;  // of four joints
 };
 
 // An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
 typedef struct mrw_affine mrw_affine;
 struct MRW_ALIGN(16) mrw_affine {
-  float rows[3][4];
+  float rows[3][4];  // the last column is the translation
 };
 
 // The local transform of one joint.
@@ -237,7 +242,7 @@ typedef struct mrw_joint_transform mrw_joint_transform;
 struct mrw_joint_transform {
   float translation[3];  // metres
   float rotation[4];  // a unit quaternion x, y, z, w
-  float scale[3];
+  float scale[3];  // along the joint's axes
 };
 void mrw_joint_transform_init(mrw_joint_transform* out);
 
@@ -262,9 +267,9 @@ mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t 
 // Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
 // (docs/deformers.md).
 
+// What a space has at most.
 #define MRW_MAX_EXAMPLE_PARAMETERS 8u
-
-#define MRW_MAX_EXAMPLES 64u
+#define MRW_MAX_EXAMPLES 64u  // and targets
 
 // An axis of the space.
 typedef struct mrw_example_parameter mrw_example_parameter;
@@ -276,7 +281,7 @@ struct mrw_example_parameter {
 // Rows have one float a target, and zeros up to a multiple of four.
 typedef struct mrw_example_space mrw_example_space;
 struct mrw_example_space {
-  const char* name;
+  const char* name;  // as the source calls it; never null
   uint32_t example_count;  // at most kMaxExamples
   const mrw_example_parameter* parameters;  // at most kMaxExampleParameters
   size_t parameter_count;
@@ -299,24 +304,29 @@ struct mrw_example_space {
 
 // Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
 #define MRW_MAX_JOINTS 32767u
+
+// The most palette entries that a vertex follows.
 #define MRW_MAX_INFLUENCES 8u
+
+// In Skeleton::parents: a root.
 #define MRW_NO_PARENT 0xFFFFu
+
+// In Geometry::source_slots: a vertex of no triangle.
 #define MRW_NO_SLOT 0xFFFFFFFFu
 
-// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
-// the deltas of some blocks.
+// The most examples of a PoseSpace.
 #define MRW_MAX_POSE_EXAMPLES 32u
 
-// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+// In Mesh::material_index: no more than what stands in the Mesh.
 #define MRW_NO_MATERIAL 0xFFFFFFFFu
 
-// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+// In place of an image: none.
 #define MRW_NO_IMAGE 0xFFFFFFFFu
 
-// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
-// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+// In Node::joint and elsewhere: none.
 #define MRW_NO_JOINT 0xFFFFu
 
+// What shape the rotations within a JointLimit have.
 typedef uint8_t mrw_limit_kind;
 enum {
   MRW_LIMIT_KIND_NONE = 0,  // turns freely; for joints that have a rate limit alone
@@ -336,6 +346,7 @@ enum {
   MRW_AXIS_ORDER_ZYX = 5,
 };
 
+// Which part of a local transform a Track drives.
 typedef uint8_t mrw_track_path;
 enum {
   MRW_TRACK_PATH_TRANSLATION = 0,
@@ -343,6 +354,7 @@ enum {
   MRW_TRACK_PATH_SCALE = 2,
 };
 
+// What lies between two keys, as glTF 2.0 defines it.
 typedef uint8_t mrw_interpolation;
 enum {
   MRW_INTERPOLATION_STEP = 0,
@@ -350,19 +362,20 @@ enum {
   MRW_INTERPOLATION_CUBIC_SPLINE = 2,
 };
 
-// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+// Which attributes a morph target changes.
 #define MRW_MORPHS_POSITIONS 1u
 #define MRW_MORPHS_NORMALS 2u
 #define MRW_MORPHS_TANGENTS 4u
 
-// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+// How a material's alpha is meant, as in glTF 2.0.
 typedef uint8_t mrw_alpha_mode;
 enum {
   MRW_ALPHA_MODE_OPAQUE = 0,
   MRW_ALPHA_MODE_MASK = 1,
   MRW_ALPHA_MODE_BLEND = 2,
 };
+
+// What of a material an image gives.
 typedef uint8_t mrw_texture_role;
 enum {
   MRW_TEXTURE_ROLE_BASE_COLOUR = 0,
@@ -374,6 +387,7 @@ enum {
   MRW_TEXTURE_ROLE_SPECULAR_GLOSSINESS = 5,
 };
 
+// What lies beyond an image's edge.
 typedef uint8_t mrw_wrap;
 enum {
   MRW_WRAP_REPEAT = 0,
@@ -381,6 +395,7 @@ enum {
   MRW_WRAP_MIRRORED_REPEAT = 2,
 };
 
+// How an image is magnified.
 typedef uint8_t mrw_mag_filter;
 enum {
   MRW_MAG_FILTER_ANY = 0,
@@ -388,6 +403,7 @@ enum {
   MRW_MAG_FILTER_LINEAR = 2,
 };
 
+// How an image is minified; any: the source leaves it to the game.
 typedef uint8_t mrw_min_filter;
 enum {
   MRW_MIN_FILTER_ANY = 0,
@@ -399,7 +415,7 @@ enum {
   MRW_MIN_FILTER_LINEAR_MIPMAP_LINEAR = 6,
 };
 
-// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+// What an image's bytes are.
 typedef uint8_t mrw_image_format;
 enum {
   MRW_IMAGE_FORMAT_UNKNOWN = 0,
@@ -410,7 +426,7 @@ enum {
   MRW_IMAGE_FORMAT_DDS = 5,
 };
 
-// A number, a truth or a text that an artist gave a node.
+// What a Property is.
 typedef uint8_t mrw_property_type;
 enum {
   MRW_PROPERTY_TYPE_NUMBER = 0,
@@ -430,8 +446,8 @@ struct mrw_angle_range {
 // The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
 typedef struct mrw_rate_limit mrw_rate_limit;
 struct mrw_rate_limit {
-  float speed;
-  float acceleration;
+  float speed;  // rad/s or m/s
+  float acceleration;  // rad/s² or m/s²
 };
 void mrw_rate_limit_init(mrw_rate_limit* out);
 
@@ -454,7 +470,7 @@ void mrw_rate_limit_init(mrw_rate_limit* out);
 typedef struct mrw_joint_limit mrw_joint_limit;
 struct mrw_joint_limit {
   uint16_t joint;  // of the skeleton
-  mrw_limit_kind kind;
+  mrw_limit_kind kind;  // which of the shapes above
   mrw_axis_order order;  // of euler; else xyz
   float limit_from_parent[4];  // unit quaternion
   float joint_from_limit[4];  // unit quaternion
@@ -468,7 +484,7 @@ void mrw_joint_limit_init(mrw_joint_limit* out);
 // A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
 typedef struct mrw_spring_joint mrw_spring_joint;
 struct mrw_spring_joint {
-  uint16_t joint;
+  uint16_t joint;  // of the skeleton
   uint16_t most_pull;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
   float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
   float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
@@ -482,7 +498,7 @@ void mrw_spring_joint_init(mrw_spring_joint* out);
 // Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
 typedef struct mrw_spring_chain mrw_spring_chain;
 struct mrw_spring_chain {
-  const mrw_spring_joint* joints;
+  const mrw_spring_joint* joints;  // from the chain's root to its end
   size_t joint_count;
   float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
   uint64_t colliders;  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
@@ -493,10 +509,10 @@ void mrw_spring_chain_init(mrw_spring_chain* out);
 // space is where that is most.
 typedef struct mrw_spring_collider mrw_spring_collider;
 struct mrw_spring_collider {
-  uint16_t joint;
+  uint16_t joint;  // it moves with
   uint16_t reserved;
   float from[3];  // in the joint's space
-  float to[3];
+  float to[3];  // in the joint's space
   float radius_m;  // in the joint's space
 };
 void mrw_spring_collider_init(mrw_spring_collider* out);
@@ -511,8 +527,8 @@ struct mrw_spring_collider_list {
 // comes before its children and the roots come first.
 typedef struct mrw_skeleton mrw_skeleton;
 struct mrw_skeleton {
-  const char* name;
-  uint32_t joint_count;
+  const char* name;  // as the source calls it; never null
+  uint32_t joint_count;  // 1 … kMaxJoints
   uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
   const mrw_affine* scene_from_root;  // root_count; what stands above each root and never moves
   const mrw_soa_transform* rest;  // soa_count(joint_count); the pose of joints that a clip leaves alone
@@ -525,8 +541,8 @@ struct mrw_skeleton {
 // In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
 typedef struct mrw_skeleton_reference mrw_skeleton_reference;
 struct mrw_skeleton_reference {
-  const char* name;
-  uint32_t joint_count;
+  const char* name;  // the skeleton's
+  uint32_t joint_count;  // the skeleton's
   uint64_t hash;  // skeleton_hash() of the skeleton
   const uint32_t* names;  // joint_count; see File::text
   const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
@@ -536,20 +552,20 @@ struct mrw_skeleton_reference {
 // One channel of a clip stored without loss: the source's own keys at the source's own times.
 typedef struct mrw_track mrw_track;
 struct mrw_track {
-  uint16_t joint;
-  mrw_track_path path;
-  mrw_interpolation interpolation;
+  uint16_t joint;  // of the skeleton
+  mrw_track_path path;  // what of the joint it drives
+  mrw_interpolation interpolation;  // between its keys
   uint32_t key_count;  // ≥ 1
   uint32_t first_time;  // into Clip::times; tracks with the same keys share them
-  uint32_t first_value;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+  uint32_t first_value;  // Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
 };
 
 // Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
 // stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
 typedef struct mrw_group_masks mrw_group_masks;
 struct mrw_group_masks {
-  uint16_t moving;
-  uint16_t constant;
+  uint16_t moving;  // what changes over the clip
+  uint16_t constant;  // what stays, but not as at rest
 };
 
 // A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
@@ -561,10 +577,11 @@ struct mrw_channel {
   uint32_t key_count;  // ≥ 1
   uint32_t first_time;  // as in Track
   uint32_t first_value;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
-  mrw_interpolation interpolation;
+  mrw_interpolation interpolation;  // between its keys
   uint8_t reserved[3];
 };
 
+// In place of a channel: none.
 #define MRW_NO_CHANNEL 0xFFFFFFFFu
 
 // Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
@@ -573,33 +590,33 @@ typedef struct mrw_coded_tracks mrw_coded_tracks;
 struct mrw_coded_tracks {
   uint32_t frame_count;  // 0: the clip has no coded tracks; else ≥ 2
   uint32_t track_count;  // sub-tracks that move
-  uint32_t constant_count;
+  uint32_t constant_count;  // sub-tracks that stay, but not as at rest
   uint32_t segment_intervals;  // steps of time a segment; the last may have fewer
   float start_s;  // of frame 0
   float frames_per_s;  // of uneven ones the mean
   const float* times_s;  // frame_count, ascending; null: even steps
   const mrw_group_masks* masks;  // one a group of four joints
   const uint32_t* segment_offsets;  // bytes into payload
-  const void* constants;
-  const void* payload;
+  const void* constants;  // their values
+  const void* payload;  // segments of packed integers
 };
 
 // An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 typedef struct mrw_clip mrw_clip;
 struct mrw_clip {
-  const char* name;
+  const char* name;  // as the source calls it; never null
   uint32_t skeleton;  // which skeleton of the file; in a clip pack, which reference
   uint32_t joint_count;  // of that skeleton
   float duration_s;  // time of the last key; ≥ 0
   bool additive;  // for sample_additive(), not for sample()
   const mrw_soa_transform* reference;  // additive: the pose that changes are taken from; null: the rest pose
-  mrw_coded_tracks coded;
-  const mrw_track* tracks;
+  mrw_coded_tracks coded;  // what is compressed
+  const mrw_track* tracks;  // what is stored without loss
   size_t track_count;
-  const mrw_channel* channels;
+  const mrw_channel* channels;  // numbers that it drives
   size_t channel_count;
-  const float* times_s;
-  const float* values;
+  const float* times_s;  // key times of tracks and channels, seconds
+  const float* values;  // keys of tracks and channels
   uint64_t id;  // of its bytes and its place in the file, from File::clip(); 0: made by hand
 };
 
@@ -616,12 +633,12 @@ struct mrw_run {
 typedef struct mrw_morph_target mrw_morph_target;
 struct mrw_morph_target {
   uint32_t first_block;  // into Geometry::target_blocks
-  uint32_t block_count;
+  uint32_t block_count;  // how many blocks it moves
   uint32_t first_record;  // into Geometry::target_records
   uint32_t attributes;  // MorphAttributes; 0 if it moves nothing
   float position_step;  // metres, mesh space
-  float normal_step;
-  float tangent_step;
+  float normal_step;  // a unit of its records of normals
+  float tangent_step;  // a unit of its records of tangents
   uint32_t reserved;
 };
 
@@ -648,7 +665,7 @@ struct mrw_geometry {
   uint32_t index_bytes;  // 2 or 4
   uint32_t joint_count;  // how many palette entries the sets refer to
   const void* indices;  // slots
-  const mrw_run* runs;
+  const mrw_run* runs;  // in the order of the slots
   size_t run_count;
   const uint16_t* sets;  // for each run its k palette entries, run after run
   const float* skin;  // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
@@ -663,20 +680,20 @@ struct mrw_geometry {
   // part of a primitive in parts.
   const uint32_t* source_slots;
   size_t source_slot_count;
-  const mrw_morph_target* targets;
+  const mrw_morph_target* targets;  // morph targets, as many as MeshTarget of a mesh
   size_t target_count;
   const void* target_blocks;  // as wide as indices; for each target the blocks it moves, ascending
   const int16_t* target_records;  // twelve a record
-  mrw_pose_space pose_space;
+  mrw_pose_space pose_space;  // examples empty: none
   float box_min[3];  // of the bind positions, mesh space
-  float box_max[3];
+  float box_max[3];  // likewise
 };
 
 // A morph target of a mesh: what it is called and what drives it.
 typedef struct mrw_mesh_target mrw_mesh_target;
 struct mrw_mesh_target {
   uint32_t name;  // see File::text; may be empty
-  uint32_t channel;  // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+  uint32_t channel;  // Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
   float weight;  // where no clip does
 };
 
@@ -686,30 +703,31 @@ typedef struct mrw_texture mrw_texture;
 struct mrw_texture {
   uint16_t image;  // which image of the file
   mrw_texture_role role;  // none twice in a material
-  mrw_wrap wrap_u;
-  mrw_wrap wrap_v;
-  mrw_mag_filter mag;
-  mrw_min_filter min;
+  mrw_wrap wrap_u;  // along u and v
+  mrw_wrap wrap_v;  // along u and v
+  mrw_mag_filter mag;  // as the source asks
+  mrw_min_filter min;  // as the source asks
   uint8_t reserved;
 };
 
+// A material as far as Mesh does not say it.
 typedef struct mrw_material mrw_material;
 struct mrw_material {
-  const char* name;
-  mrw_alpha_mode alpha;
+  const char* name;  // as the source calls it; never null
+  mrw_alpha_mode alpha;  // opaque: alpha is not looked at
   float alpha_cutoff;  // mask: what is less opaque is not drawn
   bool unlit;  // KHR_materials_unlit: the base colour is what is seen
   float emissive[3];  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
-  const mrw_texture* textures;
+  const mrw_texture* textures;  // one a role
   size_t texture_count;
 };
 
 // A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
 typedef struct mrw_image mrw_image;
 struct mrw_image {
-  const char* name;
+  const char* name;  // as the source calls it; never null
   const char* uri;  // relative to the source file and percent-encoded, as it stood there; empty if it had none
-  mrw_image_format format;
+  mrw_image_format format;  // unknown: by its bytes or its URI none of the others
   const void* bytes;  // empty: by reference
   size_t byte_count;
   uint32_t fallback;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
@@ -719,7 +737,7 @@ struct mrw_image {
 typedef struct mrw_property mrw_property;
 struct mrw_property {
   uint32_t name;  // see File::text; of nested ones the path, as in "door/hinges/0"
-  mrw_property_type type;
+  mrw_property_type type;  // which of the two members below holds it
   uint8_t reserved[3];
   // finite; of a boolean 1 or 0
   // see File::text
@@ -730,11 +748,11 @@ struct mrw_property {
 // scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
 typedef struct mrw_node mrw_node;
 struct mrw_node {
-  const char* name;
+  const char* name;  // as the source calls it; never empty
   uint32_t skeleton;  // which skeleton of the file
-  uint16_t joint;
-  const mrw_affine* joint_from_node;
-  const mrw_property* properties;
+  uint16_t joint;  // the nearest joint at or above it
+  const mrw_affine* joint_from_node;  // never changes
+  const mrw_property* properties;  // the `extras` of the source
   size_t property_count;
 };
 
@@ -742,7 +760,7 @@ struct mrw_node {
 typedef struct mrw_helper mrw_helper;
 struct mrw_helper {
   uint16_t first;  // palette entries, below Mesh::joint_count, not the same
-  uint16_t second;
+  uint16_t second;  // palette entries, below Mesh::joint_count, not the same
   float share;  // of second; above 0, below 1
 };
 void mrw_helper_init(mrw_helper* out);
@@ -757,16 +775,16 @@ struct mrw_mesh_lod {
 // A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
 typedef struct mrw_bounds mrw_bounds;
 struct mrw_bounds {
-  float box_min[3];
-  float box_max[3];
+  float box_min[3];  // least corner
+  float box_max[3];  // greatest corner
   float radius_m;  // below 0: empty, or not known
 };
 
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 typedef struct mrw_mesh mrw_mesh;
 struct mrw_mesh {
-  const char* name;
-  const char* material;
+  const char* name;  // as the source calls it; never null
+  const char* material;  // the material's name; never null
   uint32_t material_index;  // which material of the file, if it has more than what stands here
   uint32_t skeleton;  // which skeleton of the file
   uint32_t geometry_index;  // meshes with the same number share their geometry
@@ -774,7 +792,7 @@ struct mrw_mesh {
   const uint16_t* joints;  // joint_count; palette entry → joint of the skeleton
   const mrw_affine* inverse_bind;  // joint_count; joint_from_mesh in the bind pose
   float base_colour[4];  // linear RGBA
-  bool double_sided;
+  bool double_sided;  // backs are drawn, too
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
   // vertex order needs to know: see Geometry::source_slots.
   bool is_next_part;
@@ -813,18 +831,13 @@ void mrw_file_init(mrw_file* out);
 // May be null: error.
 mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error) MRW_NODISCARD;
 
+// How many of each there are.
 uint32_t mrw_file_skeleton_count(const mrw_file* file);
-
 uint32_t mrw_file_reference_count(const mrw_file* file);
-
 uint32_t mrw_file_clip_count(const mrw_file* file);
-
 uint32_t mrw_file_mesh_count(const mrw_file* file);
-
 uint32_t mrw_file_material_count(const mrw_file* file);
-
 uint32_t mrw_file_image_count(const mrw_file* file);
-
 uint32_t mrw_file_node_count(const mrw_file* file);
 
 // An index that is not below the count gives what is empty. Cost: a few loads.
@@ -834,6 +847,8 @@ mrw_status mrw_file_clip(const mrw_file* file, uint32_t index, mrw_clip* out) MR
 
 // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
 mrw_status mrw_file_mesh(const mrw_file* file, uint32_t index, uint32_t level, mrw_mesh* out) MRW_NODISCARD;
+
+// An index that is not below the count gives what is empty. Cost: a few loads.
 mrw_status mrw_file_material(const mrw_file* file, uint32_t index, mrw_material* out) MRW_NODISCARD;
 mrw_status mrw_file_image(const mrw_file* file, uint32_t index, mrw_image* out) MRW_NODISCARD;
 mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out) MRW_NODISCARD;
@@ -895,11 +910,13 @@ const mrw_property* mrw_file_node_property(const mrw_file* file, const mrw_node*
 const char* mrw_file_text(const mrw_file* file, uint32_t name);
 uint32_t mrw_property_text(const mrw_property* property);
 
+// How many groups of four joints a local pose has.
 size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
 
 // How many matrices build_palette() writes.
 uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
 
+// Whether nothing is known or in it.
 bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -915,9 +932,10 @@ enum {
   MRW_MISFIT_OTHER_PLACE = 4,  // all joints are there, this one at another place in the order
 };
 
+// A joint that is in the way.
 typedef struct mrw_joint_misfit mrw_joint_misfit;
 struct mrw_joint_misfit {
-  mrw_misfit how;
+  mrw_misfit how;  // what is wrong with it
   uint32_t joint;  // of the pack's reference; `extra`: of the skeleton
 };
 
@@ -994,7 +1012,7 @@ typedef struct mrw_playback mrw_playback;
 struct mrw_playback {
   double time_s;  // in the clip
   float speed;  // seconds of the clip a second; 0 pauses, below 0 runs backwards
-  mrw_play_mode mode;
+  mrw_play_mode mode;  // what happens at the ends
   bool returning;  // ping_pong: on the way back, so time runs against speed
   // Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
   // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
@@ -1027,6 +1045,7 @@ bool mrw_finished(const mrw_playback* playback, float duration_s);
 // ---------------------------------------------------------------------------------------------------------------------
 // Stage 2, sample: a clip at a time → local transforms of every joint.
 
+// Which joints are sampled.
 typedef struct mrw_sample_options mrw_sample_options;
 struct mrw_sample_options {
   // A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
@@ -1122,6 +1141,7 @@ enum {
   MRW_CURVE_KIND_CENTRIPETAL = 6,
 };
 
+// How a patch's points shape it.
 typedef uint8_t mrw_patch_basis;
 enum {
   MRW_PATCH_BASIS_CATMULL_ROM = 0,  // through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
@@ -1143,6 +1163,8 @@ enum {
   MRW_EASING_ELASTIC = 9,
   MRW_EASING_BOUNCE = 10,
 };
+
+// At which end a movement is eased.
 typedef uint8_t mrw_ease_mode;
 enum {
   MRW_EASE_MODE_IN = 0,
@@ -1156,7 +1178,7 @@ enum {
 // and arrives straight.
 typedef struct mrw_curve mrw_curve;
 struct mrw_curve {
-  mrw_curve_kind kind;
+  mrw_curve_kind kind;  // what lies between keys
   // Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
   // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
   // A blend that has no direction gives the earlier key's.
@@ -1175,7 +1197,7 @@ void mrw_curve_init(mrw_curve* out);
 typedef struct mrw_arc_length mrw_arc_length;
 struct mrw_arc_length {
   uint32_t steps;  // a key interval, at least 1
-  const float* lengths;
+  const float* lengths;  // arc_length_count() of them, ascending
   size_t length_count;
 };
 void mrw_arc_length_init(mrw_arc_length* out);
@@ -1185,9 +1207,9 @@ void mrw_arc_length_init(mrw_arc_length* out);
 typedef struct mrw_cubic_bezier_ease mrw_cubic_bezier_ease;
 struct mrw_cubic_bezier_ease {
   float x1;  // CSS "ease"
-  float y1;
-  float x2;
-  float y2;
+  float y1;  // CSS "ease"
+  float x2;  // CSS "ease"
+  float y2;  // CSS "ease"
 };
 void mrw_cubic_bezier_ease_init(mrw_cubic_bezier_ease* out);
 
@@ -1250,6 +1272,7 @@ mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count
 mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count, uint32_t components,
     float u, float v, float* out, size_t out_count) MRW_NODISCARD;
 
+// How many floats the table of a curve has.
 size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
 
 // Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
@@ -1302,6 +1325,7 @@ struct mrw_blend_layer {
 };
 void mrw_blend_layer_init(mrw_blend_layer* out);
 
+// A change, and how much of it.
 typedef struct mrw_additive_layer mrw_additive_layer;
 struct mrw_additive_layer {
   const mrw_additive_transform* change;  // at least skeleton.soa_size()
@@ -1365,8 +1389,8 @@ enum {
 //   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
 typedef struct mrw_inertial_offset mrw_inertial_offset;
 struct MRW_ALIGN(16) mrw_inertial_offset {
-  float start[9][4];
-  float slope[9][4];
+  float start[9][4];  // metres, radians, factors
+  float slope[9][4];  // over the whole fade
   float rate[9][4];  // 1 / seconds
 };
 
@@ -1469,16 +1493,16 @@ mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_
 // A limit as people think of it.
 typedef struct mrw_limit_description mrw_limit_description;
 struct mrw_limit_description {
-  mrw_limit_kind kind;
-  mrw_axis_order order;
+  mrw_limit_kind kind;  // its shape
+  mrw_axis_order order;  // of euler
   float zero[4];  // the local rotation where all angles are 0: most often the joint's rest
   float axis[3];  // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
   float across[3];  // its y, made perpendicular to x
   // hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
   // is the half-width, and `least` its negative. Euler: the three angles.
   float least_rad[3];
-  float most_rad[3];
-  mrw_rate_limit rate;
+  float most_rad[3];  // as least_rad
+  mrw_rate_limit rate;  // 0: none
 };
 void mrw_limit_description_init(mrw_limit_description* out);
 
@@ -1491,17 +1515,18 @@ struct mrw_rotation_follower {
   float target[4];  // of the last call
   float velocity[3];  // radians a second, about the parent's axes
   float frame_s;  // of the last call
-  uint32_t mode;
+  uint32_t mode;  // follow_rotation()'s own
 };
 void mrw_rotation_follower_init(mrw_rotation_follower* out);
 
+// A point that follows another.
 typedef struct mrw_point_follower mrw_point_follower;
 struct mrw_point_follower {
-  float point[3];
-  float target[3];
-  float velocity[3];
-  float frame_s;
-  uint32_t mode;
+  float point[3];  // where it is, metres
+  float target[3];  // of the last call
+  float velocity[3];  // metres a second
+  float frame_s;  // of the last call
+  uint32_t mode;  // follow_point()'s own
 };
 void mrw_point_follower_init(mrw_point_follower* out);
 
@@ -1617,8 +1642,8 @@ void mrw_two_bone_init(mrw_two_bone* out);
 // Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
 typedef struct mrw_two_bone_turns mrw_two_bone_turns;
 struct MRW_ALIGN(16) mrw_two_bone_turns {
-  float start[4];
-  float mid[4];
+  float start[4];  // of the start joint
+  float mid[4];  // of the middle joint
   float stretch;  // for the translations of all joints from below start down to end; 1: unless max_stretch > 1
   bool reached;  // The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
 };
@@ -1626,18 +1651,18 @@ struct MRW_ALIGN(16) mrw_two_bone_turns {
 // The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 typedef struct mrw_two_bone_joints mrw_two_bone_joints;
 struct mrw_two_bone_joints {
-  const mrw_affine* start;
-  const mrw_affine* mid;
-  const mrw_affine* end;
+  const mrw_affine* start;  // hip, shoulder
+  const mrw_affine* mid;  // knee, elbow
+  const mrw_affine* end;  // ankle, wrist
 };
 void mrw_two_bone_joints_init(mrw_two_bone_joints* out);
 
 // Joints of a skeleton; other joints may lie between them.
 typedef struct mrw_two_bone_limb mrw_two_bone_limb;
 struct mrw_two_bone_limb {
-  uint32_t start;
-  uint32_t mid;
-  uint32_t end;
+  uint32_t start;  // hip, knee and ankle
+  uint32_t mid;  // hip, knee and ankle
+  uint32_t end;  // hip, knee and ankle
 };
 void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
 
@@ -1656,6 +1681,7 @@ struct MRW_ALIGN(16) mrw_aim {
 };
 void mrw_aim_init(mrw_aim* out);
 
+// What aim() gives.
 typedef struct mrw_aim_turn mrw_aim_turn;
 struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
@@ -1716,6 +1742,7 @@ mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joint
 // Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, one interface for all
 // methods.
 
+// How solve_ik() solves; docs/ik/solvers.md says which is for what.
 typedef uint8_t mrw_ik_method;
 enum {
   MRW_IK_METHOD_FABRIK = 0,
@@ -1724,6 +1751,7 @@ enum {
   MRW_IK_METHOD_GAUSS_NEWTON = 3,
 };
 
+// Why a solver stopped.
 typedef uint8_t mrw_ik_stop;
 enum {
   MRW_IK_STOP_REACHED = 0,  // the error is less than the tolerance
@@ -1735,7 +1763,7 @@ enum {
 // and it does not, of twice the weight and it gives way half as far where goals contradict each other.
 typedef struct mrw_ik_goal mrw_ik_goal;
 struct mrw_ik_goal {
-  uint16_t joint;
+  uint16_t joint;  // of the skeleton
   uint8_t priority;  // 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
   float offset[3];  // the point of the joint that shall reach `position`; the joint's space, metres
   float position[3];  // scene space, metres
@@ -1745,31 +1773,33 @@ struct mrw_ik_goal {
 };
 void mrw_ik_goal_init(mrw_ik_goal* out);
 
+// What is asked of a pose.
 typedef struct mrw_ik_problem mrw_ik_problem;
 struct mrw_ik_problem {
-  const mrw_ik_goal* goals;
+  const mrw_ik_goal* goals;  // at least one that counts
   size_t goal_count;
   const uint16_t* joints;  // that may turn: ascending, so that parents come first. Others are stiff
   size_t joint_count;
   const float* stiffness;  // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
   size_t stiffness_count;
-  const mrw_joint_limit* limits;  // joints ascending, as in a skeleton; those of joints that do not turn are left out
+  const mrw_joint_limit* limits;  // Joints ascending, as in a skeleton; those of joints that do not turn are left out.
   size_t limit_count;
   // Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
   // as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
   // scene space, metres
   float pole[3];
-  float pole_weight;
+  float pole_weight;  // 0: no pole
   // By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
   // stays. Jacobian methods only.
   float root_travel_m;
 };
 void mrw_ik_problem_init(mrw_ik_problem* out);
 
+// How it is solved.
 typedef struct mrw_ik_options mrw_ik_options;
 struct mrw_ik_options {
-  mrw_ik_method method;
-  uint16_t max_iterations;
+  mrw_ik_method method;  // see docs/ik/solvers.md
+  uint16_t max_iterations;  // the most there are
   float tolerance_m;  // an error (see IkReport) of less ends the iteration
   float damping;  // of the Jacobian methods: more is calmer and slower
   uint32_t seed;  // of solve_ik_genetic: the same seed, the same result
@@ -1781,11 +1811,12 @@ struct mrw_ik_options {
 };
 void mrw_ik_options_init(mrw_ik_options* out);
 
+// How a solver ended.
 typedef struct mrw_ik_report mrw_ik_report;
 struct mrw_ik_report {
   float error_m;  // √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
-  uint32_t iterations;
-  mrw_ik_stop why;
+  uint32_t iterations;  // that it took
+  mrw_ik_stop why;  // why it took no more
 };
 
 // Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
@@ -1838,9 +1869,9 @@ mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform*
 // its angle.
 typedef struct mrw_foot mrw_foot;
 struct mrw_foot {
-  uint32_t hip;
-  uint32_t knee;
-  uint32_t ankle;
+  uint32_t hip;  // joints of the skeleton
+  uint32_t knee;  // joints of the skeleton
+  uint32_t ankle;  // joints of the skeleton
   float sole[3];  // what stands on the ground, in the ankle's space: below the ball of the foot, say
   float bend_axis[3];  // of the knee; see TwoBone
   float weight;  // 0 … 1
@@ -1850,7 +1881,7 @@ void mrw_foot_init(mrw_foot* out);
 // Two legs or more. The clips have been made for level ground, through the scene's origin.
 typedef struct mrw_feet mrw_feet;
 struct mrw_feet {
-  const mrw_foot* feet;
+  const mrw_foot* feet;  // two or more
   size_t foot_count;
   uint32_t pelvis;  // moved up and down, with all that hangs on it, the hips too; none: stays
   float lower_m;  // ≥ 0: by how much at most it goes down, or up; world
@@ -1876,23 +1907,24 @@ typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
   float place[3];  // of the sole, as shown last
   float offset[3];  // of the sole from its target
-  float offset_speed[3];
+  float offset_speed[3];  // of the sole from its target
   float lean[3];  // of the ground's normal that the foot leans by from the ground's own
-  float lean_speed[3];
+  float lean_speed[3];  // of the ground's normal that the foot leans by from the ground's own
   float point[3];  // the ground, last
-  float normal[3];
+  float normal[3];  // the ground, last
   float heading[3];  // level: of the ankle's axis `axis` when it was planted
   float turn[4];  // about up, from the animated to the planted heading
   float turn_share;  // how much of it is left
-  float turn_share_speed;
-  uint8_t axis;
-  uint8_t planted;
-  uint8_t begun;
-  uint8_t hit;
+  float turn_share_speed;  // how much of it is left
+  uint8_t axis;  // whether it is planted, and was begun
+  uint8_t planted;  // whether it is planted, and was begun
+  uint8_t begun;  // whether it is planted, and was begun
+  uint8_t hit;  // whether its ray found ground
   uint8_t reached;  // whether the leg was long enough
 };
 void mrw_foot_motion_init(mrw_foot_motion* out);
 
+// What place_feet() is told of a frame.
 typedef struct mrw_feet_frame mrw_feet_frame;
 struct mrw_feet_frame {
   float dt_s;  // since the last frame
@@ -1951,17 +1983,18 @@ typedef struct mrw_joint_range mrw_joint_range;
 // Chains of one character. To keep or to copy a motion, copy the memory.
 typedef struct mrw_springs mrw_springs;
 struct mrw_springs {
-  mrw_spring_group* groups;
-  mrw_spring_root* roots;
+  mrw_spring_group* groups;  // four bones each
+  mrw_spring_root* roots;  // a chain each
   mrw_joint_range* below;  // joints whose matrices springs change
-  uint32_t group_count;
-  uint32_t root_count;
-  uint32_t below_count;
+  uint32_t group_count;  // of each of them
+  uint32_t root_count;  // likewise
+  uint32_t below_count;  // likewise
   uint32_t joint_count;  // of the skeleton
-  float saved_s;
+  float saved_s;  // time of frames that were too short
 };
 void mrw_springs_init(mrw_springs* out);
 
+// What simulate_springs() is told of a frame.
 typedef struct mrw_spring_frame mrw_spring_frame;
 struct mrw_spring_frame {
   float dt_s;  // since the last frame
@@ -1969,7 +2002,7 @@ struct mrw_spring_frame {
   mrw_affine world_from_scene;
   float gravity[3];  // m/s², world
   float wind[3];  // m/s, world; acts by `drag`
-  const mrw_spring_collider* colliders;
+  const mrw_spring_collider* colliders;  // at most kMaxSpringColliders
   size_t collider_count;
   float teleport_m;  // chains whose first joint moves further than this in one frame are moved along …
   bool teleported;  // … and so are all if this is set
@@ -2044,7 +2077,7 @@ mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_f
 typedef struct mrw_morphed_geometry mrw_morphed_geometry;
 struct mrw_morphed_geometry {
   mrw_geometry geometry;  // as the bind geometry, but that skin, normals and tangents are the instance's own
-  mrw_geometry bind;
+  mrw_geometry bind;  // as the file has it
   const uint32_t* offsets;  // a block's first float in the skin; one more for the end
   uint32_t* moved;  // a bit a block: differs from the bind pose
   uint32_t* changed;  // a bit a block: written since morph_coordinates()
@@ -2129,17 +2162,19 @@ mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* pa
 // All lines are in scene space, metres. Each call appends. A line without room is left out and counted, and so is one
 // with a number that is not finite. No allocation; thread-safe on different lines. Cost: a few products a line.
 
+// A line to draw; scene space.
 typedef struct mrw_debug_line mrw_debug_line;
 struct mrw_debug_line {
-  float from[3];
-  float to[3];
-  uint8_t colour[4];
+  float from[3];  // its ends, metres
+  float to[3];  // its ends, metres
+  uint8_t colour[4];  // r g b a
 };
 void mrw_debug_line_init(mrw_debug_line* out);
 
+// Room for lines in the caller's memory. The calls below append to it.
 typedef struct mrw_debug_lines mrw_debug_lines;
 struct mrw_debug_lines {
-  mrw_debug_line* room;
+  mrw_debug_line* room;  // the caller's
   size_t room_count;
   size_t count;  // of lines that are there, from the front
   size_t left_out;  // for which there was no room
@@ -2237,7 +2272,7 @@ bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_coun
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
 typedef struct mrw_joint_reach mrw_joint_reach;
 struct mrw_joint_reach {
-  float centre[3];
+  float centre[3];  // the box's middle
   float half[3];  // ≥ 0; below 0: nothing follows this entry
 };
 
@@ -2245,8 +2280,8 @@ struct mrw_joint_reach {
 // and about 0, in mesh space.
 typedef struct mrw_morph_reach mrw_morph_reach;
 struct mrw_morph_reach {
-  float least[3];
-  float most[3];
+  float least[3];  // ≤ 0
+  float most[3];  // ≥ 0
 };
 
 // Views into the caller's memory.
@@ -2301,6 +2336,7 @@ enum {
   MRW_NORMAL_TRANSFORM_BLENDED_MATRIX = 1,
 };
 
+// Where skinned vertices go: the caller's memory, slot after slot.
 typedef struct mrw_skin_output mrw_skin_output;
 struct mrw_skin_output {
   float* positions;  // 3 a slot; required
@@ -2312,14 +2348,14 @@ struct mrw_skin_output {
   // normals. Leave empty to skip.
   float* tangents;
   size_t tangent_count;
-  mrw_normal_transform normal_transform;
+  mrw_normal_transform normal_transform;  // of tangents, too
 };
 void mrw_skin_output_init(mrw_skin_output* out);
 
 // A mesh in animation space, for as_tangents().
 typedef struct mrw_as_part mrw_as_part;
 struct mrw_as_part {
-  const mrw_mesh* mesh;
+  const mrw_mesh* mesh;  // cooked with animation space
   const float* coordinates;  // from as_coordinates()
   size_t coordinate_count;
   float* tangents;  // as_tangent_count() floats, to be written
@@ -2449,6 +2485,7 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
 // only read, and serve any number of them.
 
+// In Animation: the skeleton plays nothing.
 #define MRW_NO_CLIP 0xFFFFFFFFu
 
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
@@ -2464,6 +2501,7 @@ struct mrw_animation {
   size_t channel_count;
 };
 
+// All animations of a file, by name.
 typedef struct mrw_animations mrw_animations;
 struct mrw_animations {
   // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
@@ -2472,6 +2510,7 @@ struct mrw_animations {
   size_t all_count;
 };
 
+// What a character is made for.
 typedef struct mrw_character_options mrw_character_options;
 struct mrw_character_options {
   uint32_t layers;  // that are blended at once, at most; at least 1
@@ -2485,7 +2524,7 @@ void mrw_character_options_init(mrw_character_options* out);
 // the other alike; all calls of stage 3½ do.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
-  mrw_skeleton skeleton;
+  mrw_skeleton skeleton;  // of the file
   mrw_soa_transform* local;  // skeleton.soa_size()
   size_t local_count;
   mrw_affine* scene_from_joint;  // skeleton.joint_count
@@ -2493,7 +2532,7 @@ struct mrw_character_skeleton {
   // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   mrw_soa_transform* sampled;
   size_t sampled_count;
-  mrw_sample_cache* caches;
+  mrw_sample_cache* caches;  // as `sampled`
   size_t cache_count;
 };
 
@@ -2516,16 +2555,16 @@ struct mrw_character_mesh {
 // Views into the caller's memory. A copy is the same character.
 typedef struct mrw_character mrw_character;
 struct mrw_character {
-  mrw_file file;
-  mrw_character_options options;
-  mrw_character_skeleton* skeletons;
+  mrw_file file;  // as it was given
+  mrw_character_options options;  // as they were given
+  mrw_character_skeleton* skeletons;  // all of the file, in its order
   size_t skeleton_count;
-  mrw_character_mesh* meshes;
+  mrw_character_mesh* meshes;  // all of the file, in its order
   size_t mesh_count;
   uint32_t target_count;  // of morph targets, of all meshes
   mrw_blend_layer* blended;  // Scratch, of the largest skeleton.
   size_t blended_count;
-  mrw_additive_transform* change;
+  mrw_additive_transform* change;  // of the same size
   size_t change_count;
 };
 
@@ -2600,7 +2639,7 @@ mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
 // Of one skeleton of an outfit: what it follows.
 typedef struct mrw_outfit_skeleton mrw_outfit_skeleton;
 struct mrw_outfit_skeleton {
-  uint32_t body_skeleton;
+  uint32_t body_skeleton;  // of the body's character
   const uint16_t* body_joints;  // one a joint of the outfit; see bind_outfit()
   size_t body_joint_count;
 };

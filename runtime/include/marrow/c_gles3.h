@@ -34,10 +34,14 @@ typedef uint32_t (*mrw_gles3_get_error)(void);
 // One an Api and thread.
 typedef struct mrw_gles3_error_watch mrw_gles3_error_watch;
 struct mrw_gles3_error_watch {
-  mrw_gles3_error_report report;  // call: "glBindBuffer", a static string. May be null.
+  // call: "glBindBuffer", a static string. May be null.
+  // what `report` gets
+  mrw_gles3_error_report report;
+  // call: "glBindBuffer", a static string. May be null.
+  // what `report` gets
   void* user;
   uint32_t pending;  // what the Api's GetError has yet to tell, as it would without a watch
-  mrw_gles3_get_error get_error;
+  mrw_gles3_get_error get_error;  // the driver's glGetError
 };
 void mrw_gles3_error_watch_init(mrw_gles3_error_watch* out);
 
@@ -82,9 +86,17 @@ enum {
 
 // Which attributes a mesh has and a program reads.
 #define MRW_GLES3_NORMALS 1u
+
+// A mesh has tangents, a program reads them; here and below as above.
 #define MRW_GLES3_TANGENTS 2u
+
+// Texture coordinates.
 #define MRW_GLES3_UVS 4u
+
+// Colours of vertices.
 #define MRW_GLES3_COLOURS 8u
+
+// Morph targets.
 #define MRW_GLES3_MORPHS 16u
 
 // In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
@@ -98,12 +110,12 @@ enum {
 #define MRW_GLES3_POSITION_LOCATION 0u  // animation space: 0 … 7 are the coordinates
 #define MRW_GLES3_WEIGHTS_LOCATION 1u  // and 2
 #define MRW_GLES3_JOINTS_LOCATION 8u  // and 9; on Mali-G up to eight here, two in a number
-#define MRW_GLES3_NORMAL_LOCATION 10u
-#define MRW_GLES3_TANGENT_LOCATION 11u
-#define MRW_GLES3_UV_LOCATION 12u
-#define MRW_GLES3_COLOUR_LOCATION 13u
-#define MRW_GLES3_MORPH_ROW_LOCATION 14u
-#define MRW_GLES3_EXAMPLE_ROW_LOCATION 15u
+#define MRW_GLES3_NORMAL_LOCATION 10u  // octahedral
+#define MRW_GLES3_TANGENT_LOCATION 11u  // octahedral, and the handedness
+#define MRW_GLES3_UV_LOCATION 12u  // in_uv
+#define MRW_GLES3_COLOUR_LOCATION 13u  // in_colour
+#define MRW_GLES3_MORPH_ROW_LOCATION 14u  // row of the morph texture
+#define MRW_GLES3_EXAMPLE_ROW_LOCATION 15u  // row of the texture of examples
 
 // Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 #define MRW_GLES3_MORPH_TARGETS 64u
@@ -114,6 +126,8 @@ enum {
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 #define MRW_GLES3_PALETTE_JOINTS 341u
+
+// Bytes of that block.
 #define MRW_GLES3_PALETTE_BLOCK_BYTES 16368u
 
 // Texels a row of the texture: what GLES 3.0 promises.
@@ -122,10 +136,10 @@ enum {
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
 typedef struct mrw_gles3_caps mrw_gles3_caps;
 struct mrw_gles3_caps {
-  uint32_t uniform_block_bytes;
+  uint32_t uniform_block_bytes;  // that one block may have
   uint32_t uniform_offset_alignment;  // power of two
-  uint32_t vertex_attributes;
-  uint32_t texture_size;
+  uint32_t vertex_attributes;  // of four numbers each
+  uint32_t texture_size;  // along each side
   bool compute;  // OpenGL ES 3.1 or newer, and its functions
 };
 void mrw_gles3_caps_init(mrw_gles3_caps* out);
@@ -135,19 +149,19 @@ typedef struct mrw_gles3_vertex_layout mrw_gles3_vertex_layout;
 struct mrw_gles3_vertex_layout {
   uint32_t influences;  // the most of any vertex, 4 to 8
   uint32_t joint_bytes;  // 1 or 2
-  uint32_t ssd_stride;
-  uint32_t ssd_weights;
-  uint32_t ssd_joints;
+  uint32_t ssd_stride;  // the stream of SSD
+  uint32_t ssd_weights;  // the stream of SSD
+  uint32_t ssd_joints;  // the stream of SSD
   uint32_t example_row;  // in SSD's stream; 0: there is none
-  uint32_t as_stride;
-  uint32_t as_tangents;
-  uint32_t as_joints;
+  uint32_t as_stride;  // the stream of animation space
+  uint32_t as_tangents;  // the stream of animation space
+  uint32_t as_joints;  // the stream of animation space
   bool surface_normals;  // there are tangents, and room for them
-  uint32_t surface_stride;
-  uint32_t normal;
-  uint32_t tangent;
-  uint32_t uv;
-  uint32_t colour;
+  uint32_t surface_stride;  // the stream that all deformers share
+  uint32_t normal;  // the stream that all deformers share
+  uint32_t tangent;  // the stream that all deformers share
+  uint32_t uv;  // the stream that all deformers share
+  uint32_t colour;  // the stream that all deformers share
   bool uv_unorm;  // unorm16×2, otherwise f32×2
 };
 void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
@@ -180,18 +194,18 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 typedef struct mrw_gles3_gpu_mesh mrw_gles3_gpu_mesh;
 struct mrw_gles3_gpu_mesh {
   uint32_t ssd_array;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
-  uint32_t as_array;
-  uint32_t ssd_buffer;
-  uint32_t as_buffer;
+  uint32_t as_array;  // of animation space
+  uint32_t ssd_buffer;  // the streams above, a buffer each
+  uint32_t as_buffer;  // of animation space
   uint32_t surface_buffer;  // 0 for a mesh of bare positions
   uint32_t morph_buffer;  // 0 for a mesh without morph targets
   uint32_t morph_texture;  // likewise
   uint32_t example_texture;  // 0 without PrepareOptions::psd, or examples
-  uint32_t index_buffer;
-  uint32_t index_count;
+  uint32_t index_buffer;  // of all three vertex arrays
+  uint32_t index_count;  // three a triangle
   uint32_t index_type;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
   uint32_t primitive;  // what the indices draw: GL_TRIANGLES
-  uint32_t slot_count;
+  uint32_t slot_count;  // as Geometry::slot_count
   uint32_t joint_count;  // matrices in its palette
   uint32_t vertex_bytes;  // all vertex buffers together
   uint8_t influences;  // the most of any vertex, 4 to 8
@@ -204,10 +218,11 @@ struct mrw_gles3_gpu_mesh {
   uint32_t distances;  // distance_matrices() of the mesh, where it has examples here
   uint32_t distance_texels;  // of them, a palette entry
   float coordinate_scale;  // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
-  mrw_gles3_vertex_layout layout;
+  mrw_gles3_vertex_layout layout;  // of its vertex buffers
 };
 void mrw_gles3_gpu_mesh_init(mrw_gles3_gpu_mesh* out);
 
+// What prepare() puts on the GPU.
 typedef struct mrw_gles3_prepare_options mrw_gles3_prepare_options;
 struct mrw_gles3_prepare_options {
   bool ssd;  // also what rigid draws from
@@ -229,10 +244,10 @@ void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out);
 // and with kMorphs set_previous_morphs().
 typedef struct mrw_gles3_program_key mrw_gles3_program_key;
 struct mrw_gles3_program_key {
-  mrw_gles3_deformer deformer;
-  uint8_t influences;
-  uint8_t features;
-  mrw_gles3_palettes palettes;
+  mrw_gles3_deformer deformer;  // by which vertices are skinned
+  uint8_t influences;  // 4 to 8: that of the mesh or more
+  uint8_t features;  // kNormals | …, that it reads
+  mrw_gles3_palettes palettes;  // where they are
 };
 void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 
@@ -256,38 +271,43 @@ void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 // after UseProgram(program.id), by Api or by any other loader.
 typedef struct mrw_gles3_program_source mrw_gles3_program_source;
 struct mrw_gles3_program_source {
-  const char* vertex;
-  const char* fragment;
+  const char* vertex;  // as above
+  const char* fragment;  // as above
   const char* const* feedback_varyings;  // for transform feedback, interleaved; empty otherwise
   size_t feedback_varying_count;
 };
 void mrw_gles3_program_source_init(mrw_gles3_program_source* out);
 
+// A program of the driver and where its uniforms are. Filled in by Marrow.
 typedef struct mrw_gles3_program mrw_gles3_program;
 struct mrw_gles3_program {
-  uint32_t id;
-  mrw_gles3_palettes reads;
+  uint32_t id;  // for UseProgram(); 0: none
+  mrw_gles3_palettes reads;  // where it reads palettes
   bool motion;  // built with kMotion
-  int32_t coordinate_scale;  // Locations of uniforms.
+  // Locations of uniforms.
+  // of attributes; here and below -1: there is none
+  int32_t coordinate_scale;
+  // Locations of uniforms.
+  // of attributes; here and below -1: there is none
   int32_t joint_bits;
-  int32_t palettes;
-  int32_t first_row;
-  int32_t instances;
-  int32_t crowd;
+  int32_t palettes;  // of palettes in a texture
+  int32_t first_row;  // of palettes in a texture
+  int32_t instances;  // of crowds
+  int32_t crowd;  // of crowds
   int32_t vertex_layout;  // of pre-skinning by compute shaders
-  int32_t morph_changes;
-  int32_t morph_targets;
-  int32_t morph_count;
-  int32_t morph_shift;
-  int32_t morph_per_row;
-  int32_t previous_palettes;
-  int32_t previous_targets;
-  int32_t previous_count;
-  int32_t examples;
-  int32_t example_step;
-  int32_t distances;
-  int32_t distance_row;
-  int32_t previous_distances;
+  int32_t morph_changes;  // of morph targets
+  int32_t morph_targets;  // of morph targets
+  int32_t morph_count;  // of morph targets
+  int32_t morph_shift;  // of morph targets
+  int32_t morph_per_row;  // of morph targets
+  int32_t previous_palettes;  // of the frame before
+  int32_t previous_targets;  // of the frame before
+  int32_t previous_count;  // of the frame before
+  int32_t examples;  // of pose spaces
+  int32_t example_step;  // of pose spaces
+  int32_t distances;  // of pose spaces
+  int32_t distance_row;  // of pose spaces
+  int32_t previous_distances;  // of pose spaces
 };
 void mrw_gles3_program_init(mrw_gles3_program* out);
 
@@ -295,10 +315,10 @@ void mrw_gles3_program_init(mrw_gles3_program* out);
 // contents are orphaned, so the CPU never waits for the GPU.
 typedef struct mrw_gles3_palette_ring mrw_gles3_palette_ring;
 struct mrw_gles3_palette_ring {
-  uint32_t buffer;
-  uint32_t alignment;
+  uint32_t buffer;  // a uniform buffer; 0: none
+  uint32_t alignment;  // of offsets, bytes
   uint32_t capacity;  // bytes that palettes may use
-  uint32_t used;
+  uint32_t used;  // bytes, since begin_frame()
 };
 void mrw_gles3_palette_ring_init(mrw_gles3_palette_ring* out);
 
@@ -306,7 +326,7 @@ void mrw_gles3_palette_ring_init(mrw_gles3_palette_ring* out);
 // frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
 typedef struct mrw_gles3_palette_texture mrw_gles3_palette_texture;
 struct mrw_gles3_palette_texture {
-  uint32_t textures[3];
+  uint32_t textures[3];  // 0: none
   uint32_t current;  // which was written last
   uint32_t capacity;  // matrices
   uint32_t count;  // that are there
@@ -372,12 +392,15 @@ mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_pro
     const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
 
+// Deletes the program and clears the struct.
 void mrw_gles3_destroy_program(const mrw_gles3_api* api, mrw_gles3_program* program);
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
 // Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
 mrw_status mrw_gles3_create_palette_ring(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
     uint32_t palettes, mrw_gles3_palette_ring* out) MRW_NODISCARD;
+
+// Deletes the buffer and clears the struct.
 void mrw_gles3_destroy_palette_ring(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring);
 
 // Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
@@ -397,6 +420,8 @@ void mrw_gles3_bind_palette(const mrw_gles3_api* api, const mrw_gles3_palette_ri
 // gl_error. Leaves the active unit's 2D texture at 0.
 mrw_status mrw_gles3_create_palette_texture(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
     mrw_gles3_palette_texture* out) MRW_NODISCARD;
+
+// Deletes the textures and clears the struct.
 void mrw_gles3_destroy_palette_texture(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture);
 
 // Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
@@ -475,6 +500,7 @@ mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mes
 //
 // The conventions are those of gles3.h.
 
+// What skins vertices ahead of drawing.
 typedef uint8_t mrw_gles3_preskin;
 enum {
   MRW_GLES3_PRESKIN_FEEDBACK = 0,  // transform feedback, OpenGL ES 3.0
@@ -486,9 +512,9 @@ enum {
 // and indices are the mesh's, which must be there as long.
 typedef struct mrw_gles3_skinned_mesh mrw_gles3_skinned_mesh;
 struct mrw_gles3_skinned_mesh {
-  uint32_t array;
-  uint32_t buffer;
-  uint32_t slot_count;
+  uint32_t array;  // vertex array object
+  uint32_t buffer;  // of the vertices
+  uint32_t slot_count;  // the mesh's
   uint8_t features;  // kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
 };
 void mrw_gles3_skinned_mesh_init(mrw_gles3_skinned_mesh* out);
@@ -497,6 +523,8 @@ void mrw_gles3_skinned_mesh_init(mrw_gles3_skinned_mesh* out);
 // array at 0.
 mrw_status mrw_gles3_create_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     mrw_gles3_skinned_mesh* out) MRW_NODISCARD;
+
+// Deletes the GL objects and clears the struct.
 void mrw_gles3_destroy_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_mesh* mesh);
 
 // What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
@@ -554,39 +582,43 @@ enum {
   MRW_GLES3_SKINNING_PATH_CPU = 4,  // once a frame, by the CPU
 };
 
+// How many values SkinningPath has.
 #define MRW_GLES3_PATH_COUNT 5u
 
+// The most roles of a ProgramSet.
 #define MRW_GLES3_MOST_ROLES 4u
 
+// The most programs of a ProgramSet.
 #define MRW_GLES3_MOST_PROGRAMS 192u
 
 // One of a set, filled in by Marrow.
 typedef struct mrw_gles3_program_set_entry mrw_gles3_program_set_entry;
 struct mrw_gles3_program_set_entry {
-  mrw_gles3_program_key key;
+  mrw_gles3_program_key key;  // what it was built for
   uint32_t role;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
-  mrw_gles3_program program;
+  mrw_gles3_program program;  // as it was built
 };
 
 // The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 typedef struct mrw_gles3_program_set mrw_gles3_program_set;
 struct mrw_gles3_program_set {
   mrw_gles3_program_source roles[4];  // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
-  uint32_t role_count;
+  uint32_t role_count;  // of `roles`, that are used
   // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
   // read previous_position of skinners and crowds that keep it.
   uint8_t role_features[4];
   uint32_t palette_binding;  // uniform buffer binding of the palettes
   char* log;  // what the driver says of a text that does not compile
   size_t log_bytes;
-  mrw_gles3_program_set_entry entries[192];
-  uint32_t count;
+  mrw_gles3_program_set_entry entries[192];  // what was compiled
+  uint32_t count;  // of entries
 };
 void mrw_gles3_program_set_init(mrw_gles3_program_set* out);
 
+// How a mesh is skinned, and for how many characters.
 typedef struct mrw_gles3_skinner_options mrw_gles3_skinner_options;
 struct mrw_gles3_skinner_options {
-  mrw_gles3_skinning_path path;
+  mrw_gles3_skinning_path path;  // choose() in gles3_self_test.h names the best
   mrw_gles3_deformer deformer;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
   uint32_t instances;  // characters, at most
   // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
@@ -606,54 +638,57 @@ void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out);
 // What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
 typedef struct mrw_gles3_skinner_motion mrw_gles3_skinner_motion;
 struct mrw_gles3_skinner_motion {
-  mrw_gles3_palette_ring ring;
-  uint32_t* offsets;
+  mrw_gles3_palette_ring ring;  // path ubo
+  uint32_t* offsets;  // in the ring, a character each
   size_t offset_count;
-  mrw_gles3_skinned_mesh* skinned;
+  mrw_gles3_skinned_mesh* skinned;  // of paths that skin once a frame
   size_t skinned_count;
-  float* weights;
+  float* weights;  // of morph targets
   size_t weight_count;
-  float* sent_weights;
+  float* sent_weights;  // of the last update()
   size_t sent_weight_count;
-  uint8_t* still;
+  uint8_t* still;  // a character each: 1 if it had no update() before its last
   size_t still_count;
-  uint8_t* reset;
+  uint8_t* reset;  // 1 if the next update() is to be its first
   size_t reset_count;
 };
 
+// A mesh as many characters. Filled in by create_skinner(), to be read only.
 typedef struct mrw_gles3_skinner mrw_gles3_skinner;
 struct mrw_gles3_skinner {
-  mrw_mesh mesh;
-  mrw_gles3_skinner_options options;
-  mrw_gles3_gpu_mesh gpu;
-  mrw_gles3_palette_ring ring;
-  mrw_gles3_palette_texture texture;
-  mrw_gles3_palette_texture distance_texture;
-  uint32_t updated;
-  bool lost;
+  mrw_mesh mesh;  // as it was given
+  mrw_gles3_skinner_options options;  // as they were given
+  mrw_gles3_gpu_mesh gpu;  // its vertices on the GPU
+  mrw_gles3_palette_ring ring;  // path ubo, feedback and compute
+  mrw_gles3_palette_texture texture;  // path texture
+  mrw_gles3_palette_texture distance_texture;  // of pose spaces
+  uint32_t updated;  // characters that the last update() brought up
+  bool lost;  // between on_context_lost() and on_context_restored()
+  // In the caller's memory.
+  // what palettes are built with
   mrw_affine* bind;
   size_t bind_count;
-  mrw_affine* palettes;
+  mrw_affine* palettes;  // characters after each other
   size_t palette_count;
-  mrw_affine* distances;
+  mrw_affine* distances;  // of pose spaces, characters after each other; path cpu: one character's
   size_t distance_count;
-  float* weights;
+  float* weights;  // of morph targets, characters after each other
   size_t weight_count;
-  uint32_t* offsets;
+  uint32_t* offsets;  // in the ring, a character each
   size_t offset_count;
-  mrw_gles3_skinned_mesh* skinned;
+  mrw_gles3_skinned_mesh* skinned;  // a character each, of paths that skin once a frame
   size_t skinned_count;
-  mrw_gles3_skinner_motion motion;
-  float* positions;
+  mrw_gles3_skinner_motion motion;  // with SkinnerOptions::motion
+  float* positions;  // path cpu: one character's
   size_t position_count;
-  float* normals;
+  float* normals;  // path cpu: one character's
   size_t normal_count;
-  float* tangents;
+  float* tangents;  // path cpu: one character's
   size_t tangent_count;
-  float* coordinates;
+  float* coordinates;  // path cpu: one character's
   size_t coordinate_count;
-  mrw_morphed_geometry morphed;
-  void* scratch;
+  mrw_morphed_geometry morphed;  // path cpu: one character's
+  void* scratch;  // of prepare(), kept for the next context
   size_t scratch_bytes;
 };
 
@@ -677,6 +712,8 @@ size_t mrw_gles3_skinner_bytes(const mrw_mesh* mesh, const mrw_gles3_skinner_opt
 mrw_status mrw_gles3_create_skinner(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_skinner_options* options, mrw_gles3_program_set* programs, void* memory, size_t memory_bytes,
     mrw_gles3_skinner* out) MRW_NODISCARD;
+
+// Deletes the GL objects and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skinner);
 
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
@@ -751,7 +788,7 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 // What is baked, and how it ends.
 typedef struct mrw_gles3_crowd_source mrw_gles3_crowd_source;
 struct mrw_gles3_crowd_source {
-  mrw_clip clip;
+  mrw_clip clip;  // not an additive one
   bool loops;  // its last pose is followed by its first; otherwise it stays in the last
 };
 void mrw_gles3_crowd_source_init(mrw_gles3_crowd_source* out);
@@ -759,29 +796,29 @@ void mrw_gles3_crowd_source_init(mrw_gles3_crowd_source* out);
 // Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
 typedef struct mrw_gles3_crowd_clip mrw_gles3_crowd_clip;
 struct mrw_gles3_crowd_clip {
-  float duration_s;
-  uint32_t first_frame;
+  float duration_s;  // of the clip
+  uint32_t first_frame;  // of the crowd's frames
   uint32_t steps;  // 1 … 65535
-  bool loops;
+  bool loops;  // as its source's
 };
 void mrw_gles3_crowd_clip_init(mrw_gles3_crowd_clip* out);
 
 // Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
 typedef struct mrw_gles3_crowd_frames mrw_gles3_crowd_frames;
 struct mrw_gles3_crowd_frames {
-  const mrw_gles3_crowd_clip* clips;
+  const mrw_gles3_crowd_clip* clips;  // in the order of their sources
   size_t clip_count;
   const mrw_affine* character_from_joint;  // frame after frame
   size_t character_from_joint_count;
-  uint32_t joint_count;
-  uint32_t frame_count;
+  uint32_t joint_count;  // of the skeleton
+  uint32_t frame_count;  // of all clips
 };
 void mrw_gles3_crowd_frames_init(mrw_gles3_crowd_frames* out);
 
 // At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
 typedef struct mrw_gles3_crowd_play mrw_gles3_crowd_play;
 struct mrw_gles3_crowd_play {
-  uint32_t clip;
+  uint32_t clip;  // of CrowdFrames::clips
   float phase_s;  // of a clip that does not loop within 0 … duration_s, else the nearer end
   float speed;  // seconds of the clip a second; may be negative
   double start_s;  // seconds
@@ -791,7 +828,7 @@ void mrw_gles3_crowd_play_init(mrw_gles3_crowd_play* out);
 // One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
 typedef struct mrw_gles3_crowd_instance mrw_gles3_crowd_instance;
 struct mrw_gles3_crowd_instance {
-  mrw_affine scene_from_character;
+  mrw_affine scene_from_character;  // where it stands
   mrw_gles3_crowd_play a;  // must have a clip
   mrw_gles3_crowd_play b;  // kNoCrowdClip: a alone
   double blend_start_s;  // until then a alone
@@ -805,20 +842,20 @@ void mrw_gles3_crowd_instance_init(mrw_gles3_crowd_instance* out);
 typedef struct mrw_gles3_crowd_mesh mrw_gles3_crowd_mesh;
 struct mrw_gles3_crowd_mesh {
   mrw_gles3_gpu_mesh gpu;  // what draw() takes
-  uint32_t frames_texture;
-  uint32_t blended_texture;
+  uint32_t frames_texture;  // palettes of all frames
+  uint32_t blended_texture;  // palettes of the instances
   uint32_t framebuffer;  // around the blended texture
   // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
   uint32_t previous_texture;
-  uint32_t previous_framebuffer;
+  uint32_t previous_framebuffer;  // around the previous texture
   uint32_t joints;  // matrices of a palette
-  uint32_t frame_count;
+  uint32_t frame_count;  // of its frames
   uint32_t capacity;  // instances
-  bool motion;
-  bool lost;
+  bool motion;  // as create_crowd_mesh() was asked
+  bool lost;  // between on_context_lost() and on_context_restored()
   mrw_mesh mesh;  // What it is put on the next context from.
-  mrw_gles3_prepare_options options;
-  mrw_gles3_crowd_frames frames;
+  mrw_gles3_prepare_options options;  // as they were given
+  mrw_gles3_crowd_frames frames;  // as they were given
   mrw_affine* bind;  // what palettes are built with
   size_t bind_count;
   void* scratch;  // of prepare(), and of palettes on their way up
@@ -829,11 +866,11 @@ void mrw_gles3_crowd_mesh_init(mrw_gles3_crowd_mesh* out);
 // Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 typedef struct mrw_gles3_crowd mrw_gles3_crowd;
 struct mrw_gles3_crowd {
-  uint32_t texture;
-  uint32_t capacity;
+  uint32_t texture;  // of records
+  uint32_t capacity;  // instances, at most
   uint32_t count;  // that have been set
   uint32_t frame_count;  // of the frames that they play
-  bool lost;
+  bool lost;  // between on_context_lost() and on_context_restored()
   void* records;  // as the texture has them
   size_t records_bytes;
 };
@@ -888,17 +925,7 @@ mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3
     const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
     size_t memory_bytes, mrw_gles3_crowd_mesh* out, bool motion) MRW_NODISCARD;
 
-// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
-//
-// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
-// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
-// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
-// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
-// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-// the vertices, and 48 B a matrix and frame, go up, once.
-// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-// kMotion have MarrowVertex::previous_position from them.
+// Deletes the GL objects and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh* mesh);
 
 // Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
@@ -906,6 +933,8 @@ void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh
 // 524 288); gl_error. Leaves the active unit's 2D texture at 0.
 mrw_status mrw_gles3_create_crowd(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t capacity, void* memory,
     size_t memory_bytes, mrw_gles3_crowd* out) MRW_NODISCARD;
+
+// Deletes the texture and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_crowd(const mrw_gles3_api* api, mrw_gles3_crowd* crowd);
 
 // Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
@@ -1000,6 +1029,7 @@ enum {
   MRW_GLES3_VERDICT_SLOW = 7,  // right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
 };
 
+// How many values Verdict has.
 #define MRW_GLES3_VERDICT_COUNT 8u
 
 // Chips that want another order of paths where nothing is timed, and other texts of shaders.
@@ -1014,16 +1044,19 @@ enum {
   MRW_GLES3_GPU_FAMILY_NVIDIA = 4,
 };
 
+// How many values GpuFamily has.
 #define MRW_GLES3_GPU_FAMILY_COUNT 5u
 
-// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
-// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+// The most that PathResult::position_error may be, metres.
 #define MRW_GLES3_MOST_POSITION_ERROR 0.001f
+
+// The most that PathResult::normal_error may be.
 #define MRW_GLES3_MOST_NORMAL_ERROR 0.005f
 
+// All paths, as bits.
 #define MRW_GLES3_ALL_PATHS 31u
 
+// From so many characters on choose() prefers palettes in a texture.
 #define MRW_GLES3_MANY_CHARACTERS 8u
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
@@ -1033,19 +1066,21 @@ typedef double (*mrw_gles3_clock)(void* user);
 
 typedef void (*mrw_gles3_about_to_try)(void* user, mrw_gles3_skinning_path path);
 
+// What one path did.
 typedef struct mrw_gles3_path_result mrw_gles3_path_result;
 struct mrw_gles3_path_result {
-  mrw_gles3_verdict verdict;
+  mrw_gles3_verdict verdict;  // whether to use it
   // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
   // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
   // kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
   float position_error;
-  float normal_error;
+  float normal_error;  // of normals and tangents
   float ns_per_vertex;  // to skin and draw once; 0: not timed
   float ns_per_pass;  // a vertex, of each pass that draws it again
 };
 void mrw_gles3_path_result_init(mrw_gles3_path_result* out);
 
+// What self_test() found.
 typedef struct mrw_gles3_self_test mrw_gles3_self_test;
 struct mrw_gles3_self_test {
   mrw_gles3_path_result paths[5];  // by SkinningPath
@@ -1054,23 +1089,25 @@ struct mrw_gles3_self_test {
 };
 void mrw_gles3_self_test_init(mrw_gles3_self_test* out);
 
+// What is tried, and how it is timed.
 typedef struct mrw_gles3_self_test_options mrw_gles3_self_test_options;
 struct mrw_gles3_self_test_options {
   uint32_t paths;  // bit_of() of those to try
   uint32_t crashed;  // Paths during which the process came to its end: they are not tried again. See about_to_try.
   bool ssd;  // the deformers that the game uses
-  bool as;
+  bool as;  // animation space
   mrw_gles3_clock seconds;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
-  float slow;
+  float slow;  // times the fastest path's time
   // What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
   // game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
   uint32_t timed_vertices;
-  uint32_t timed_characters;
+  uint32_t timed_characters;  // of that mesh
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
   // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
   // with what has been there before.
+  // what the two functions above get
   mrw_gles3_about_to_try about_to_try;
-  void* user;
+  void* user;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
 };
 void mrw_gles3_self_test_options_init(mrw_gles3_self_test_options* out);
 
@@ -1117,7 +1154,7 @@ mrw_status mrw_gles3_run_self_test(const mrw_gles3_api* api, const mrw_gles3_cap
 mrw_status mrw_gles3_choose(const mrw_gles3_self_test* test, const mrw_gles3_path_need* need,
     mrw_gles3_skinning_path* out) MRW_NODISCARD;
 
-// A result as bytes that a game stores. Errors: bad_argument (too short).
+// Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
 mrw_status mrw_gles3_save(const mrw_gles3_self_test* test, void* out, size_t out_bytes) MRW_NODISCARD;
 
 // The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,

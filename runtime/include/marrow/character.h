@@ -23,6 +23,7 @@
 
 namespace marrow {
 
+// In Animation: the skeleton plays nothing.
 inline constexpr std::uint32_t kNoClip = 0xFFFFFFFF;
 
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
@@ -36,6 +37,7 @@ struct Animation {
   Span<const std::uint32_t> channels = {};
 };
 
+// All animations of a file, by name.
 struct Animations {
   // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
   // A clip without a name has nothing to do with others.
@@ -57,6 +59,7 @@ MARROW_API Status make_animations(const File& file, const File& clips, Span<std:
 // The first with this name that moves anything; null if there is none. Cost: compares names.
 MARROW_API const Animation* find_animation(const Animations& animations, const char* name);
 
+// What a character is made for.
 struct CharacterOptions {
   std::uint32_t layers = 2;      // that are blended at once, at most; at least 1
   std::uint32_t level = 0;       // of detail, as in File::mesh
@@ -67,12 +70,12 @@ struct CharacterOptions {
 // A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
 // the other alike; all calls of stage 3½ do.
 struct CharacterSkeleton {
-  Skeleton skeleton = {};
+  Skeleton skeleton = {};              // of the file
   Span<SoaTransform> local = {};       // skeleton.soa_size()
   Span<Affine> scene_from_joint = {};  // skeleton.joint_count
   // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   Span<SoaTransform> sampled = {};
-  Span<SampleCache> caches = {};
+  Span<SampleCache> caches = {};  // as `sampled`
 };
 
 // A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
@@ -88,15 +91,15 @@ struct CharacterMesh {
 
 // Views into the caller's memory. A copy is the same character.
 struct Character {
-  File file = {};
-  CharacterOptions options = {};
-  Span<CharacterSkeleton> skeletons = {};
-  Span<CharacterMesh> meshes = {};
-  std::uint32_t target_count = 0;  // of morph targets, of all meshes
+  File file = {};                          // as it was given
+  CharacterOptions options = {};           // as they were given
+  Span<CharacterSkeleton> skeletons = {};  // all of the file, in its order
+  Span<CharacterMesh> meshes = {};         // all of the file, in its order
+  std::uint32_t target_count = 0;          // of morph targets, of all meshes
 
   // Scratch, of the largest skeleton.
   Span<BlendLayer> blended = {};
-  Span<AdditiveTransform> change = {};
+  Span<AdditiveTransform> change = {};  // of the same size
 };
 
 // Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
@@ -147,7 +150,7 @@ MARROW_API Status finish_character(Character& character);
 
 // Of one skeleton of an outfit: what it follows.
 struct OutfitSkeleton {
-  std::uint32_t body_skeleton = 0;
+  std::uint32_t body_skeleton = 0;             // of the body's character
   Span<const std::uint16_t> body_joints = {};  // one a joint of the outfit; see bind_outfit()
 };
 

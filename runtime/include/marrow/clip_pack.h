@@ -15,9 +15,10 @@ enum class Misfit : std::uint8_t {
   other_place,   // all joints are there, this one at another place in the order
 };
 
+// A joint that is in the way.
 struct JointMisfit {
-  Misfit how = Misfit::missing;
-  std::uint32_t joint = 0;  // of the pack's reference; `extra`: of the skeleton
+  Misfit how = Misfit::missing;  // what is wrong with it
+  std::uint32_t joint = 0;       // of the pack's reference; `extra`: of the skeleton
 };
 
 // A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).

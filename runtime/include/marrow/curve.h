@@ -31,7 +31,7 @@ enum class CurveKind : std::uint8_t {
 // uneven keys make a spline. Beyond the first and last key they continue with a mirrored point, so that the path leaves
 // and arrives straight.
 struct Curve {
-  CurveKind kind = CurveKind::linear;
+  CurveKind kind = CurveKind::linear;  // what lies between keys
   // Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
   // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
   // A blend that has no direction gives the earlier key's.
@@ -95,6 +95,7 @@ MARROW_API Status bezier(Span<const float> points, std::uint32_t components, flo
 // result has no direction, or is too long to be squared.
 MARROW_API Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out);
 
+// How a patch's points shape it.
 enum class PatchBasis : std::uint8_t {
   catmull_rom,  // through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
   bezier,       // through its corners: from point (0, 0) to point (3, 3)
@@ -113,10 +114,11 @@ MARROW_API Status bicubic_patch(PatchBasis basis, Span<const float> points, std:
 //
 // The table holds the length of the path up to each of `steps` equal parts of every key interval.
 struct ArcLength {
-  std::uint32_t steps = 0;  // a key interval, at least 1
-  Span<const float> lengths = {};
+  std::uint32_t steps = 0;         // a key interval, at least 1
+  Span<const float> lengths = {};  // arc_length_count() of them, ascending
 };
 
+// How many floats the table of a curve has.
 constexpr std::size_t arc_length_count(std::size_t key_count, std::uint32_t steps) {
   return key_count == 0 ? 0 : (key_count - 1) * steps + 1;
 }
@@ -136,6 +138,7 @@ MARROW_API Status time_at_distance(const Curve& curve, const ArcLength& table, f
 
 // R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
 enum class Easing : std::uint8_t { linear, quad, cubic, quart, quint, sine, expo, circ, back, elastic, bounce };
+// At which end a movement is eased.
 enum class EaseMode : std::uint8_t { in, out, in_out };
 
 // From 0 at u = 0 to 1 at u = 1, both exactly; u is clamped, and what is not a number counts as 0. back and elastic

@@ -16,25 +16,28 @@
 
 namespace marrow {
 
-// As bytes R, G, B, A in memory: what GL_UNSIGNED_BYTE × 4 reads.
+// Of bones. As bytes R, G, B, A in memory, here and below: what GL_UNSIGNED_BYTE × 4 reads.
 inline constexpr std::uint8_t kBoneColour[4] = {255, 255, 255, 255};
+// Of the axes x, y and z.
 inline constexpr std::uint8_t kAxisColours[3][4] = {{230, 60, 60, 255}, {70, 200, 70, 255}, {80, 120, 255, 255}};
-inline constexpr std::uint8_t kInsideColour[4] = {70, 200, 70, 255};   // of a limit, and of a goal that is reached
-inline constexpr std::uint8_t kOutsideColour[4] = {230, 60, 60, 255};  // beyond a limit, and the way to a goal
-inline constexpr std::uint8_t kSpringColour[4] = {255, 190, 60, 255};
-inline constexpr std::uint8_t kColliderColour[4] = {190, 120, 255, 255};
-inline constexpr std::uint8_t kBoundsColour[4] = {120, 220, 230, 255};
+inline constexpr std::uint8_t kInsideColour[4] = {70, 200, 70, 255};      // of a limit, and of a goal that is reached
+inline constexpr std::uint8_t kOutsideColour[4] = {230, 60, 60, 255};     // beyond a limit, and the way to a goal
+inline constexpr std::uint8_t kSpringColour[4] = {255, 190, 60, 255};     // bones of spring chains
+inline constexpr std::uint8_t kColliderColour[4] = {190, 120, 255, 255};  // what springs stay out of
+inline constexpr std::uint8_t kBoundsColour[4] = {120, 220, 230, 255};    // boxes and spheres
 
+// A line to draw; scene space.
 struct DebugLine {
-  float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
-  std::uint8_t colour[4] = {255, 255, 255, 255};
+  float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};   // its ends, metres
+  std::uint8_t colour[4] = {255, 255, 255, 255};  // r g b a
 };
 static_assert(sizeof(DebugLine) == 28);
 
+// Room for lines in the caller's memory. The calls below append to it.
 struct DebugLines {
-  Span<DebugLine> room = {};
-  std::size_t count = 0;     // of lines that are there, from the front
-  std::size_t left_out = 0;  // for which there was no room
+  Span<DebugLine> room = {};  // the caller's
+  std::size_t count = 0;      // of lines that are there, from the front
+  std::size_t left_out = 0;   // for which there was no room
 };
 
 // A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long

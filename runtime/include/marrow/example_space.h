@@ -14,7 +14,9 @@
 
 namespace marrow {
 
-inline constexpr std::uint32_t kMaxExampleParameters = 8, kMaxExamples = 64;
+// What a space has at most.
+inline constexpr std::uint32_t kMaxExampleParameters = 8;
+inline constexpr std::uint32_t kMaxExamples = 64;  // and targets
 
 // An axis of the space.
 struct ExampleParameter {
@@ -25,7 +27,7 @@ static_assert(sizeof(ExampleParameter) == 8);
 
 // Rows have one float a target, and zeros up to a multiple of four.
 struct ExampleSpace {
-  const char* name = "";
+  const char* name = "";                         // as the source calls it; never null
   std::uint32_t example_count = 0;               // at most kMaxExamples
   Span<const ExampleParameter> parameters = {};  // at most kMaxExampleParameters
   Span<const std::uint32_t> targets = {};  // that it weighs, ascending, at most kMaxExamples; the same of each mesh

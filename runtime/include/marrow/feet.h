@@ -9,7 +9,7 @@ namespace marrow {
 // A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
 // its angle.
 struct Foot {
-  std::uint32_t hip = 0, knee = 0, ankle = 0;
+  std::uint32_t hip = 0, knee = 0, ankle = 0;  // joints of the skeleton
   float sole[3] = {0, 0, 0};       // what stands on the ground, in the ankle's space: below the ball of the foot, say
   float bend_axis[3] = {0, 0, 0};  // of the knee; see TwoBone
   float weight = 1.0f;             // 0 … 1
@@ -17,7 +17,7 @@ struct Foot {
 
 // Two legs or more. The clips have been made for level ground, through the scene's origin.
 struct Feet {
-  Span<const Foot> feet = {};
+  Span<const Foot> feet = {};       // two or more
   std::uint32_t pelvis = kNoJoint;  // moved up and down, with all that hangs on it, the hips too; none: stays
   float lower_m = 0.5f;             // ≥ 0: by how much at most it goes down, or up; world
   float reach = 0.99f;     // 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
@@ -36,18 +36,19 @@ struct FootGround {
 // The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
 // the animation has the foot. World; on a moving platform, let the world be the platform.
 struct FootMotion {
-  float place[3] = {};                         // of the sole, as shown last
-  float offset[3] = {}, offset_speed[3] = {};  // of the sole from its target
-  float lean[3] = {}, lean_speed[3] = {};      // of the ground's normal that the foot leans by from the ground's own
-  float point[3] = {}, normal[3] = {};         // the ground, last
-  float heading[3] = {};                       // level: of the ankle's axis `axis` when it was planted
-  float turn[4] = {};                          // about up, from the animated to the planted heading
-  float turn_share = 0, turn_share_speed = 0;  // how much of it is left
-  std::uint8_t axis = 0, planted = 0, begun = 0;
-  std::uint8_t hit = 0;
-  std::uint8_t reached = 0;  // whether the leg was long enough
+  float place[3] = {};                            // of the sole, as shown last
+  float offset[3] = {}, offset_speed[3] = {};     // of the sole from its target
+  float lean[3] = {}, lean_speed[3] = {};         // of the ground's normal that the foot leans by from the ground's own
+  float point[3] = {}, normal[3] = {};            // the ground, last
+  float heading[3] = {};                          // level: of the ankle's axis `axis` when it was planted
+  float turn[4] = {};                             // about up, from the animated to the planted heading
+  float turn_share = 0, turn_share_speed = 0;     // how much of it is left
+  std::uint8_t axis = 0, planted = 0, begun = 0;  // whether it is planted, and was begun
+  std::uint8_t hit = 0;                           // whether its ray found ground
+  std::uint8_t reached = 0;                       // whether the leg was long enough
 };
 
+// What place_feet() is told of a frame.
 struct FeetFrame {
   float dt_s = 0;  // since the last frame
   // Where the character stands: a turn, one scale above 0, a shift.

@@ -10,10 +10,14 @@ namespace marrow {
 
 // Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
 inline constexpr std::uint32_t kMaxJoints = 32767;
+// The most palette entries that a vertex follows.
 inline constexpr std::uint32_t kMaxInfluences = 8;
+// In Skeleton::parents: a root.
 inline constexpr std::uint16_t kNoParent = 0xFFFF;
+// In Geometry::source_slots: a vertex of no triangle.
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
+// What shape the rotations within a JointLimit have.
 enum class LimitKind : std::uint8_t {
   none,   // turns freely; for joints that have a rate limit alone
   hinge,  // about one axis, between two angles: knees, elbows, fingers
@@ -34,8 +38,8 @@ struct AngleRange {
 
 // The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
 struct RateLimit {
-  float speed = 0;
-  float acceleration = 0;
+  float speed = 0;         // rad/s or m/s
+  float acceleration = 0;  // rad/s² or m/s²
 };
 
 // How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
@@ -55,8 +59,8 @@ struct RateLimit {
 //
 // A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
 struct JointLimit {
-  std::uint16_t joint = 0;  // of the skeleton
-  LimitKind kind = LimitKind::none;
+  std::uint16_t joint = 0;                    // of the skeleton
+  LimitKind kind = LimitKind::none;           // which of the shapes above
   AxisOrder order = AxisOrder::xyz;           // of euler; else xyz
   float limit_from_parent[4] = {0, 0, 0, 1};  // unit quaternion
   float joint_from_limit[4] = {0, 0, 0, 1};   // unit quaternion
@@ -70,7 +74,7 @@ MARROW_API bool is_valid(const JointLimit& limit);
 
 // A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
 struct SpringJoint {
-  std::uint16_t joint = 0;
+  std::uint16_t joint = 0;      // of the skeleton
   std::uint16_t most_pull = 0;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
   float frequency_hz = 2.0f;    // 0 … 15: of small swings about the animated direction, without damping and gravity
   float damping_ratio = 0.5f;   // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
@@ -83,7 +87,7 @@ static_assert(sizeof(SpringJoint) == 28);
 
 // Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
 struct SpringChain {
-  Span<const SpringJoint> joints = {};
+  Span<const SpringJoint> joints = {};  // from the chain's root to its end
   float tip[3] = {0, 0, 0};  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
   std::uint64_t colliders = ~std::uint64_t{0};  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
 };
@@ -91,7 +95,7 @@ struct SpringChain {
 // A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
 // space is where that is most.
 struct SpringCollider {
-  std::uint16_t joint = 0;
+  std::uint16_t joint = 0;  // it moves with
   std::uint16_t reserved = 0;
   float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};  // in the joint's space
   float radius_m = 0.1f;                         // in the joint's space
@@ -103,8 +107,8 @@ inline constexpr std::size_t kMaxSpringColliders = 64;  // as many as SpringChai
 // The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
 // comes before its children and the roots come first.
 struct Skeleton {
-  const char* name = "";
-  std::uint32_t joint_count = 0;
+  const char* name = "";                    // as the source calls it; never null
+  std::uint32_t joint_count = 0;            // 1 … kMaxJoints
   std::uint32_t root_count = 0;             // joints 0 … root_count-1 have no parent joint
   const Affine* scene_from_root = nullptr;  // root_count; what stands above each root and never moves
   const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
@@ -112,39 +116,42 @@ struct Skeleton {
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
   Span<const JointLimit> limits = {};       // ascending by joint; those that the asset came with
 
+  // How many groups of four joints a local pose has.
   std::size_t soa_size() const { return soa_count(joint_count); }
 };
 
 // In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
 struct SkeletonReference {
-  const char* name = "";
-  std::uint32_t joint_count = 0;
+  const char* name = "";                       // the skeleton's
+  std::uint32_t joint_count = 0;               // the skeleton's
   std::uint64_t hash = 0;                      // skeleton_hash() of the skeleton
   const std::uint32_t* names = nullptr;        // joint_count; see File::text
   const std::uint32_t* rest_hashes = nullptr;  // joint_count; of each joint's rest pose
   const std::uint16_t* parents = nullptr;      // joint_count; kNoParent for roots
 };
 
+// Which part of a local transform a Track drives.
 enum class TrackPath : std::uint8_t { translation, rotation, scale };
+// What lies between two keys, as glTF 2.0 defines it.
 enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 
 // One channel of a clip stored without loss: the source's own keys at the source's own times.
 struct Track {
-  std::uint16_t joint = 0;
-  TrackPath path = TrackPath::translation;
-  Interpolation interpolation = Interpolation::step;
-  std::uint32_t key_count = 0;   // ≥ 1
-  std::uint32_t first_time = 0;  // into Clip::times; tracks with the same keys share them
-  std::uint32_t first_value =
-      0;  // into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+  std::uint16_t joint = 0;                            // of the skeleton
+  TrackPath path = TrackPath::translation;            // what of the joint it drives
+  Interpolation interpolation = Interpolation::step;  // between its keys
+  std::uint32_t key_count = 0;                        // ≥ 1
+  std::uint32_t first_time = 0;                       // into Clip::times; tracks with the same keys share them
+  // Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
+  std::uint32_t first_value = 0;
 };
 static_assert(sizeof(Track) == 16);
 
 // Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
 // stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
 struct GroupMasks {
-  std::uint16_t moving = 0;
-  std::uint16_t constant = 0;
+  std::uint16_t moving = 0;    // what changes over the clip
+  std::uint16_t constant = 0;  // what stays, but not as at rest
 };
 static_assert(sizeof(GroupMasks) == 4);
 
@@ -156,27 +163,29 @@ struct Channel {
   std::uint32_t key_count = 0;    // ≥ 1
   std::uint32_t first_time = 0;   // as in Track
   std::uint32_t first_value = 0;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
-  Interpolation interpolation = Interpolation::step;
+  Interpolation interpolation = Interpolation::step;  // between its keys
   std::uint8_t reserved[3] = {};
 };
 static_assert(sizeof(Channel) == 24);
+// In place of a channel: none.
 inline constexpr std::uint32_t kNoChannel = 0xFFFFFFFF;
 
 // Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
 // packed integers relative to the rest pose (docs/format.md). What does not move stands once.
 struct CodedTracks {
-  std::uint32_t frame_count = 0;  // 0: the clip has no coded tracks; else ≥ 2
-  std::uint32_t track_count = 0;  // sub-tracks that move
-  std::uint32_t constant_count = 0;
+  std::uint32_t frame_count = 0;                   // 0: the clip has no coded tracks; else ≥ 2
+  std::uint32_t track_count = 0;                   // sub-tracks that move
+  std::uint32_t constant_count = 0;                // sub-tracks that stay, but not as at rest
   std::uint32_t segment_intervals = 0;             // steps of time a segment; the last may have fewer
   float start_s = 0;                               // of frame 0
   float frames_per_s = 0;                          // of uneven ones the mean
   const float* times_s = nullptr;                  // frame_count, ascending; null: even steps
   const GroupMasks* masks = nullptr;               // one a group of four joints
   const std::uint32_t* segment_offsets = nullptr;  // bytes into payload
-  const std::byte* constants = nullptr;
-  const std::byte* payload = nullptr;
+  const std::byte* constants = nullptr;            // their values
+  const std::byte* payload = nullptr;              // segments of packed integers
 
+  // Seconds of a frame.
   float time_of(std::uint32_t frame) const {
     return times_s != nullptr ? times_s[frame] : start_s + static_cast<float>(frame) / frames_per_s;
   }
@@ -184,17 +193,17 @@ struct CodedTracks {
 
 // An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
 struct Clip {
-  const char* name = "";
+  const char* name = "";                    // as the source calls it; never null
   std::uint32_t skeleton = 0;               // which skeleton of the file; in a clip pack, which reference
   std::uint32_t joint_count = 0;            // of that skeleton
   float duration_s = 0;                     // time of the last key; ≥ 0
   bool additive = false;                    // for sample_additive(), not for sample()
   const SoaTransform* reference = nullptr;  // additive: the pose that changes are taken from; null: the rest pose
-  CodedTracks coded = {};
-  Span<const Track> tracks = {};
-  Span<const Channel> channels = {};
-  const float* times_s = nullptr;
-  const float* values = nullptr;
+  CodedTracks coded = {};                   // what is compressed
+  Span<const Track> tracks = {};            // what is stored without loss
+  Span<const Channel> channels = {};        // numbers that it drives
+  const float* times_s = nullptr;           // key times of tracks and channels, seconds
+  const float* values = nullptr;            // keys of tracks and channels
   std::uint64_t id = 0;  // of its bytes and its place in the file, from File::clip(); 0: made by hand
 };
 
@@ -206,24 +215,26 @@ struct Run {
 };
 static_assert(sizeof(Run) == 8);
 
+// Which attributes a morph target changes.
+enum MorphAttributes : std::uint32_t { kMorphsPositions = 1, kMorphsNormals = 2, kMorphsTangents = 4 };
 // What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
 // blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
-enum MorphAttributes : std::uint32_t { kMorphsPositions = 1, kMorphsNormals = 2, kMorphsTangents = 4 };
 struct MorphTarget {
-  std::uint32_t first_block = 0;  // into Geometry::target_blocks
-  std::uint32_t block_count = 0;
+  std::uint32_t first_block = 0;   // into Geometry::target_blocks
+  std::uint32_t block_count = 0;   // how many blocks it moves
   std::uint32_t first_record = 0;  // into Geometry::target_records
   std::uint32_t attributes = 0;    // MorphAttributes; 0 if it moves nothing
   float position_step = 0;         // metres, mesh space
-  float normal_step = 0;
-  float tangent_step = 0;
+  float normal_step = 0;           // a unit of its records of normals
+  float tangent_step = 0;          // a unit of its records of tangents
   std::uint32_t reserved = 0;
 };
 static_assert(sizeof(MorphTarget) == 32);
 
+// The most examples of a PoseSpace.
+inline constexpr std::uint32_t kMaxPoseExamples = 32;
 // What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
 // the deltas of some blocks.
-inline constexpr std::uint32_t kMaxPoseExamples = 32;
 struct PoseSpace {
   float sigma = 0;                          // width of the Gaussian, a share of 1: sin of half an angle
   Span<const MorphTarget> examples = {};    // positions alone; empty: none
@@ -236,13 +247,13 @@ struct PoseSpace {
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
 // (`k` is the run's influence count). The arrays of blocks begin on 16-byte boundaries.
 struct Geometry {
-  std::uint32_t slot_count = 0;    // vertices with padding; a multiple of 4
-  std::uint32_t vertex_count = 0;  // without padding
-  std::uint32_t index_count = 0;   // 3 a triangle; counter-clockwise fronts
-  std::uint32_t index_bytes = 2;   // 2 or 4
-  std::uint32_t joint_count = 0;   // how many palette entries the sets refer to
-  const void* indices = nullptr;   // slots
-  Span<const Run> runs = {};
+  std::uint32_t slot_count = 0;           // vertices with padding; a multiple of 4
+  std::uint32_t vertex_count = 0;         // without padding
+  std::uint32_t index_count = 0;          // 3 a triangle; counter-clockwise fronts
+  std::uint32_t index_bytes = 2;          // 2 or 4
+  std::uint32_t joint_count = 0;          // how many palette entries the sets refer to
+  const void* indices = nullptr;          // slots
+  Span<const Run> runs = {};              // in the order of the slots
   const std::uint16_t* sets = nullptr;    // for each run its k palette entries, run after run
   const float* skin = nullptr;            // a block: x[4] y[4] z[4], then k-1 times w[4]; the last weight is 1 - Σ
   const float* normals = nullptr;         // a block: x[4] y[4] z[4]; unit; null if absent
@@ -255,26 +266,28 @@ struct Geometry {
   // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
   // part of a primitive in parts.
   Span<const std::uint32_t> source_slots = {};
-  Span<const MorphTarget> targets = {};
+  Span<const MorphTarget> targets = {};          // morph targets, as many as MeshTarget of a mesh
   const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
   const std::int16_t* target_records = nullptr;  // twelve a record
-  PoseSpace pose_space = {};
-  float box_min[3] = {};  // of the bind positions, mesh space
-  float box_max[3] = {};
+  PoseSpace pose_space = {};                     // examples empty: none
+  float box_min[3] = {};                         // of the bind positions, mesh space
+  float box_max[3] = {};                         // likewise
 };
 
 // A morph target of a mesh: what it is called and what drives it.
 struct MeshTarget {
   std::uint32_t name = 0;  // see File::text; may be empty
-  std::uint32_t channel =
-      0;             // name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+  // Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
+  std::uint32_t channel = 0;
   float weight = 0;  // where no clip does
 };
 static_assert(sizeof(MeshTarget) == 12);
 
-// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+// In Mesh::material_index: no more than what stands in the Mesh.
 inline constexpr std::uint32_t kNoMaterial = 0xFFFFFFFF;
+// How a material's alpha is meant, as in glTF 2.0.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+// What of a material an image gives.
 enum class TextureRole : std::uint8_t {
   base_colour,
   metallic_roughness,
@@ -283,8 +296,11 @@ enum class TextureRole : std::uint8_t {
   emissive,
   specular_glossiness  // KHR_materials_pbrSpecularGlossiness; its diffuse colour and texture are the base colour
 };
+// What lies beyond an image's edge.
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
+// How an image is magnified.
 enum class MagFilter : std::uint8_t { any, nearest, linear };  // any: the source leaves it to the game
+// How an image is minified; any: the source leaves it to the game.
 enum class MinFilter : std::uint8_t {
   any,
   nearest,
@@ -298,40 +314,44 @@ enum class MinFilter : std::uint8_t {
 // An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
 // are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
 struct Texture {
-  std::uint16_t image = 0;                      // which image of the file
-  TextureRole role = TextureRole::base_colour;  // none twice in a material
-  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
-  MagFilter mag = MagFilter::any;
-  MinFilter min = MinFilter::any;
+  std::uint16_t image = 0;                            // which image of the file
+  TextureRole role = TextureRole::base_colour;        // none twice in a material
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;  // along u and v
+  MagFilter mag = MagFilter::any;                     // as the source asks
+  MinFilter min = MinFilter::any;                     // as the source asks
   std::uint8_t reserved = 0;
 };
 static_assert(sizeof(Texture) == 8);
 
+// A material as far as Mesh does not say it.
 struct Material {
-  const char* name = "";
-  AlphaMode alpha = AlphaMode::opaque;
-  float alpha_cutoff = 0.5f;      // mask: what is less opaque is not drawn
-  bool unlit = false;             // KHR_materials_unlit: the base colour is what is seen
-  float emissive[3] = {0, 0, 0};  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
-  Span<const Texture> textures = {};
+  const char* name = "";                // as the source calls it; never null
+  AlphaMode alpha = AlphaMode::opaque;  // opaque: alpha is not looked at
+  float alpha_cutoff = 0.5f;            // mask: what is less opaque is not drawn
+  bool unlit = false;                   // KHR_materials_unlit: the base colour is what is seen
+  float emissive[3] = {0, 0, 0};      // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+  Span<const Texture> textures = {};  // one a role
 };
 
-// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+// In place of an image: none.
 inline constexpr std::uint32_t kNoImage = 0xFFFFFFFF;
+// What an image's bytes are.
 enum class ImageFormat : std::uint8_t { unknown, png, jpeg, webp, ktx2, dds };
+// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
 struct Image {
-  const char* name = "";
-  const char* uri = "";  // relative to the source file and percent-encoded, as it stood there; empty if it had none
-  ImageFormat format = ImageFormat::unknown;
-  Span<const std::byte> bytes = {};   // empty: by reference
-  std::uint32_t fallback = kNoImage;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
+  const char* name = "";  // as the source calls it; never null
+  const char* uri = "";   // relative to the source file and percent-encoded, as it stood there; empty if it had none
+  ImageFormat format = ImageFormat::unknown;  // unknown: by its bytes or its URI none of the others
+  Span<const std::byte> bytes = {};           // empty: by reference
+  std::uint32_t fallback = kNoImage;          // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
 };
 
-// A number, a truth or a text that an artist gave a node.
+// What a Property is.
 enum class PropertyType : std::uint8_t { number, boolean, text };
+// A number, a truth or a text that an artist gave a node.
 struct Property {
-  std::uint32_t name = 0;  // see File::text; of nested ones the path, as in "door/hinges/0"
-  PropertyType type = PropertyType::number;
+  std::uint32_t name = 0;                    // see File::text; of nested ones the path, as in "door/hinges/0"
+  PropertyType type = PropertyType::number;  // which of the two members below holds it
   std::uint8_t reserved[3] = {};
   union {
     double number = 0;   // finite; of a boolean 1 or 0
@@ -340,15 +360,16 @@ struct Property {
 };
 static_assert(sizeof(Property) == 16);
 
+// In Node::joint and elsewhere: none.
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;
 // A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
 // scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
-inline constexpr std::uint16_t kNoJoint = 0xFFFF;
 struct Node {
-  const char* name = "";
-  std::uint32_t skeleton = 0;  // which skeleton of the file
-  std::uint16_t joint = kNoJoint;
-  const Affine* joint_from_node = nullptr;
-  Span<const Property> properties = {};
+  const char* name = "";                    // as the source calls it; never empty
+  std::uint32_t skeleton = 0;               // which skeleton of the file
+  std::uint16_t joint = kNoJoint;           // the nearest joint at or above it
+  const Affine* joint_from_node = nullptr;  // never changes
+  Span<const Property> properties = {};     // the `extras` of the source
 };
 
 // A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
@@ -367,18 +388,20 @@ static_assert(sizeof(MeshLod) == 8);
 
 // A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
 struct Bounds {
-  float box_min[3] = {0, 0, 0};
-  float box_max[3] = {0, 0, 0};
-  float radius_m = -1;  // below 0: empty, or not known
+  float box_min[3] = {0, 0, 0};  // least corner
+  float box_max[3] = {0, 0, 0};  // greatest corner
+  float radius_m = -1;           // below 0: empty, or not known
 
+  // Whether nothing is known or in it.
   bool is_empty() const { return radius_m < 0; }
+  // The box's centre along an axis, 0 to 2: the sphere's, too.
   float centre(int axis) const { return box_min[axis] + (box_max[axis] - box_min[axis]) * 0.5f; }
 };
 
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 struct Mesh {
-  const char* name = "";
-  const char* material = "";
+  const char* name = "";                       // as the source calls it; never null
+  const char* material = "";                   // the material's name; never null
   std::uint32_t material_index = kNoMaterial;  // which material of the file, if it has more than what stands here
   std::uint32_t skeleton = 0;                  // which skeleton of the file
   std::uint32_t geometry_index = 0;            // meshes with the same number share their geometry
@@ -386,7 +409,7 @@ struct Mesh {
   const std::uint16_t* joints = nullptr;       // joint_count; palette entry → joint of the skeleton
   const Affine* inverse_bind = nullptr;        // joint_count; joint_from_mesh in the bind pose
   float base_colour[4] = {1, 1, 1, 1};         // linear RGBA
-  bool double_sided = false;
+  bool double_sided = false;                   // backs are drawn, too
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
   // vertex order needs to know: see Geometry::source_slots.
   bool is_next_part = false;
@@ -405,6 +428,7 @@ struct ExampleSpace;
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 class File {
  public:
+  // How many of each there are.
   std::uint32_t skeleton_count() const { return counts_[0]; }
   std::uint32_t reference_count() const { return counts_[1]; }  // 0 but in clip packs, which have no skeletons
   std::uint32_t clip_count() const { return counts_[2]; }
@@ -417,11 +441,11 @@ class File {
   MARROW_API Skeleton skeleton(std::uint32_t index) const;
   MARROW_API SkeletonReference reference(std::uint32_t index) const;
   MARROW_API Clip clip(std::uint32_t index) const;
-  // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
-  MARROW_API Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
   MARROW_API Material material(std::uint32_t index) const;
   MARROW_API Image image(std::uint32_t index) const;
   MARROW_API Node node(std::uint32_t index) const;
+  // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+  MARROW_API Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
   // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
   // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
   // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
@@ -465,11 +489,12 @@ class File {
 
   // For tools: the sections as they stand in the file.
   struct Section {
-    std::uint32_t type = 0;  // four characters, first in the lowest byte
-    std::uint32_t offset = 0;
-    std::uint32_t bytes = 0;
-    std::uint32_t codec = 0;
+    std::uint32_t type = 0;    // four characters, first in the lowest byte
+    std::uint32_t offset = 0;  // from the block's begin
+    std::uint32_t bytes = 0;   // without padding
+    std::uint32_t codec = 0;   // 0: none
   };
+  // In the order of the file.
   Span<const Section> sections() const { return sections_; }
 
  private:

@@ -50,11 +50,11 @@ MARROW_API void watch_errors(Api& api, ErrorWatch* watch);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
 struct Caps {
-  std::uint32_t uniform_block_bytes = 16384;
+  std::uint32_t uniform_block_bytes = 16384;     // that one block may have
   std::uint32_t uniform_offset_alignment = 256;  // power of two
-  std::uint32_t vertex_attributes = 16;
-  std::uint32_t texture_size = 2048;
-  bool compute = false;  // OpenGL ES 3.1 or newer, and its functions
+  std::uint32_t vertex_attributes = 16;          // of four numbers each
+  std::uint32_t texture_size = 2048;             // along each side
+  bool compute = false;                          // OpenGL ES 3.1 or newer, and its functions
 };
 
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
@@ -71,9 +71,13 @@ enum class Deformer : std::uint8_t {
 
 // Which attributes a mesh has and a program reads.
 inline constexpr std::uint8_t kNormals = 1;
+// A mesh has tangents, a program reads them; here and below as above.
 inline constexpr std::uint8_t kTangents = 2;
+// Texture coordinates.
 inline constexpr std::uint8_t kUvs = 4;
+// Colours of vertices.
 inline constexpr std::uint8_t kColours = 8;
+// Morph targets.
 inline constexpr std::uint8_t kMorphs = 16;
 // In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
 inline constexpr std::uint8_t kSurfaceNormals = 32;
@@ -82,16 +86,16 @@ inline constexpr std::uint8_t kMotion = 64;
 
 // Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 // kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-inline constexpr std::uint32_t kPositionLocation = 0;  // animation space: 0 … 7 are the coordinates
-inline constexpr std::uint32_t kWeightsLocation = 1;   // and 2
-inline constexpr std::uint32_t kPreviousLocation = 1;  // Deformer::none with kMotion: the position of the frame before
-inline constexpr std::uint32_t kJointsLocation = 8;    // and 9; on Mali-G up to eight here, two in a number
-inline constexpr std::uint32_t kNormalLocation = 10;
-inline constexpr std::uint32_t kTangentLocation = 11;
-inline constexpr std::uint32_t kUvLocation = 12;
-inline constexpr std::uint32_t kColourLocation = 13;
-inline constexpr std::uint32_t kMorphRowLocation = 14;
-inline constexpr std::uint32_t kExampleRowLocation = 15;
+inline constexpr std::uint32_t kPositionLocation = 0;   // animation space: 0 … 7 are the coordinates
+inline constexpr std::uint32_t kWeightsLocation = 1;    // and 2
+inline constexpr std::uint32_t kPreviousLocation = 1;   // Deformer::none with kMotion: the position of the frame before
+inline constexpr std::uint32_t kJointsLocation = 8;     // and 9; on Mali-G up to eight here, two in a number
+inline constexpr std::uint32_t kNormalLocation = 10;    // octahedral
+inline constexpr std::uint32_t kTangentLocation = 11;   // octahedral, and the handedness
+inline constexpr std::uint32_t kUvLocation = 12;        // in_uv
+inline constexpr std::uint32_t kColourLocation = 13;    // in_colour
+inline constexpr std::uint32_t kMorphRowLocation = 14;  // row of the morph texture
+inline constexpr std::uint32_t kExampleRowLocation = 15;                            // row of the texture of examples
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
 // Animation space as words, uvec4, two vectors in each: coordinates and tangents on Mali-G and NVIDIA, and with
 // kSurfaceNormals and more than four influences; but of five and six on Adreno and Mali-T tangents alone, from the
@@ -104,18 +108,19 @@ inline constexpr std::uint32_t kMorphTargets = 64;
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 inline constexpr std::uint32_t kPaletteJoints = 341;
+// Bytes of that block.
 inline constexpr std::uint32_t kPaletteBlockBytes = kPaletteJoints * 48;
 
 // Byte offsets in one vertex of each stream. Offsets of what is absent are unused.
 struct VertexLayout {
-  std::uint32_t influences = 4;   // the most of any vertex, 4 to 8
-  std::uint32_t joint_bytes = 1;  // 1 or 2
-  std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;
-  std::uint32_t example_row = 0;  // in SSD's stream; 0: there is none
-  std::uint32_t as_stride = 0, as_tangents = 0, as_joints = 0;
-  bool surface_normals = false;  // there are tangents, and room for them
-  std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;
-  bool uv_unorm = false;  // unorm16×2, otherwise f32×2
+  std::uint32_t influences = 4;                                   // the most of any vertex, 4 to 8
+  std::uint32_t joint_bytes = 1;                                  // 1 or 2
+  std::uint32_t ssd_stride = 0, ssd_weights = 0, ssd_joints = 0;  // the stream of SSD
+  std::uint32_t example_row = 0;                                  // in SSD's stream; 0: there is none
+  std::uint32_t as_stride = 0, as_tangents = 0, as_joints = 0;    // the stream of animation space
+  bool surface_normals = false;                                   // there are tangents, and room for them
+  std::uint32_t surface_stride = 0, normal = 0, tangent = 0, uv = 0, colour = 0;  // the stream that all deformers share
+  bool uv_unorm = false;                                                          // unorm16×2, otherwise f32×2
 };
 
 // A mesh on the GPU. Vertices are the geometry's slots, so indices are used as they are.
@@ -146,19 +151,19 @@ struct VertexLayout {
 // The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
 // holds 8 B for each example and vertex that it moves.
 struct GpuMesh {
-  std::uint32_t ssd_array = 0;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
-  std::uint32_t as_array = 0;
-  std::uint32_t ssd_buffer = 0;
-  std::uint32_t as_buffer = 0;
+  std::uint32_t ssd_array = 0;        // vertex array objects; 0 where not asked for. Rigid uses this one too.
+  std::uint32_t as_array = 0;         // of animation space
+  std::uint32_t ssd_buffer = 0;       // the streams above, a buffer each
+  std::uint32_t as_buffer = 0;        // of animation space
   std::uint32_t surface_buffer = 0;   // 0 for a mesh of bare positions
   std::uint32_t morph_buffer = 0;     // 0 for a mesh without morph targets
   std::uint32_t morph_texture = 0;    // likewise
   std::uint32_t example_texture = 0;  // 0 without PrepareOptions::psd, or examples
-  std::uint32_t index_buffer = 0;
-  std::uint32_t index_count = 0;
-  std::uint32_t index_type = 0;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
-  std::uint32_t primitive = 4;   // what the indices draw: GL_TRIANGLES
-  std::uint32_t slot_count = 0;
+  std::uint32_t index_buffer = 0;     // of all three vertex arrays
+  std::uint32_t index_count = 0;      // three a triangle
+  std::uint32_t index_type = 0;       // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
+  std::uint32_t primitive = 4;        // what the indices draw: GL_TRIANGLES
+  std::uint32_t slot_count = 0;       // as Geometry::slot_count
   std::uint32_t joint_count = 0;      // matrices in its palette
   std::uint32_t vertex_bytes = 0;     // all vertex buffers together
   std::uint8_t influences = 4;        // the most of any vertex, 4 to 8
@@ -172,9 +177,10 @@ struct GpuMesh {
   std::uint32_t distance_texels = 0;  // of them, a palette entry
   // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   float coordinate_scale = 1;
-  VertexLayout layout = {};
+  VertexLayout layout = {};  // of its vertex buffers
 };
 
+// What prepare() puts on the GPU.
 struct PrepareOptions {
   bool ssd = true;  // also what rigid draws from
   bool as = true;   // neither: for vertices skinned on the CPU
@@ -221,10 +227,10 @@ enum class Palettes : std::uint8_t {
 //   skinned elsewhere    set_previous(), see gles3_skinned.h
 // and with kMorphs set_previous_morphs().
 struct ProgramKey {
-  Deformer deformer = Deformer::ssd;
-  std::uint8_t influences = 4;
-  std::uint8_t features = kNormals;
-  Palettes palettes = Palettes::uniform_block;
+  Deformer deformer = Deformer::ssd;            // by which vertices are skinned
+  std::uint8_t influences = 4;                  // 4 to 8: that of the mesh or more
+  std::uint8_t features = kNormals;             // kNormals | …, that it reads
+  Palettes palettes = Palettes::uniform_block;  // where they are
 };
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
@@ -246,23 +252,26 @@ struct ProgramKey {
 // Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
 // after UseProgram(program.id), by Api or by any other loader.
 struct ProgramSource {
-  const char* vertex = nullptr;
-  const char* fragment = nullptr;
+  const char* vertex = nullptr;                    // as above
+  const char* fragment = nullptr;                  // as above
   Span<const char* const> feedback_varyings = {};  // for transform feedback, interleaved; empty otherwise
 };
 
+// A program of the driver and where its uniforms are. Filled in by Marrow.
 struct Program {
-  std::uint32_t id = 0;
-  Palettes reads = Palettes::uniform_block;
-  bool motion = false;  // built with kMotion
+  std::uint32_t id = 0;                      // for UseProgram(); 0: none
+  Palettes reads = Palettes::uniform_block;  // where it reads palettes
+  bool motion = false;                       // built with kMotion
   // Locations of uniforms.
-  std::int32_t coordinate_scale = -1, joint_bits = -1;
-  std::int32_t palettes = -1, first_row = -1;
-  std::int32_t instances = -1, crowd = -1;
-  std::int32_t vertex_layout = -1;  // of pre-skinning by compute shaders
-  std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1, morph_shift = -1, morph_per_row = -1;
-  std::int32_t previous_palettes = -1, previous_targets = -1, previous_count = -1;
-  std::int32_t examples = -1, example_step = -1, distances = -1, distance_row = -1, previous_distances = -1;
+  std::int32_t coordinate_scale = -1, joint_bits = -1;  // of attributes; here and below -1: there is none
+  std::int32_t palettes = -1, first_row = -1;           // of palettes in a texture
+  std::int32_t instances = -1, crowd = -1;              // of crowds
+  std::int32_t vertex_layout = -1;                      // of pre-skinning by compute shaders
+  std::int32_t morph_changes = -1, morph_targets = -1, morph_count = -1;            // of morph targets
+  std::int32_t morph_shift = -1, morph_per_row = -1;                                // of morph targets
+  std::int32_t previous_palettes = -1, previous_targets = -1, previous_count = -1;  // of the frame before
+  std::int32_t examples = -1, example_step = -1;                                    // of pose spaces
+  std::int32_t distances = -1, distance_row = -1, previous_distances = -1;          // of pose spaces
 };
 
 // Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
@@ -272,21 +281,23 @@ struct Program {
 MARROW_API Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
                                 std::uint32_t palette_binding, Program& out, Span<char> log = {});
 
+// Deletes the program and clears the struct.
 MARROW_API void destroy(const Api& api, Program& program);
 
 // One buffer that holds all palettes of a frame, each at an offset that the driver accepts. Every frame the old
 // contents are orphaned, so the CPU never waits for the GPU.
 struct PaletteRing {
-  std::uint32_t buffer = 0;
-  std::uint32_t alignment = 256;
-  std::uint32_t capacity = 0;  // bytes that palettes may use
-  std::uint32_t used = 0;
+  std::uint32_t buffer = 0;       // a uniform buffer; 0: none
+  std::uint32_t alignment = 256;  // of offsets, bytes
+  std::uint32_t capacity = 0;     // bytes that palettes may use
+  std::uint32_t used = 0;         // bytes, since begin_frame()
 };
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
 // Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
 MARROW_API Status create_palette_ring(const Api& api, const Caps& caps, std::uint32_t joints, std::uint32_t palettes,
                                       PaletteRing& out);
+// Deletes the buffer and clears the struct.
 MARROW_API void destroy(const Api& api, PaletteRing& ring);
 
 // Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
@@ -305,7 +316,7 @@ inline constexpr std::uint32_t kPaletteTextureWidth = 2048;
 // All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
 // frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
 struct PaletteTexture {
-  std::uint32_t textures[3] = {};
+  std::uint32_t textures[3] = {};    // 0: none
   std::uint32_t current = 0;         // which was written last
   std::uint32_t capacity = 0;        // matrices
   std::uint32_t count = 0;           // that are there
@@ -316,6 +327,7 @@ struct PaletteTexture {
 // Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
 // gl_error. Leaves the active unit's 2D texture at 0.
 MARROW_API Status create_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, PaletteTexture& out);
+// Deletes the textures and clears the struct.
 MARROW_API void destroy(const Api& api, PaletteTexture& texture);
 
 // Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()

@@ -26,24 +26,24 @@ namespace marrow::gles3 {
 
 // What is baked, and how it ends.
 struct CrowdSource {
-  Clip clip = {};
+  Clip clip = {};     // not an additive one
   bool loops = true;  // its last pose is followed by its first; otherwise it stays in the last
 };
 
 // Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
 struct CrowdClip {
-  float duration_s = 0;
-  std::uint32_t first_frame = 0;
-  std::uint32_t steps = 1;  // 1 … 65535
-  bool loops = true;
+  float duration_s = 0;           // of the clip
+  std::uint32_t first_frame = 0;  // of the crowd's frames
+  std::uint32_t steps = 1;        // 1 … 65535
+  bool loops = true;              // as its source's
 };
 
 // Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
 struct CrowdFrames {
-  Span<const CrowdClip> clips = {};
+  Span<const CrowdClip> clips = {};              // in the order of their sources
   Span<const Affine> character_from_joint = {};  // frame after frame
-  std::uint32_t joint_count = 0;
-  std::uint32_t frame_count = 0;
+  std::uint32_t joint_count = 0;                 // of the skeleton
+  std::uint32_t frame_count = 0;                 // of all clips
 };
 
 // Frames of one crowd: what fits the smallest textures, of meshes with one joint.
@@ -67,19 +67,19 @@ inline constexpr std::uint32_t kNoCrowdClip = 0xFFFFFFFF;
 
 // At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
 struct CrowdPlay {
-  std::uint32_t clip = kNoCrowdClip;
-  float phase_s = 0;   // of a clip that does not loop within 0 … duration_s, else the nearer end
-  float speed = 1;     // seconds of the clip a second; may be negative
-  double start_s = 0;  // seconds
+  std::uint32_t clip = kNoCrowdClip;  // of CrowdFrames::clips
+  float phase_s = 0;                  // of a clip that does not loop within 0 … duration_s, else the nearer end
+  float speed = 1;                    // seconds of the clip a second; may be negative
+  double start_s = 0;                 // seconds
 };
 
 // One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
 struct CrowdInstance {
-  Affine scene_from_character = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  CrowdPlay a = {};                // must have a clip
-  CrowdPlay b = {};                // kNoCrowdClip: a alone
-  double blend_start_s = 0;        // until then a alone
-  float blend_s = 0;               // and b alone so much later
+  Affine scene_from_character = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // where it stands
+  CrowdPlay a = {};                                                            // must have a clip
+  CrowdPlay b = {};                                                            // kNoCrowdClip: a alone
+  double blend_start_s = 0;                                                    // until then a alone
+  float blend_s = 0;                                                           // and b alone so much later
   float colour[4] = {1, 1, 1, 1};  // marrow_instance_colour() in the vertex shader
 };
 
@@ -101,23 +101,23 @@ MARROW_API std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t
 // A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
 // (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
 struct CrowdMesh {
-  GpuMesh gpu = {};  // what draw() takes
-  std::uint32_t frames_texture = 0;
-  std::uint32_t blended_texture = 0;
-  std::uint32_t framebuffer = 0;  // around the blended texture
+  GpuMesh gpu = {};                   // what draw() takes
+  std::uint32_t frames_texture = 0;   // palettes of all frames
+  std::uint32_t blended_texture = 0;  // palettes of the instances
+  std::uint32_t framebuffer = 0;      // around the blended texture
   // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
   std::uint32_t previous_texture = 0;
-  std::uint32_t previous_framebuffer = 0;
-  std::uint32_t joints = 0;  // matrices of a palette
-  std::uint32_t frame_count = 0;
-  std::uint32_t capacity = 0;  // instances
-  bool motion = false;
-  bool lost = false;
+  std::uint32_t previous_framebuffer = 0;  // around the previous texture
+  std::uint32_t joints = 0;                // matrices of a palette
+  std::uint32_t frame_count = 0;           // of its frames
+  std::uint32_t capacity = 0;              // instances
+  bool motion = false;                     // as create_crowd_mesh() was asked
+  bool lost = false;                       // between on_context_lost() and on_context_restored()
 
   // What it is put on the next context from.
   Mesh mesh = {};
-  PrepareOptions options = {};
-  CrowdFrames frames = {};
+  PrepareOptions options = {};   // as they were given
+  CrowdFrames frames = {};       // as they were given
   Span<Affine> bind = {};        // what palettes are built with
   Span<std::byte> scratch = {};  // of prepare(), and of palettes on their way up
 };
@@ -139,16 +139,17 @@ MARROW_API std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& 
 MARROW_API Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                                     const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory,
                                     CrowdMesh& out, bool motion = false);
+// Deletes the GL objects and clears the struct; the memory is the caller's again.
 MARROW_API void destroy(const Api& api, CrowdMesh& mesh);
 
 // Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
 struct Crowd {
-  std::uint32_t texture = 0;
-  std::uint32_t capacity = 0;
+  std::uint32_t texture = 0;      // of records
+  std::uint32_t capacity = 0;     // instances, at most
   std::uint32_t count = 0;        // that have been set
   std::uint32_t frame_count = 0;  // of the frames that they play
-  bool lost = false;
-  Span<std::byte> records = {};  // as the texture has them
+  bool lost = false;              // between on_context_lost() and on_context_restored()
+  Span<std::byte> records = {};   // as the texture has them
 };
 
 // Bytes of memory an instance for create_crowd().
@@ -159,6 +160,7 @@ inline constexpr std::size_t kCrowdInstanceBytes = 128;
 // 524 288); gl_error. Leaves the active unit's 2D texture at 0.
 MARROW_API Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory,
                                Crowd& out);
+// Deletes the texture and clears the struct; the memory is the caller's again.
 MARROW_API void destroy(const Api& api, Crowd& crowd);
 
 // Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost

@@ -13,9 +13,9 @@ namespace marrow::gles3 {
 struct ErrorWatch {
   // call: "glBindBuffer", a static string. May be null.
   void (*report)(void* user, const char* call, unsigned error) = nullptr;
-  void* user = nullptr;
-  unsigned pending = 0;  // what the Api's GetError has yet to tell, as it would without a watch
-  unsigned (*get_error)() = nullptr;
+  void* user = nullptr;               // what `report` gets
+  unsigned pending = 0;               // what the Api's GetError has yet to tell, as it would without a watch
+  unsigned (*get_error)() = nullptr;  // the driver's glGetError
 };
 
 // What the Api's GetError returns under a watch.
@@ -24,7 +24,9 @@ MARROW_API unsigned take_error(ErrorWatch& watch);
 // Errors from before are the caller's, and kept pending; those that it leaves behind are the call's.
 class WatchedCall {
  public:
+  // Takes what errors there are. name: of the call, a static string.
   MARROW_API WatchedCall(ErrorWatch& watch, const char* name);
+  // Reports the call's own errors.
   MARROW_API ~WatchedCall();
   WatchedCall(const WatchedCall&) = delete;
   WatchedCall& operator=(const WatchedCall&) = delete;
@@ -39,20 +41,26 @@ class WatchedCall {
 template <class Function>
 struct Entry;
 template <class Result, class... Arguments>
+// An entry point of this result and these arguments.
 struct Entry<Result(Arguments...)> {
+  // What the driver gives.
   using Pointer = Result (*)(Arguments...);
 
-  Pointer function = nullptr;
-  const char* name;
-  ErrorWatch* watch = nullptr;
+  Pointer function = nullptr;   // null: the driver has it not
+  const char* name;             // "glBindBuffer"; a static string
+  ErrorWatch* watch = nullptr;  // null: nobody watches
 
+  // An entry point that is not there yet. of: its name, a static string.
   explicit constexpr Entry(const char* of) : name(of) {}
+  // Another function in its place.
   Entry& operator=(Pointer to) {
     function = to;
     return *this;
   }
+  // Whether the driver has it not.
   bool operator==(std::nullptr_t) const { return function == nullptr; }
 
+  // Calls the driver, watched if there is a watch. Precondition: it is there.
   Result operator()(Arguments... arguments) const {
     if (watch == nullptr) [[likely]]
       return function(arguments...);

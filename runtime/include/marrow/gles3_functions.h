@@ -7,6 +7,7 @@
 
 #include <cstddef>
 
+// OpenGL ES 3.0: all must be there.
 #define MARROW_GLES3_FUNCTIONS(X)                                                                              \
   X(const unsigned char*, GetString, (unsigned name))                                                          \
   X(void, GetIntegerv, (unsigned name, int* values))                                                           \
@@ -85,10 +86,13 @@
   X(void, ColorMask, (unsigned char red, unsigned char green, unsigned char blue, unsigned char alpha))        \
   X(void, Finish, ())
 
+// OpenGL ES 3.1: compute shaders.
 #define MARROW_GLES31_FUNCTIONS(X)                               \
   X(void, DispatchCompute, (unsigned x, unsigned y, unsigned z)) \
   X(void, MemoryBarrier, (unsigned barriers))
 
+// GL_KHR_debug or OpenGL ES 3.2.
 #define MARROW_KHR_DEBUG_FUNCTIONS(X) X(void, ObjectLabel, (unsigned kind, unsigned name, int size, const char* text))
 
+// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
 #define MARROW_ROBUSTNESS_FUNCTIONS(X) X(unsigned, GetGraphicsResetStatus, ())

@@ -26,21 +26,25 @@ enum class Verdict : std::uint8_t {
   wrong,        // its vertices differ from the CPU's
   slow,         // right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
 };
+// How many values Verdict has.
 inline constexpr std::uint32_t kVerdictCount = 8;
 // Why a path is ruled out, in a few words; "" for usable.
 MARROW_API const char* to_string(Verdict verdict);
 
+// What one path did.
 struct PathResult {
-  Verdict verdict = Verdict::not_tried;
+  Verdict verdict = Verdict::not_tried;  // whether to use it
   // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
   // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
   // kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
   float position_error = 0;
-  float normal_error = 0;
+  float normal_error = 0;   // of normals and tangents
   float ns_per_vertex = 0;  // to skin and draw once; 0: not timed
   float ns_per_pass = 0;    // a vertex, of each pass that draws it again
 };
+// The most that PathResult::position_error may be, metres.
 inline constexpr float kMostPositionError = 0.001f;
+// The most that PathResult::normal_error may be.
 inline constexpr float kMostNormalError = 0.005f;
 
 // Chips that want another order of paths where nothing is timed, and other texts of shaders.
@@ -51,37 +55,42 @@ enum class GpuFamily : std::uint8_t {
   adreno,  // registers enough without branches; the paths as others
   nvidia,  // unpacking attributes is dear: a quarter to a third less for animation space as words; the paths as others
 };
+// How many values GpuFamily has.
 inline constexpr std::uint32_t kGpuFamilyCount = 5;
 
+// What self_test() found.
 struct SelfTest {
   PathResult paths[kPathCount] = {};    // by SkinningPath
   GpuFamily family = GpuFamily::other;  // by GL_RENDERER
   std::uint64_t key = 0;                // of driver, caps, options and this library's shader texts
 };
 
+// A path as a bit of SelfTestOptions::paths.
 constexpr std::uint32_t bit_of(SkinningPath path) {
   return 1u << static_cast<std::uint32_t>(path);
 }
+// All paths, as bits.
 inline constexpr std::uint32_t kAllPaths = (1u << kPathCount) - 1;
 
+// What is tried, and how it is timed.
 struct SelfTestOptions {
   std::uint32_t paths = kAllPaths;  // bit_of() of those to try
   // Paths during which the process came to its end: they are not tried again. See about_to_try.
   std::uint32_t crashed = 0;
   bool ssd = true;  // the deformers that the game uses
-  bool as = true;
+  bool as = true;   // animation space
   // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
   double (*seconds)(void* user) = nullptr;
-  float slow = 4;
+  float slow = 4;  // times the fastest path's time
   // What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
   // game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
   std::uint32_t timed_vertices = 2048;
-  std::uint32_t timed_characters = 4;
+  std::uint32_t timed_characters = 4;  // of that mesh
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
   // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
   // with what has been there before.
   void (*about_to_try)(void* user, SkinningPath path) = nullptr;
-  void* user = nullptr;
+  void* user = nullptr;  // what the two functions above get
 };
 
 // Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
@@ -106,6 +115,7 @@ struct PathNeed {
   std::uint32_t characters = 1;  // in one Skinner
   std::uint32_t joints = 0;      // Mesh::palette_size()
 };
+// From so many characters on choose() prefers palettes in a texture.
 inline constexpr std::uint32_t kManyCharacters = 8;
 
 // Of the usable paths of the GPU the one that was fastest: ns_per_vertex + (passes - 1) · ns_per_pass. cpu is taken
@@ -123,6 +133,7 @@ MARROW_API Status choose(const SelfTest& test, const PathNeed& need, SkinningPat
 
 // A result as bytes that a game stores. Errors: bad_argument (too short).
 inline constexpr std::size_t kSavedSelfTestBytes = 128;
+// Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
 MARROW_API Status save(const SelfTest& test, Span<std::byte> out);
 
 // The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,

@@ -19,15 +19,16 @@ namespace marrow::gles3 {
 // positions 12 B a slot, then normals 12 B, then tangents 16 B where the mesh has them. Texture coordinates, colours
 // and indices are the mesh's, which must be there as long.
 struct SkinnedMesh {
-  std::uint32_t array = 0;
-  std::uint32_t buffer = 0;
-  std::uint32_t slot_count = 0;
-  std::uint8_t features = 0;  // kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+  std::uint32_t array = 0;       // vertex array object
+  std::uint32_t buffer = 0;      // of the vertices
+  std::uint32_t slot_count = 0;  // the mesh's
+  std::uint8_t features = 0;     // kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
 };
 
 // Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
 // array at 0.
 MARROW_API Status create_skinned(const Api& api, const GpuMesh& mesh, SkinnedMesh& out);
+// Deletes the GL objects and clears the struct.
 MARROW_API void destroy(const Api& api, SkinnedMesh& mesh);
 
 // Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
@@ -41,6 +42,7 @@ MARROW_API Status set_previous(const Api& api, const SkinnedMesh& mesh, const Sk
 // undefined). Leaves GL_ARRAY_BUFFER at 0.
 MARROW_API Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices);
 
+// What skins vertices ahead of drawing.
 enum class Preskin : std::uint8_t {
   feedback,  // transform feedback, OpenGL ES 3.0
   compute,   // compute shader, 3.1

@@ -23,34 +23,37 @@ enum class SkinningPath : std::uint8_t {
   compute,   // once a frame, by compute shader; OpenGL ES 3.1
   cpu,       // once a frame, by the CPU
 };
+// How many values SkinningPath has.
 inline constexpr std::uint32_t kPathCount = 5;
 // "ubo", …
 MARROW_API const char* to_string(SkinningPath path);
 
+// The most roles of a ProgramSet.
 inline constexpr std::uint32_t kMostRoles = 4;
+// The most programs of a ProgramSet.
 inline constexpr std::uint32_t kMostPrograms = 192;
 
 // One of a set, filled in by Marrow.
 struct ProgramSetEntry {
   ProgramSetEntry() = default;
 
-  ProgramKey key = {};
+  ProgramKey key = {};     // what it was built for
   std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
-  Program program = {};
+  Program program = {};    // as it was built
 };
 
 // The programs of a context: each role for each kind of mesh, compiled once. A game fills in the first five members.
 struct ProgramSet {
   // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};
-  std::uint32_t role_count = 1;
+  std::uint32_t role_count = 1;  // of `roles`, that are used
   // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
   // read previous_position of skinners and crowds that keep it.
   std::uint8_t role_features[kMostRoles] = {255, 255, 255, 255};
-  std::uint32_t palette_binding = 0;  // uniform buffer binding of the palettes
-  Span<char> log = {};                // what the driver says of a text that does not compile
-  ProgramSetEntry entries[kMostPrograms] = {};
-  std::uint32_t count = 0;
+  std::uint32_t palette_binding = 0;            // uniform buffer binding of the palettes
+  Span<char> log = {};                          // what the driver says of a text that does not compile
+  ProgramSetEntry entries[kMostPrograms] = {};  // what was compiled
+  std::uint32_t count = 0;                      // of entries
 };
 
 // Deletes all programs. Skinners that use the set must go first.
@@ -58,19 +61,20 @@ MARROW_API void destroy(const Api& api, ProgramSet& programs);
 
 // What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
 struct SkinnerMotion {
-  PaletteRing ring = {};
-  Span<std::uint32_t> offsets = {};
-  Span<SkinnedMesh> skinned = {};
-  Span<float> weights = {};
-  Span<float> sent_weights = {};  // of the last update()
-  Span<std::uint8_t> still = {};  // a character each: 1 if it had no update() before its last
-  Span<std::uint8_t> reset = {};  // 1 if the next update() is to be its first
+  PaletteRing ring = {};             // path ubo
+  Span<std::uint32_t> offsets = {};  // in the ring, a character each
+  Span<SkinnedMesh> skinned = {};    // of paths that skin once a frame
+  Span<float> weights = {};          // of morph targets
+  Span<float> sent_weights = {};     // of the last update()
+  Span<std::uint8_t> still = {};     // a character each: 1 if it had no update() before its last
+  Span<std::uint8_t> reset = {};     // 1 if the next update() is to be its first
 };
 
+// How a mesh is skinned, and for how many characters.
 struct SkinnerOptions {
-  SkinningPath path = SkinningPath::ubo;
-  Deformer deformer = Deformer::ssd;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
-  std::uint32_t instances = 1;        // characters, at most
+  SkinningPath path = SkinningPath::ubo;  // choose() in gles3_self_test.h names the best
+  Deformer deformer = Deformer::ssd;      // rigid, ssd, as or psd, which is ssd for a mesh without examples
+  std::uint32_t instances = 1;            // characters, at most
   // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
   // A pose space takes the fourth and fifth, with `motion` the sixth.
   std::uint32_t texture_unit = 0;
@@ -83,15 +87,16 @@ struct SkinnerOptions {
   bool motion = false;
 };
 
+// A mesh as many characters. Filled in by create_skinner(), to be read only.
 struct Skinner {
-  Mesh mesh = {};
-  SkinnerOptions options = {};
-  GpuMesh gpu = {};
-  PaletteRing ring = {};
-  PaletteTexture texture = {};
+  Mesh mesh = {};                        // as it was given
+  SkinnerOptions options = {};           // as they were given
+  GpuMesh gpu = {};                      // its vertices on the GPU
+  PaletteRing ring = {};                 // path ubo, feedback and compute
+  PaletteTexture texture = {};           // path texture
   PaletteTexture distance_texture = {};  // of pose spaces
   std::uint32_t updated = 0;             // characters that the last update() brought up
-  bool lost = false;
+  bool lost = false;                     // between on_context_lost() and on_context_restored()
 
   // In the caller's memory.
   Span<Affine> bind = {};            // what palettes are built with
@@ -100,10 +105,10 @@ struct Skinner {
   Span<float> weights = {};          // of morph targets, characters after each other
   Span<std::uint32_t> offsets = {};  // in the ring, a character each
   Span<SkinnedMesh> skinned = {};    // a character each, of paths that skin once a frame
-  SkinnerMotion motion = {};
+  SkinnerMotion motion = {};         // with SkinnerOptions::motion
   Span<float> positions = {}, normals = {}, tangents = {}, coordinates = {};  // path cpu: one character's
-  MorphedGeometry morphed = {};
-  Span<std::byte> scratch = {};  // of prepare(), kept for the next context
+  MorphedGeometry morphed = {};                                               // path cpu: one character's
+  Span<std::byte> scratch = {};                                               // of prepare(), kept for the next context
 };
 
 // Bytes of memory that create_skinner() wants.
@@ -119,6 +124,7 @@ MARROW_API std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& opt
 // written only on success.
 MARROW_API Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
                                  ProgramSet& programs, Span<std::byte> memory, Skinner& out);
+// Deletes the GL objects and clears the struct; the memory is the caller's again.
 MARROW_API void destroy(const Api& api, Skinner& skinner);
 
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on

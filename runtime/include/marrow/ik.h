@@ -38,8 +38,8 @@ struct alignas(16) TwoBone {
 
 // Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
 struct alignas(16) TwoBoneTurns {
-  float start[4] = {0, 0, 0, 1};
-  float mid[4] = {0, 0, 0, 1};
+  float start[4] = {0, 0, 0, 1};  // of the start joint
+  float mid[4] = {0, 0, 0, 1};    // of the middle joint
   float stretch = 1;  // for the translations of all joints from below start down to end; 1: unless max_stretch > 1
   // The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
   bool reached = false;
@@ -47,9 +47,9 @@ struct alignas(16) TwoBoneTurns {
 
 // The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 struct TwoBoneJoints {
-  const Affine* start = nullptr;
-  const Affine* mid = nullptr;
-  const Affine* end = nullptr;
+  const Affine* start = nullptr;  // hip, shoulder
+  const Affine* mid = nullptr;    // knee, elbow
+  const Affine* end = nullptr;    // ankle, wrist
 };
 
 // Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
@@ -69,7 +69,7 @@ MARROW_API Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&
 
 // Joints of a skeleton; other joints may lie between them.
 struct TwoBoneLimb {
-  std::uint32_t start = 0, mid = 0, end = 0;
+  std::uint32_t start = 0, mid = 0, end = 0;  // hip, knee and ankle
 };
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
@@ -91,6 +91,7 @@ struct alignas(16) Aim {
   float offset[3] = {0, 0, 0};   // where forward begins: an eye before the head's joint; local
 };
 
+// What aim() gives.
 struct alignas(16) AimTurn {
   float turn[4] = {0, 0, 0, 1};  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
   // The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the

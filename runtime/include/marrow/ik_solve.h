@@ -7,12 +7,13 @@
 
 namespace marrow {
 
+// How solve_ik() solves; docs/ik/solvers.md says which is for what.
 enum class IkMethod : std::uint8_t { fabrik, ccd, damped_least_squares, gauss_newton };
 
 // Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
 // and it does not, of twice the weight and it gives way half as far where goals contradict each other.
 struct IkGoal {
-  std::uint16_t joint = 0;
+  std::uint16_t joint = 0;    // of the skeleton
   std::uint8_t priority = 0;  // 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
   float offset[3] = {};       // the point of the joint that shall reach `position`; the joint's space, metres
   float position[3] = {};     // scene space, metres
@@ -21,44 +22,48 @@ struct IkGoal {
   float rotation_weight = 0;         // metres a radian: the distance that is as bad as being turned wrong by a radian
 };
 
+// What is asked of a pose.
 struct IkProblem {
-  Span<const IkGoal> goals = {};
+  Span<const IkGoal> goals = {};          // at least one that counts
   Span<const std::uint16_t> joints = {};  // that may turn: ascending, so that parents come first. Others are stiff
   Span<const float> stiffness = {};  // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
-  Span<const JointLimit> limits =
-      {};  // joints ascending, as in a skeleton; those of joints that do not turn are left out
+  // Joints ascending, as in a skeleton; those of joints that do not turn are left out.
+  Span<const JointLimit> limits = {};
   // Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
   // as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
-  float pole[3] = {};  // scene space, metres
-  float pole_weight = 0;
+  float pole[3] = {};     // scene space, metres
+  float pole_weight = 0;  // 0: no pole
   // By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
   // stays. Jacobian methods only.
   float root_travel_m = 0;
 };
 
+// How it is solved.
 struct IkOptions {
-  IkMethod method = IkMethod::damped_least_squares;
-  std::uint16_t max_iterations = 16;
-  float tolerance_m = 1e-4f;  // an error (see IkReport) of less ends the iteration
-  float damping = 1;          // of the Jacobian methods: more is calmer and slower
-  std::uint32_t seed = 0;     // of solve_ik_genetic: the same seed, the same result
-  float weight = 1;           // 0 leaves every bit as it was; between, rotations lie between
+  IkMethod method = IkMethod::damped_least_squares;  // see docs/ik/solvers.md
+  std::uint16_t max_iterations = 16;                 // the most there are
+  float tolerance_m = 1e-4f;                         // an error (see IkReport) of less ends the iteration
+  float damping = 1;                                 // of the Jacobian methods: more is calmer and slower
+  std::uint32_t seed = 0;                            // of solve_ik_genetic: the same seed, the same result
+  float weight = 1;                                  // 0 leaves every bit as it was; between, rotations lie between
   // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
   // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
   // their lengths. Changes local translations of the joints on the way.
   float stretch = 1;
 };
 
+// Why a solver stopped.
 enum class IkStop : std::uint8_t {
   reached,     // the error is less than the tolerance
   stalled,     // nothing moved any more: the target is out of reach, or goals contradict each other
   iterations,  // max_iterations are over
 };
 
+// How a solver ended.
 struct IkReport {
   float error_m = 0;  // √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
-  std::uint32_t iterations = 0;
-  IkStop why = IkStop::reached;
+  std::uint32_t iterations = 0;  // that it took
+  IkStop why = IkStop::reached;  // why it took no more
 };
 
 // Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.

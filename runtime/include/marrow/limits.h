@@ -13,16 +13,16 @@ inline constexpr float kWidestSwing_rad = 2.9670597f;
 
 // A limit as people think of it.
 struct LimitDescription {
-  LimitKind kind = LimitKind::none;
-  AxisOrder order = AxisOrder::xyz;
-  float zero[4] = {0, 0, 0, 1};  // the local rotation where all angles are 0: most often the joint's rest
-  float axis[3] = {1, 0, 0};     // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
-  float across[3] = {0, 1, 0};   // its y, made perpendicular to x
+  LimitKind kind = LimitKind::none;  // its shape
+  AxisOrder order = AxisOrder::xyz;  // of euler
+  float zero[4] = {0, 0, 0, 1};      // the local rotation where all angles are 0: most often the joint's rest
+  float axis[3] = {1, 0, 0};         // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
+  float across[3] = {0, 1, 0};       // its y, made perpendicular to x
   // hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
   // is the half-width, and `least` its negative. Euler: the three angles.
   float least_rad[3] = {0, 0, 0};
-  float most_rad[3] = {0, 0, 0};
-  RateLimit rate = {0, 0};
+  float most_rad[3] = {0, 0, 0};  // as least_rad
+  RateLimit rate = {0, 0};        // 0: none
 };
 
 // Angles least_rad … most_rad; all of them if that is a turn or more.
@@ -72,14 +72,15 @@ struct RotationFollower {
   float target[4] = {};    // of the last call
   float velocity[3] = {};  // radians a second, about the parent's axes
   float frame_s = 0;       // of the last call
-  std::uint32_t mode = 0;
+  std::uint32_t mode = 0;  // follow_rotation()'s own
 };
+// A point that follows another.
 struct PointFollower {
-  float point[3] = {};
-  float target[3] = {};
-  float velocity[3] = {};
-  float frame_s = 0;
-  std::uint32_t mode = 0;
+  float point[3] = {};     // where it is, metres
+  float target[3] = {};    // of the last call
+  float velocity[3] = {};  // metres a second
+  float frame_s = 0;       // of the last call
+  std::uint32_t mode = 0;  // follow_point()'s own
 };
 
 // Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result

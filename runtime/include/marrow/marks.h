@@ -15,8 +15,8 @@ namespace marrow {
 // Called on the thread of the call. name: of the public function, as "sample"; a static string. Calls nest, and each
 // begin has its end, by the same handler.
 struct MarkHandler {
-  void (*begin)(const char* name);
-  void (*end)(const char* name);
+  void (*begin)(const char* name);  // a call begins
+  void (*end)(const char* name);    // it ends
 };
 
 // From now on calls that begin are told to `handler`, which stays as it is while any of them goes on; null: nobody is

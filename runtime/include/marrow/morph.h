@@ -29,7 +29,7 @@ MARROW_API Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> chan
 // An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 struct MorphedGeometry {
   Geometry geometry = {};  // as the bind geometry, but that skin, normals and tangents are the instance's own
-  Geometry bind = {};
+  Geometry bind = {};      // as the file has it
   const std::uint32_t* offsets = nullptr;  // a block's first float in the skin; one more for the end
   std::uint32_t* moved = nullptr;          // a bit a block: differs from the bind pose
   std::uint32_t* changed = nullptr;        // a bit a block: written since morph_coordinates()

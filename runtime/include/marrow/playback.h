@@ -18,10 +18,10 @@ enum class PlayMode : std::uint8_t {
 // The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
 // backwards once begins with time_s = its duration.
 struct Playback {
-  double time_s = 0;  // in the clip
-  float speed = 1;    // seconds of the clip a second; 0 pauses, below 0 runs backwards
-  PlayMode mode = PlayMode::loop;
-  bool returning = false;  // ping_pong: on the way back, so time runs against speed
+  double time_s = 0;               // in the clip
+  float speed = 1;                 // seconds of the clip a second; 0 pauses, below 0 runs backwards
+  PlayMode mode = PlayMode::loop;  // what happens at the ends
+  bool returning = false;          // ping_pong: on the way back, so time runs against speed
   // Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
   // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
   std::int32_t turns = 0;

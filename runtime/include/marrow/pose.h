@@ -22,13 +22,13 @@ static_assert(sizeof(SoaTransform) == 160);
 // The change from one pose to another, not a pose: a type of its own, so that one is not taken for the other.
 // translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
 struct AdditiveTransform {
-  SoaTransform change;
+  SoaTransform change;  // of four joints
 };
 static_assert(sizeof(AdditiveTransform) == sizeof(SoaTransform));
 
 // An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
 struct alignas(16) Affine {
-  float rows[3][4];
+  float rows[3][4];  // the last column is the translation
 };
 static_assert(sizeof(Affine) == 48);
 
@@ -41,7 +41,7 @@ constexpr std::size_t soa_count(std::size_t joint_count) {
 struct JointTransform {
   float translation[3] = {0, 0, 0};  // metres
   float rotation[4] = {0, 0, 0, 1};  // a unit quaternion x, y, z, w
-  float scale[3] = {1, 1, 1};
+  float scale[3] = {1, 1, 1};        // along the joint's axes
 };
 
 // Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it

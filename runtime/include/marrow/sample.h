@@ -6,6 +6,7 @@
 
 namespace marrow {
 
+// Which joints are sampled.
 struct SampleOptions {
   // A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
   // Joints whose bit is 0 keep what `out` holds. Empty: all joints. Every group of four without a joint of the set

@@ -23,6 +23,7 @@ enum class NormalTransform : std::uint8_t {
   blended_matrix,
 };
 
+// Where skinned vertices go: the caller's memory, slot after slot.
 struct SkinOutput {
   Span<float> positions = {};  // 3 a slot; required
   Span<float> normals = {};    // 3 a slot; leave empty to skip
@@ -30,7 +31,7 @@ struct SkinOutput {
   // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
   // normals. Leave empty to skip.
   Span<float> tangents = {};
-  NormalTransform normal_transform = NormalTransform::inverse_transpose;
+  NormalTransform normal_transform = NormalTransform::inverse_transpose;  // of tangents, too
 };
 
 // Each vertex follows the joint with its largest weight.
@@ -61,7 +62,7 @@ MARROW_API Status as_coordinates(const Geometry& geometry, Span<float> out);
 
 // A mesh in animation space, for as_tangents().
 struct AsPart {
-  const Mesh* mesh = nullptr;
+  const Mesh* mesh = nullptr;          // cooked with animation space
   Span<const float> coordinates = {};  // from as_coordinates()
   Span<float> tangents = {};           // as_tangent_count() floats, to be written
 };

@@ -11,10 +11,11 @@ namespace marrow {
 // which allocators of 32-bit systems do not give.
 template <class T>
 struct Span {
-  T* data = nullptr;
-  std::size_t size = 0;
+  T* data = nullptr;     // the first; null if empty
+  std::size_t size = 0;  // how many
 
   constexpr Span() = default;
+  // `count` elements from `first` on.
   constexpr Span(T* first, std::size_t count) : data(first), size(count) {}
   // From anything with data() and size(): std::vector, std::array, std::span, std::string.
   template <class Container>
@@ -23,6 +24,7 @@ struct Span {
     c.size();
   }
   constexpr Span(Container&& c) : data(c.data()), size(c.size()) {}
+  // From a span of what converts: of T to const T.
   template <class U>
   requires requires(U* u, T*& p) { p = u; }
   constexpr Span(Span<U> other) : data(other.data), size(other.size) {}
@@ -36,9 +38,13 @@ struct Span {
   } : Span(list.begin(), list.size()) {
   }
 
+  // Precondition: i < size.
   constexpr T& operator[](std::size_t i) const { return data[i]; }
+  // For loops over all.
   constexpr T* begin() const { return data; }
+  // One behind the last.
   constexpr T* end() const { return data + size; }
+  // Whether there are none.
   constexpr bool empty() const { return size == 0; }
 };
 

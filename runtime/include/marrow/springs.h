@@ -20,14 +20,14 @@ struct JointRange;
 
 // Chains of one character. To keep or to copy a motion, copy the memory.
 struct Springs {
-  SpringGroup* groups = nullptr;
-  SpringRoot* roots = nullptr;
-  JointRange* below = nullptr;  // joints whose matrices springs change
-  std::uint32_t group_count = 0;
-  std::uint32_t root_count = 0;
-  std::uint32_t below_count = 0;
+  SpringGroup* groups = nullptr;  // four bones each
+  SpringRoot* roots = nullptr;    // a chain each
+  JointRange* below = nullptr;    // joints whose matrices springs change
+  std::uint32_t group_count = 0;  // of each of them
+  std::uint32_t root_count = 0;   // likewise
+  std::uint32_t below_count = 0;  // likewise
   std::uint32_t joint_count = 0;  // of the skeleton
-  float saved_s = 0;
+  float saved_s = 0;              // time of frames that were too short
 };
 
 // What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
@@ -47,13 +47,14 @@ MARROW_API Status set_springs(const Skeleton& skeleton, Span<const SpringChain> 
 // The next frame begins at rest in its pose.
 MARROW_API void reset_springs(Springs& springs);
 
+// What simulate_springs() is told of a frame.
 struct SpringFrame {
   float dt_s = 0;  // since the last frame
   // Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
   Affine world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  float gravity[3] = {0, -9.81f, 0};  // m/s², world
-  float wind[3] = {0, 0, 0};          // m/s, world; acts by `drag`
-  Span<const SpringCollider> colliders = {};
+  float gravity[3] = {0, -9.81f, 0};          // m/s², world
+  float wind[3] = {0, 0, 0};                  // m/s, world; acts by `drag`
+  Span<const SpringCollider> colliders = {};  // at most kMaxSpringColliders
   float teleport_m = 1.0f;  // chains whose first joint moves further than this in one frame are moved along …
   bool teleported = false;  // … and so are all if this is set
   float weight = 1.0f;      // 0 … 1, times each joint's

@@ -7,6 +7,7 @@
 
 namespace marrow {
 
+// What a call came to.
 enum class [[nodiscard]] Status : std::uint8_t{
     ok,
     bad_argument,   // the call is wrong: a span too short, a null pointer, an index out of range
@@ -26,9 +27,9 @@ MARROW_API const char* to_string(Status status) noexcept;
 
 // Where a block of data breaks the format, and which rule. `rule` is a static string.
 struct DataError {
-  Status status = Status::ok;
-  std::uint32_t offset = 0;  // byte in the block
-  const char* rule = "";
+  Status status = Status::ok;  // what the call returns
+  std::uint32_t offset = 0;    // byte in the block
+  const char* rule = "";       // in English
 };
 
 }  // namespace marrow

@@ -29,9 +29,9 @@ MARROW_API Status cross_fade(const Skeleton& skeleton, Span<const SoaTransform> 
 // itself:
 //   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
 struct alignas(16) InertialOffset {
-  float start[9][4];
-  float slope[9][4];
-  float rate[9][4];  // 1 / seconds
+  float start[9][4];  // metres, radians, factors
+  float slope[9][4];  // over the whole fade
+  float rate[9][4];   // 1 / seconds
 };
 
 // A transition under way; the memory is the caller's and can be used again for the next one.

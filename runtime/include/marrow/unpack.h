@@ -15,12 +15,14 @@ struct MeshStreams;
 
 // One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
 struct MeshDecoder {
-  std::uint32_t codec = 0;  // as packed files name it
-  Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;
+  std::uint32_t codec = 0;                                                          // as packed files name it
+  Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;  // the codec
 };
 
+// Bytes of Unpacking's state.
 inline constexpr std::size_t kUnpackStateBytes = 512;
 
+// How much memory unpack() takes.
 struct UnpackSizes {
   std::uint32_t file_bytes = 0;    // of the unpacked file
   std::uint32_t memory_bytes = 0;  // what unpack() wants: the file and, behind it, room to work in

@@ -6,6 +6,9 @@ using System.Runtime.InteropServices;
 
 namespace MarrowRuntime {
 
+/// <summary>
+/// What a call came to.
+/// </summary>
 public enum Status : byte {
     Ok = 0,
     /// <summary>
@@ -55,11 +58,17 @@ public enum Status : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct DataError {
+    /// <summary>
+    /// what the call returns
+    /// </summary>
     public Status status;
     /// <summary>
     /// byte in the block
     /// </summary>
     public uint offset;
+    /// <summary>
+    /// in English
+    /// </summary>
     public byte* rule;
     public static DataError New() {
         DataError made;
@@ -97,9 +106,15 @@ public unsafe struct MeshDecoder {
     /// as packed files name it
     /// </summary>
     public uint codec;
+    /// <summary>
+    /// the codec
+    /// </summary>
     public IntPtr decode;
 }
 
+/// <summary>
+/// How much memory unpack() takes.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct UnpackSizes {
     /// <summary>
@@ -175,6 +190,9 @@ public unsafe struct SoaTransform {
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 160)]
 public unsafe struct AdditiveTransform {
+    /// <summary>
+    /// of four joints
+    /// </summary>
     public SoaTransform change;
 }
 
@@ -183,6 +201,9 @@ public unsafe struct AdditiveTransform {
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 48)]
 public unsafe struct Affine {
+    /// <summary>
+    /// the last column is the translation
+    /// </summary>
     public fixed float rows[12];
 }
 
@@ -199,6 +220,9 @@ public unsafe struct JointTransform {
     /// a unit quaternion x, y, z, w
     /// </summary>
     public fixed float rotation[4];
+    /// <summary>
+    /// along the joint's axes
+    /// </summary>
     public fixed float scale[3];
     public static JointTransform New() {
         JointTransform made;
@@ -227,6 +251,9 @@ public unsafe struct ExampleParameter {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct ExampleSpace {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
     /// <summary>
     /// at most kMaxExamples
@@ -269,6 +296,9 @@ public unsafe struct ExampleSpace {
     public UIntPtr inverse_width_count;
 }
 
+/// <summary>
+/// What shape the rotations within a JointLimit have.
+/// </summary>
 public enum LimitKind : byte {
     /// <summary>
     /// turns freely; for joints that have a rate limit alone
@@ -300,12 +330,18 @@ public enum AxisOrder : byte {
     Zyx = 5,
 }
 
+/// <summary>
+/// Which part of a local transform a Track drives.
+/// </summary>
 public enum TrackPath : byte {
     Translation = 0,
     Rotation = 1,
     Scale = 2,
 }
 
+/// <summary>
+/// What lies between two keys, as glTF 2.0 defines it.
+/// </summary>
 public enum Interpolation : byte {
     Step = 0,
     Linear = 1,
@@ -313,7 +349,7 @@ public enum Interpolation : byte {
 }
 
 /// <summary>
-/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// How a material's alpha is meant, as in glTF 2.0.
 /// </summary>
 public enum AlphaMode : byte {
     Opaque = 0,
@@ -322,7 +358,7 @@ public enum AlphaMode : byte {
 }
 
 /// <summary>
-/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// What of a material an image gives.
 /// </summary>
 public enum TextureRole : byte {
     BaseColour = 0,
@@ -336,18 +372,27 @@ public enum TextureRole : byte {
     SpecularGlossiness = 5,
 }
 
+/// <summary>
+/// What lies beyond an image's edge.
+/// </summary>
 public enum Wrap : byte {
     Repeat = 0,
     ClampToEdge = 1,
     MirroredRepeat = 2,
 }
 
+/// <summary>
+/// How an image is magnified.
+/// </summary>
 public enum MagFilter : byte {
     Any = 0,
     Nearest = 1,
     Linear = 2,
 }
 
+/// <summary>
+/// How an image is minified; any: the source leaves it to the game.
+/// </summary>
 public enum MinFilter : byte {
     Any = 0,
     Nearest = 1,
@@ -359,7 +404,7 @@ public enum MinFilter : byte {
 }
 
 /// <summary>
-/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+/// What an image's bytes are.
 /// </summary>
 public enum ImageFormat : byte {
     Unknown = 0,
@@ -371,7 +416,7 @@ public enum ImageFormat : byte {
 }
 
 /// <summary>
-/// A number, a truth or a text that an artist gave a node.
+/// What a Property is.
 /// </summary>
 public enum PropertyType : byte {
     Number = 0,
@@ -401,7 +446,13 @@ public unsafe struct AngleRange {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct RateLimit {
+    /// <summary>
+    /// rad/s or m/s
+    /// </summary>
     public float speed;
+    /// <summary>
+    /// rad/s² or m/s²
+    /// </summary>
     public float acceleration;
     public static RateLimit New() {
         RateLimit made;
@@ -434,6 +485,9 @@ public unsafe struct JointLimit {
     /// of the skeleton
     /// </summary>
     public ushort joint;
+    /// <summary>
+    /// which of the shapes above
+    /// </summary>
     public LimitKind kind;
     /// <summary>
     /// of euler; else xyz
@@ -469,6 +523,9 @@ public unsafe struct JointLimit {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SpringJoint {
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
     public ushort joint;
     /// <summary>
     /// 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
@@ -510,6 +567,9 @@ public unsafe struct SpringJoint {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SpringChain {
+    /// <summary>
+    /// from the chain's root to its end
+    /// </summary>
     public SpringJoint* joints;
     public UIntPtr joint_count;
     /// <summary>
@@ -533,12 +593,18 @@ public unsafe struct SpringChain {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SpringCollider {
+    /// <summary>
+    /// it moves with
+    /// </summary>
     public ushort joint;
     public ushort reserved;
     /// <summary>
     /// in the joint's space
     /// </summary>
     public fixed float from[3];
+    /// <summary>
+    /// in the joint's space
+    /// </summary>
     public fixed float to[3];
     /// <summary>
     /// in the joint's space
@@ -563,7 +629,13 @@ public unsafe struct SpringColliderList {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Skeleton {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
+    /// <summary>
+    /// 1 … kMaxJoints
+    /// </summary>
     public uint joint_count;
     /// <summary>
     /// joints 0 … root_count-1 have no parent joint
@@ -597,7 +669,13 @@ public unsafe struct Skeleton {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SkeletonReference {
+    /// <summary>
+    /// the skeleton's
+    /// </summary>
     public byte* name;
+    /// <summary>
+    /// the skeleton's
+    /// </summary>
     public uint joint_count;
     /// <summary>
     /// skeleton_hash() of the skeleton
@@ -622,8 +700,17 @@ public unsafe struct SkeletonReference {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Track {
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
     public ushort joint;
+    /// <summary>
+    /// what of the joint it drives
+    /// </summary>
     public TrackPath path;
+    /// <summary>
+    /// between its keys
+    /// </summary>
     public Interpolation interpolation;
     /// <summary>
     /// ≥ 1
@@ -634,7 +721,7 @@ public unsafe struct Track {
     /// </summary>
     public uint first_time;
     /// <summary>
-    /// into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+    /// Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
     /// </summary>
     public uint first_value;
 }
@@ -645,7 +732,13 @@ public unsafe struct Track {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct GroupMasks {
+    /// <summary>
+    /// what changes over the clip
+    /// </summary>
     public ushort moving;
+    /// <summary>
+    /// what stays, but not as at rest
+    /// </summary>
     public ushort constant;
 }
 
@@ -675,6 +768,9 @@ public unsafe struct Channel {
     /// into Clip::values; one float a key, three for cubic_spline (in, value, out)
     /// </summary>
     public uint first_value;
+    /// <summary>
+    /// between its keys
+    /// </summary>
     public Interpolation interpolation;
     public fixed byte reserved[3];
 }
@@ -693,6 +789,9 @@ public unsafe struct CodedTracks {
     /// sub-tracks that move
     /// </summary>
     public uint track_count;
+    /// <summary>
+    /// sub-tracks that stay, but not as at rest
+    /// </summary>
     public uint constant_count;
     /// <summary>
     /// steps of time a segment; the last may have fewer
@@ -718,7 +817,13 @@ public unsafe struct CodedTracks {
     /// bytes into payload
     /// </summary>
     public uint* segment_offsets;
+    /// <summary>
+    /// their values
+    /// </summary>
     public void* constants;
+    /// <summary>
+    /// segments of packed integers
+    /// </summary>
     public void* payload;
 }
 
@@ -727,6 +832,9 @@ public unsafe struct CodedTracks {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Clip {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
     /// <summary>
     /// which skeleton of the file; in a clip pack, which reference
@@ -748,12 +856,27 @@ public unsafe struct Clip {
     /// additive: the pose that changes are taken from; null: the rest pose
     /// </summary>
     public SoaTransform* reference;
+    /// <summary>
+    /// what is compressed
+    /// </summary>
     public CodedTracks coded;
+    /// <summary>
+    /// what is stored without loss
+    /// </summary>
     public Track* tracks;
     public UIntPtr track_count;
+    /// <summary>
+    /// numbers that it drives
+    /// </summary>
     public Channel* channels;
     public UIntPtr channel_count;
+    /// <summary>
+    /// key times of tracks and channels, seconds
+    /// </summary>
     public float* times_s;
+    /// <summary>
+    /// keys of tracks and channels
+    /// </summary>
     public float* values;
     /// <summary>
     /// of its bytes and its place in the file, from File::clip(); 0: made by hand
@@ -787,6 +910,9 @@ public unsafe struct MorphTarget {
     /// into Geometry::target_blocks
     /// </summary>
     public uint first_block;
+    /// <summary>
+    /// how many blocks it moves
+    /// </summary>
     public uint block_count;
     /// <summary>
     /// into Geometry::target_records
@@ -800,7 +926,13 @@ public unsafe struct MorphTarget {
     /// metres, mesh space
     /// </summary>
     public float position_step;
+    /// <summary>
+    /// a unit of its records of normals
+    /// </summary>
     public float normal_step;
+    /// <summary>
+    /// a unit of its records of tangents
+    /// </summary>
     public float tangent_step;
     public uint reserved;
 }
@@ -868,6 +1000,9 @@ public unsafe struct Geometry {
     /// slots
     /// </summary>
     public void* indices;
+    /// <summary>
+    /// in the order of the slots
+    /// </summary>
     public Run* runs;
     public UIntPtr run_count;
     /// <summary>
@@ -912,6 +1047,9 @@ public unsafe struct Geometry {
     /// </summary>
     public uint* source_slots;
     public UIntPtr source_slot_count;
+    /// <summary>
+    /// morph targets, as many as MeshTarget of a mesh
+    /// </summary>
     public MorphTarget* targets;
     public UIntPtr target_count;
     /// <summary>
@@ -922,11 +1060,17 @@ public unsafe struct Geometry {
     /// twelve a record
     /// </summary>
     public short* target_records;
+    /// <summary>
+    /// examples empty: none
+    /// </summary>
     public PoseSpace pose_space;
     /// <summary>
     /// of the bind positions, mesh space
     /// </summary>
     public fixed float box_min[3];
+    /// <summary>
+    /// likewise
+    /// </summary>
     public fixed float box_max[3];
 }
 
@@ -940,7 +1084,7 @@ public unsafe struct MeshTarget {
     /// </summary>
     public uint name;
     /// <summary>
-    /// name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+    /// Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
     /// </summary>
     public uint channel;
     /// <summary>
@@ -963,16 +1107,37 @@ public unsafe struct Texture {
     /// none twice in a material
     /// </summary>
     public TextureRole role;
+    /// <summary>
+    /// along u and v
+    /// </summary>
     public Wrap wrap_u;
+    /// <summary>
+    /// along u and v
+    /// </summary>
     public Wrap wrap_v;
+    /// <summary>
+    /// as the source asks
+    /// </summary>
     public MagFilter mag;
+    /// <summary>
+    /// as the source asks
+    /// </summary>
     public MinFilter min;
     public byte reserved;
 }
 
+/// <summary>
+/// A material as far as Mesh does not say it.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Material {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
+    /// <summary>
+    /// opaque: alpha is not looked at
+    /// </summary>
     public AlphaMode alpha;
     /// <summary>
     /// mask: what is less opaque is not drawn
@@ -986,6 +1151,9 @@ public unsafe struct Material {
     /// linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
     /// </summary>
     public fixed float emissive[3];
+    /// <summary>
+    /// one a role
+    /// </summary>
     public Texture* textures;
     public UIntPtr texture_count;
 }
@@ -995,11 +1163,17 @@ public unsafe struct Material {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Image {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
     /// <summary>
     /// relative to the source file and percent-encoded, as it stood there; empty if it had none
     /// </summary>
     public byte* uri;
+    /// <summary>
+    /// unknown: by its bytes or its URI none of the others
+    /// </summary>
     public ImageFormat format;
     /// <summary>
     /// empty: by reference
@@ -1021,6 +1195,9 @@ public unsafe struct Property {
     /// see File::text; of nested ones the path, as in "door/hinges/0"
     /// </summary>
     public uint name;
+    /// <summary>
+    /// which of the two members below holds it
+    /// </summary>
     public PropertyType type;
     public fixed byte reserved[3];
     /// <summary>
@@ -1036,13 +1213,25 @@ public unsafe struct Property {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Node {
+    /// <summary>
+    /// as the source calls it; never empty
+    /// </summary>
     public byte* name;
     /// <summary>
     /// which skeleton of the file
     /// </summary>
     public uint skeleton;
+    /// <summary>
+    /// the nearest joint at or above it
+    /// </summary>
     public ushort joint;
+    /// <summary>
+    /// never changes
+    /// </summary>
     public Affine* joint_from_node;
+    /// <summary>
+    /// the `extras` of the source
+    /// </summary>
     public Property* properties;
     public UIntPtr property_count;
 }
@@ -1056,6 +1245,9 @@ public unsafe struct Helper {
     /// palette entries, below Mesh::joint_count, not the same
     /// </summary>
     public ushort first;
+    /// <summary>
+    /// palette entries, below Mesh::joint_count, not the same
+    /// </summary>
     public ushort second;
     /// <summary>
     /// of second; above 0, below 1
@@ -1088,7 +1280,13 @@ public unsafe struct MeshLod {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Bounds {
+    /// <summary>
+    /// least corner
+    /// </summary>
     public fixed float box_min[3];
+    /// <summary>
+    /// greatest corner
+    /// </summary>
     public fixed float box_max[3];
     /// <summary>
     /// below 0: empty, or not known
@@ -1101,7 +1299,13 @@ public unsafe struct Bounds {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Mesh {
+    /// <summary>
+    /// as the source calls it; never null
+    /// </summary>
     public byte* name;
+    /// <summary>
+    /// the material's name; never null
+    /// </summary>
     public byte* material;
     /// <summary>
     /// which material of the file, if it has more than what stands here
@@ -1131,6 +1335,9 @@ public unsafe struct Mesh {
     /// linear RGBA
     /// </summary>
     public fixed float base_colour[4];
+    /// <summary>
+    /// backs are drawn, too
+    /// </summary>
     public byte double_sided;
     /// <summary>
     /// One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
@@ -1205,8 +1412,14 @@ public enum Misfit : byte {
     OtherPlace = 4,
 }
 
+/// <summary>
+/// A joint that is in the way.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct JointMisfit {
+    /// <summary>
+    /// what is wrong with it
+    /// </summary>
     public Misfit how;
     /// <summary>
     /// of the pack's reference; `extra`: of the skeleton
@@ -1246,6 +1459,9 @@ public unsafe struct Playback {
     /// seconds of the clip a second; 0 pauses, below 0 runs backwards
     /// </summary>
     public float speed;
+    /// <summary>
+    /// what happens at the ends
+    /// </summary>
     public PlayMode mode;
     /// <summary>
     /// ping_pong: on the way back, so time runs against speed
@@ -1263,6 +1479,9 @@ public unsafe struct Playback {
     }
 }
 
+/// <summary>
+/// Which joints are sampled.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SampleOptions {
     /// <summary>
@@ -1349,6 +1568,9 @@ public enum CurveKind : byte {
     Centripetal = 6,
 }
 
+/// <summary>
+/// How a patch's points shape it.
+/// </summary>
 public enum PatchBasis : byte {
     /// <summary>
     /// through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
@@ -1378,7 +1600,7 @@ public enum Easing : byte {
 }
 
 /// <summary>
-/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+/// At which end a movement is eased.
 /// </summary>
 public enum EaseMode : byte {
     In = 0,
@@ -1394,6 +1616,9 @@ public enum EaseMode : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Curve {
+    /// <summary>
+    /// what lies between keys
+    /// </summary>
     public CurveKind kind;
     /// <summary>
     /// Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
@@ -1433,6 +1658,9 @@ public unsafe struct ArcLength {
     /// a key interval, at least 1
     /// </summary>
     public uint steps;
+    /// <summary>
+    /// arc_length_count() of them, ascending
+    /// </summary>
     public float* lengths;
     public UIntPtr length_count;
     public static ArcLength New() {
@@ -1452,8 +1680,17 @@ public unsafe struct CubicBezierEase {
     /// CSS "ease"
     /// </summary>
     public float x1;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float y1;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float x2;
+    /// <summary>
+    /// CSS "ease"
+    /// </summary>
     public float y2;
     public static CubicBezierEase New() {
         CubicBezierEase made;
@@ -1489,6 +1726,9 @@ public unsafe struct BlendLayer {
     }
 }
 
+/// <summary>
+/// A change, and how much of it.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct AdditiveLayer {
     /// <summary>
@@ -1538,7 +1778,13 @@ public enum Fade : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 432)]
 public unsafe struct InertialOffset {
+    /// <summary>
+    /// metres, radians, factors
+    /// </summary>
     public fixed float start[36];
+    /// <summary>
+    /// over the whole fade
+    /// </summary>
     public fixed float slope[36];
     /// <summary>
     /// 1 / seconds
@@ -1608,7 +1854,13 @@ public unsafe struct InertialStart {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct LimitDescription {
+    /// <summary>
+    /// its shape
+    /// </summary>
     public LimitKind kind;
+    /// <summary>
+    /// of euler
+    /// </summary>
     public AxisOrder order;
     /// <summary>
     /// the local rotation where all angles are 0: most often the joint's rest
@@ -1627,7 +1879,13 @@ public unsafe struct LimitDescription {
     /// is the half-width, and `least` its negative. Euler: the three angles.
     /// </summary>
     public fixed float least_rad[3];
+    /// <summary>
+    /// as least_rad
+    /// </summary>
     public fixed float most_rad[3];
+    /// <summary>
+    /// 0: none
+    /// </summary>
     public RateLimit rate;
     public static LimitDescription New() {
         LimitDescription made;
@@ -1659,6 +1917,9 @@ public unsafe struct RotationFollower {
     /// of the last call
     /// </summary>
     public float frame_s;
+    /// <summary>
+    /// follow_rotation()'s own
+    /// </summary>
     public uint mode;
     public static RotationFollower New() {
         RotationFollower made;
@@ -1667,12 +1928,30 @@ public unsafe struct RotationFollower {
     }
 }
 
+/// <summary>
+/// A point that follows another.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct PointFollower {
+    /// <summary>
+    /// where it is, metres
+    /// </summary>
     public fixed float point[3];
+    /// <summary>
+    /// of the last call
+    /// </summary>
     public fixed float target[3];
+    /// <summary>
+    /// metres a second
+    /// </summary>
     public fixed float velocity[3];
+    /// <summary>
+    /// of the last call
+    /// </summary>
     public float frame_s;
+    /// <summary>
+    /// follow_point()'s own
+    /// </summary>
     public uint mode;
     public static PointFollower New() {
         PointFollower made;
@@ -1733,7 +2012,13 @@ public unsafe struct TwoBone {
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 48)]
 public unsafe struct TwoBoneTurns {
+    /// <summary>
+    /// of the start joint
+    /// </summary>
     public fixed float start[4];
+    /// <summary>
+    /// of the middle joint
+    /// </summary>
     public fixed float mid[4];
     /// <summary>
     /// for the translations of all joints from below start down to end; 1: unless max_stretch &gt; 1
@@ -1750,8 +2035,17 @@ public unsafe struct TwoBoneTurns {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct TwoBoneJoints {
+    /// <summary>
+    /// hip, shoulder
+    /// </summary>
     public Affine* start;
+    /// <summary>
+    /// knee, elbow
+    /// </summary>
     public Affine* mid;
+    /// <summary>
+    /// ankle, wrist
+    /// </summary>
     public Affine* end;
     public static TwoBoneJoints New() {
         TwoBoneJoints made;
@@ -1765,8 +2059,17 @@ public unsafe struct TwoBoneJoints {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct TwoBoneLimb {
+    /// <summary>
+    /// hip, knee and ankle
+    /// </summary>
     public uint start;
+    /// <summary>
+    /// hip, knee and ankle
+    /// </summary>
     public uint mid;
+    /// <summary>
+    /// hip, knee and ankle
+    /// </summary>
     public uint end;
     public static TwoBoneLimb New() {
         TwoBoneLimb made;
@@ -1817,6 +2120,9 @@ public unsafe struct Aim {
     }
 }
 
+/// <summary>
+/// What aim() gives.
+/// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 32)]
 public unsafe struct AimTurn {
     /// <summary>
@@ -1830,6 +2136,9 @@ public unsafe struct AimTurn {
     public byte reached;
 }
 
+/// <summary>
+/// How solve_ik() solves; docs/ik/solvers.md says which is for what.
+/// </summary>
 public enum IkMethod : byte {
     Fabrik = 0,
     Ccd = 1,
@@ -1837,6 +2146,9 @@ public enum IkMethod : byte {
     GaussNewton = 3,
 }
 
+/// <summary>
+/// Why a solver stopped.
+/// </summary>
 public enum IkStop : byte {
     /// <summary>
     /// the error is less than the tolerance
@@ -1858,6 +2170,9 @@ public enum IkStop : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct IkGoal {
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
     public ushort joint;
     /// <summary>
     /// 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
@@ -1890,8 +2205,14 @@ public unsafe struct IkGoal {
     }
 }
 
+/// <summary>
+/// What is asked of a pose.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct IkProblem {
+    /// <summary>
+    /// at least one that counts
+    /// </summary>
     public IkGoal* goals;
     public UIntPtr goal_count;
     /// <summary>
@@ -1905,7 +2226,7 @@ public unsafe struct IkProblem {
     public float* stiffness;
     public UIntPtr stiffness_count;
     /// <summary>
-    /// joints ascending, as in a skeleton; those of joints that do not turn are left out
+    /// Joints ascending, as in a skeleton; those of joints that do not turn are left out.
     /// </summary>
     public JointLimit* limits;
     public UIntPtr limit_count;
@@ -1915,6 +2236,9 @@ public unsafe struct IkProblem {
     /// scene space, metres
     /// </summary>
     public fixed float pole[3];
+    /// <summary>
+    /// 0: no pole
+    /// </summary>
     public float pole_weight;
     /// <summary>
     /// By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
@@ -1928,9 +2252,18 @@ public unsafe struct IkProblem {
     }
 }
 
+/// <summary>
+/// How it is solved.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct IkOptions {
+    /// <summary>
+    /// see docs/ik/solvers.md
+    /// </summary>
     public IkMethod method;
+    /// <summary>
+    /// the most there are
+    /// </summary>
     public ushort max_iterations;
     /// <summary>
     /// an error (see IkReport) of less ends the iteration
@@ -1961,13 +2294,22 @@ public unsafe struct IkOptions {
     }
 }
 
+/// <summary>
+/// How a solver ended.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct IkReport {
     /// <summary>
     /// √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
     /// </summary>
     public float error_m;
+    /// <summary>
+    /// that it took
+    /// </summary>
     public uint iterations;
+    /// <summary>
+    /// why it took no more
+    /// </summary>
     public IkStop why;
 }
 
@@ -1977,8 +2319,17 @@ public unsafe struct IkReport {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Foot {
+    /// <summary>
+    /// joints of the skeleton
+    /// </summary>
     public uint hip;
+    /// <summary>
+    /// joints of the skeleton
+    /// </summary>
     public uint knee;
+    /// <summary>
+    /// joints of the skeleton
+    /// </summary>
     public uint ankle;
     /// <summary>
     /// what stands on the ground, in the ankle's space: below the ball of the foot, say
@@ -2004,6 +2355,9 @@ public unsafe struct Foot {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Feet {
+    /// <summary>
+    /// two or more
+    /// </summary>
     public Foot* feet;
     public UIntPtr foot_count;
     /// <summary>
@@ -2075,16 +2429,25 @@ public unsafe struct FootMotion {
     /// of the sole from its target
     /// </summary>
     public fixed float offset[3];
+    /// <summary>
+    /// of the sole from its target
+    /// </summary>
     public fixed float offset_speed[3];
     /// <summary>
     /// of the ground's normal that the foot leans by from the ground's own
     /// </summary>
     public fixed float lean[3];
+    /// <summary>
+    /// of the ground's normal that the foot leans by from the ground's own
+    /// </summary>
     public fixed float lean_speed[3];
     /// <summary>
     /// the ground, last
     /// </summary>
     public fixed float point[3];
+    /// <summary>
+    /// the ground, last
+    /// </summary>
     public fixed float normal[3];
     /// <summary>
     /// level: of the ankle's axis `axis` when it was planted
@@ -2098,10 +2461,25 @@ public unsafe struct FootMotion {
     /// how much of it is left
     /// </summary>
     public float turn_share;
+    /// <summary>
+    /// how much of it is left
+    /// </summary>
     public float turn_share_speed;
+    /// <summary>
+    /// whether it is planted, and was begun
+    /// </summary>
     public byte axis;
+    /// <summary>
+    /// whether it is planted, and was begun
+    /// </summary>
     public byte planted;
+    /// <summary>
+    /// whether it is planted, and was begun
+    /// </summary>
     public byte begun;
+    /// <summary>
+    /// whether its ray found ground
+    /// </summary>
     public byte hit;
     /// <summary>
     /// whether the leg was long enough
@@ -2114,6 +2492,9 @@ public unsafe struct FootMotion {
     }
 }
 
+/// <summary>
+/// What place_feet() is told of a frame.
+/// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 96)]
 public unsafe struct FeetFrame {
     /// <summary>
@@ -2156,19 +2537,37 @@ public struct JointRange {}
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Springs {
+    /// <summary>
+    /// four bones each
+    /// </summary>
     public SpringGroup* groups;
+    /// <summary>
+    /// a chain each
+    /// </summary>
     public SpringRoot* roots;
     /// <summary>
     /// joints whose matrices springs change
     /// </summary>
     public JointRange* below;
+    /// <summary>
+    /// of each of them
+    /// </summary>
     public uint group_count;
+    /// <summary>
+    /// likewise
+    /// </summary>
     public uint root_count;
+    /// <summary>
+    /// likewise
+    /// </summary>
     public uint below_count;
     /// <summary>
     /// of the skeleton
     /// </summary>
     public uint joint_count;
+    /// <summary>
+    /// time of frames that were too short
+    /// </summary>
     public float saved_s;
     public static Springs New() {
         Springs made;
@@ -2177,6 +2576,9 @@ public unsafe struct Springs {
     }
 }
 
+/// <summary>
+/// What simulate_springs() is told of a frame.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SpringFrame {
     /// <summary>
@@ -2196,6 +2598,9 @@ public unsafe struct SpringFrame {
     /// m/s, world; acts by `drag`
     /// </summary>
     public fixed float wind[3];
+    /// <summary>
+    /// at most kMaxSpringColliders
+    /// </summary>
     public SpringCollider* colliders;
     public UIntPtr collider_count;
     /// <summary>
@@ -2228,6 +2633,9 @@ public unsafe struct MorphedGeometry {
     /// as the bind geometry, but that skin, normals and tangents are the instance's own
     /// </summary>
     public Geometry geometry;
+    /// <summary>
+    /// as the file has it
+    /// </summary>
     public Geometry bind;
     /// <summary>
     /// a block's first float in the skin; one more for the end
@@ -2247,10 +2655,22 @@ public unsafe struct MorphedGeometry {
     public uint* attributes;
 }
 
+/// <summary>
+/// A line to draw; scene space.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct DebugLine {
+    /// <summary>
+    /// its ends, metres
+    /// </summary>
     public fixed float from[3];
+    /// <summary>
+    /// its ends, metres
+    /// </summary>
     public fixed float to[3];
+    /// <summary>
+    /// r g b a
+    /// </summary>
     public fixed byte colour[4];
     public static DebugLine New() {
         DebugLine made;
@@ -2259,8 +2679,14 @@ public unsafe struct DebugLine {
     }
 }
 
+/// <summary>
+/// Room for lines in the caller's memory. The calls below append to it.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct DebugLines {
+    /// <summary>
+    /// the caller's
+    /// </summary>
     public DebugLine* room;
     public UIntPtr room_count;
     /// <summary>
@@ -2283,6 +2709,9 @@ public unsafe struct DebugLines {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct JointReach {
+    /// <summary>
+    /// the box's middle
+    /// </summary>
     public fixed float centre[3];
     /// <summary>
     /// ≥ 0; below 0: nothing follows this entry
@@ -2296,7 +2725,13 @@ public unsafe struct JointReach {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct MorphReach {
+    /// <summary>
+    /// ≤ 0
+    /// </summary>
     public fixed float least[3];
+    /// <summary>
+    /// ≥ 0
+    /// </summary>
     public fixed float most[3];
 }
 
@@ -2339,6 +2774,9 @@ public enum NormalTransform : byte {
     BlendedMatrix = 1,
 }
 
+/// <summary>
+/// Where skinned vertices go: the caller's memory, slot after slot.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct SkinOutput {
     /// <summary>
@@ -2358,6 +2796,9 @@ public unsafe struct SkinOutput {
     /// </summary>
     public float* tangents;
     public UIntPtr tangent_count;
+    /// <summary>
+    /// of tangents, too
+    /// </summary>
     public NormalTransform normal_transform;
     public static SkinOutput New() {
         SkinOutput made;
@@ -2371,6 +2812,9 @@ public unsafe struct SkinOutput {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct AsPart {
+    /// <summary>
+    /// cooked with animation space
+    /// </summary>
     public Mesh* mesh;
     /// <summary>
     /// from as_coordinates()
@@ -2415,6 +2859,9 @@ public unsafe struct Animation {
     public UIntPtr channel_count;
 }
 
+/// <summary>
+/// All animations of a file, by name.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Animations {
     /// <summary>
@@ -2425,6 +2872,9 @@ public unsafe struct Animations {
     public UIntPtr all_count;
 }
 
+/// <summary>
+/// What a character is made for.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct CharacterOptions {
     /// <summary>
@@ -2456,6 +2906,9 @@ public unsafe struct CharacterOptions {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct CharacterSkeleton {
+    /// <summary>
+    /// of the file
+    /// </summary>
     public Skeleton skeleton;
     /// <summary>
     /// skeleton.soa_size()
@@ -2472,6 +2925,9 @@ public unsafe struct CharacterSkeleton {
     /// </summary>
     public SoaTransform* sampled;
     public UIntPtr sampled_count;
+    /// <summary>
+    /// as `sampled`
+    /// </summary>
     public SampleCache* caches;
     public UIntPtr cache_count;
 }
@@ -2520,10 +2976,22 @@ public unsafe struct CharacterMesh {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Character {
+    /// <summary>
+    /// as it was given
+    /// </summary>
     public File file;
+    /// <summary>
+    /// as they were given
+    /// </summary>
     public CharacterOptions options;
+    /// <summary>
+    /// all of the file, in its order
+    /// </summary>
     public CharacterSkeleton* skeletons;
     public UIntPtr skeleton_count;
+    /// <summary>
+    /// all of the file, in its order
+    /// </summary>
     public CharacterMesh* meshes;
     public UIntPtr mesh_count;
     /// <summary>
@@ -2535,6 +3003,9 @@ public unsafe struct Character {
     /// </summary>
     public BlendLayer* blended;
     public UIntPtr blended_count;
+    /// <summary>
+    /// of the same size
+    /// </summary>
     public AdditiveTransform* change;
     public UIntPtr change_count;
 }
@@ -2568,6 +3039,9 @@ public unsafe struct AnimationLayer {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct OutfitSkeleton {
+    /// <summary>
+    /// of the body's character
+    /// </summary>
     public uint body_skeleton;
     /// <summary>
     /// one a joint of the outfit; see bind_outfit()
@@ -2602,13 +3076,21 @@ public unsafe delegate uint Gles3GetError();
 public unsafe struct Gles3ErrorWatch {
     /// <summary>
     /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
     /// </summary>
     public IntPtr report;
+    /// <summary>
+    /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
+    /// </summary>
     public void* user;
     /// <summary>
     /// what the Api's GetError has yet to tell, as it would without a watch
     /// </summary>
     public uint pending;
+    /// <summary>
+    /// the driver's glGetError
+    /// </summary>
     public IntPtr get_error;
     public static Gles3ErrorWatch New() {
         Gles3ErrorWatch made;
@@ -2671,12 +3153,21 @@ public enum Gles3Palettes : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Caps {
+    /// <summary>
+    /// that one block may have
+    /// </summary>
     public uint uniform_block_bytes;
     /// <summary>
     /// power of two
     /// </summary>
     public uint uniform_offset_alignment;
+    /// <summary>
+    /// of four numbers each
+    /// </summary>
     public uint vertex_attributes;
+    /// <summary>
+    /// along each side
+    /// </summary>
     public uint texture_size;
     /// <summary>
     /// OpenGL ES 3.1 or newer, and its functions
@@ -2702,24 +3193,57 @@ public unsafe struct Gles3VertexLayout {
     /// 1 or 2
     /// </summary>
     public uint joint_bytes;
+    /// <summary>
+    /// the stream of SSD
+    /// </summary>
     public uint ssd_stride;
+    /// <summary>
+    /// the stream of SSD
+    /// </summary>
     public uint ssd_weights;
+    /// <summary>
+    /// the stream of SSD
+    /// </summary>
     public uint ssd_joints;
     /// <summary>
     /// in SSD's stream; 0: there is none
     /// </summary>
     public uint example_row;
+    /// <summary>
+    /// the stream of animation space
+    /// </summary>
     public uint as_stride;
+    /// <summary>
+    /// the stream of animation space
+    /// </summary>
     public uint as_tangents;
+    /// <summary>
+    /// the stream of animation space
+    /// </summary>
     public uint as_joints;
     /// <summary>
     /// there are tangents, and room for them
     /// </summary>
     public byte surface_normals;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint surface_stride;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint normal;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint tangent;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint uv;
+    /// <summary>
+    /// the stream that all deformers share
+    /// </summary>
     public uint colour;
     /// <summary>
     /// unorm16×2, otherwise f32×2
@@ -2765,8 +3289,17 @@ public unsafe struct Gles3GpuMesh {
     /// vertex array objects; 0 where not asked for. Rigid uses this one too.
     /// </summary>
     public uint ssd_array;
+    /// <summary>
+    /// of animation space
+    /// </summary>
     public uint as_array;
+    /// <summary>
+    /// the streams above, a buffer each
+    /// </summary>
     public uint ssd_buffer;
+    /// <summary>
+    /// of animation space
+    /// </summary>
     public uint as_buffer;
     /// <summary>
     /// 0 for a mesh of bare positions
@@ -2784,7 +3317,13 @@ public unsafe struct Gles3GpuMesh {
     /// 0 without PrepareOptions::psd, or examples
     /// </summary>
     public uint example_texture;
+    /// <summary>
+    /// of all three vertex arrays
+    /// </summary>
     public uint index_buffer;
+    /// <summary>
+    /// three a triangle
+    /// </summary>
     public uint index_count;
     /// <summary>
     /// GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
@@ -2794,6 +3333,9 @@ public unsafe struct Gles3GpuMesh {
     /// what the indices draw: GL_TRIANGLES
     /// </summary>
     public uint primitive;
+    /// <summary>
+    /// as Geometry::slot_count
+    /// </summary>
     public uint slot_count;
     /// <summary>
     /// matrices in its palette
@@ -2843,6 +3385,9 @@ public unsafe struct Gles3GpuMesh {
     /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
     /// </summary>
     public float coordinate_scale;
+    /// <summary>
+    /// of its vertex buffers
+    /// </summary>
     public Gles3VertexLayout layout;
     public static Gles3GpuMesh New() {
         Gles3GpuMesh made;
@@ -2851,6 +3396,9 @@ public unsafe struct Gles3GpuMesh {
     }
 }
 
+/// <summary>
+/// What prepare() puts on the GPU.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3PrepareOptions {
     /// <summary>
@@ -2889,9 +3437,21 @@ public unsafe struct Gles3PrepareOptions {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3ProgramKey {
+    /// <summary>
+    /// by which vertices are skinned
+    /// </summary>
     public Gles3Deformer deformer;
+    /// <summary>
+    /// 4 to 8: that of the mesh or more
+    /// </summary>
     public byte influences;
+    /// <summary>
+    /// kNormals | …, that it reads
+    /// </summary>
     public byte features;
+    /// <summary>
+    /// where they are
+    /// </summary>
     public Gles3Palettes palettes;
     public static Gles3ProgramKey New() {
         Gles3ProgramKey made;
@@ -2922,7 +3482,13 @@ public unsafe struct Gles3ProgramKey {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3ProgramSource {
+    /// <summary>
+    /// as above
+    /// </summary>
     public byte* vertex;
+    /// <summary>
+    /// as above
+    /// </summary>
     public byte* fragment;
     /// <summary>
     /// for transform feedback, interleaved; empty otherwise
@@ -2936,9 +3502,18 @@ public unsafe struct Gles3ProgramSource {
     }
 }
 
+/// <summary>
+/// A program of the driver and where its uniforms are. Filled in by Marrow.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Program {
+    /// <summary>
+    /// for UseProgram(); 0: none
+    /// </summary>
     public uint id;
+    /// <summary>
+    /// where it reads palettes
+    /// </summary>
     public Gles3Palettes reads;
     /// <summary>
     /// built with kMotion
@@ -2946,29 +3521,85 @@ public unsafe struct Gles3Program {
     public byte motion;
     /// <summary>
     /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
     /// </summary>
     public int coordinate_scale;
+    /// <summary>
+    /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
+    /// </summary>
     public int joint_bits;
+    /// <summary>
+    /// of palettes in a texture
+    /// </summary>
     public int palettes;
+    /// <summary>
+    /// of palettes in a texture
+    /// </summary>
     public int first_row;
+    /// <summary>
+    /// of crowds
+    /// </summary>
     public int instances;
+    /// <summary>
+    /// of crowds
+    /// </summary>
     public int crowd;
     /// <summary>
     /// of pre-skinning by compute shaders
     /// </summary>
     public int vertex_layout;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_changes;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_targets;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_count;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_shift;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public int morph_per_row;
+    /// <summary>
+    /// of the frame before
+    /// </summary>
     public int previous_palettes;
+    /// <summary>
+    /// of the frame before
+    /// </summary>
     public int previous_targets;
+    /// <summary>
+    /// of the frame before
+    /// </summary>
     public int previous_count;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int examples;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int example_step;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int distances;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int distance_row;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public int previous_distances;
     public static Gles3Program New() {
         Gles3Program made;
@@ -2983,12 +3614,21 @@ public unsafe struct Gles3Program {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3PaletteRing {
+    /// <summary>
+    /// a uniform buffer; 0: none
+    /// </summary>
     public uint buffer;
+    /// <summary>
+    /// of offsets, bytes
+    /// </summary>
     public uint alignment;
     /// <summary>
     /// bytes that palettes may use
     /// </summary>
     public uint capacity;
+    /// <summary>
+    /// bytes, since begin_frame()
+    /// </summary>
     public uint used;
     public static Gles3PaletteRing New() {
         Gles3PaletteRing made;
@@ -3003,6 +3643,9 @@ public unsafe struct Gles3PaletteRing {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3PaletteTexture {
+    /// <summary>
+    /// 0: none
+    /// </summary>
     public fixed uint textures[3];
     /// <summary>
     /// which was written last
@@ -3027,6 +3670,9 @@ public unsafe struct Gles3PaletteTexture {
     }
 }
 
+/// <summary>
+/// What skins vertices ahead of drawing.
+/// </summary>
 public enum Gles3Preskin : byte {
     /// <summary>
     /// transform feedback, OpenGL ES 3.0
@@ -3045,8 +3691,17 @@ public enum Gles3Preskin : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SkinnedMesh {
+    /// <summary>
+    /// vertex array object
+    /// </summary>
     public uint array;
+    /// <summary>
+    /// of the vertices
+    /// </summary>
     public uint buffer;
+    /// <summary>
+    /// the mesh's
+    /// </summary>
     public uint slot_count;
     /// <summary>
     /// kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
@@ -3090,11 +3745,17 @@ public enum Gles3SkinningPath : byte {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3ProgramSetEntry {
+    /// <summary>
+    /// what it was built for
+    /// </summary>
     public Gles3ProgramKey key;
     /// <summary>
     /// kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
     /// </summary>
     public uint role;
+    /// <summary>
+    /// as it was built
+    /// </summary>
     public Gles3Program program;
 }
 
@@ -3110,6 +3771,9 @@ public unsafe struct Gles3ProgramSet {
     public Gles3ProgramSource roles1;
     public Gles3ProgramSource roles2;
     public Gles3ProgramSource roles3;
+    /// <summary>
+    /// of `roles`, that are used
+    /// </summary>
     public uint role_count;
     /// <summary>
     /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
@@ -3125,7 +3789,13 @@ public unsafe struct Gles3ProgramSet {
     /// </summary>
     public byte* log;
     public UIntPtr log_bytes;
+    /// <summary>
+    /// what was compiled
+    /// </summary>
     public fixed uint entries[4608];
+    /// <summary>
+    /// of entries
+    /// </summary>
     public uint count;
     public static Gles3ProgramSet New() {
         Gles3ProgramSet made;
@@ -3134,8 +3804,14 @@ public unsafe struct Gles3ProgramSet {
     }
 }
 
+/// <summary>
+/// How a mesh is skinned, and for how many characters.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SkinnerOptions {
+    /// <summary>
+    /// choose() in gles3_self_test.h names the best
+    /// </summary>
     public Gles3SkinningPath path;
     /// <summary>
     /// rigid, ssd, as or psd, which is ssd for a mesh without examples
@@ -3177,53 +3853,141 @@ public unsafe struct Gles3SkinnerOptions {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SkinnerMotion {
+    /// <summary>
+    /// path ubo
+    /// </summary>
     public Gles3PaletteRing ring;
+    /// <summary>
+    /// in the ring, a character each
+    /// </summary>
     public uint* offsets;
     public UIntPtr offset_count;
+    /// <summary>
+    /// of paths that skin once a frame
+    /// </summary>
     public Gles3SkinnedMesh* skinned;
     public UIntPtr skinned_count;
+    /// <summary>
+    /// of morph targets
+    /// </summary>
     public float* weights;
     public UIntPtr weight_count;
+    /// <summary>
+    /// of the last update()
+    /// </summary>
     public float* sent_weights;
     public UIntPtr sent_weight_count;
+    /// <summary>
+    /// a character each: 1 if it had no update() before its last
+    /// </summary>
     public byte* still;
     public UIntPtr still_count;
+    /// <summary>
+    /// 1 if the next update() is to be its first
+    /// </summary>
     public byte* reset;
     public UIntPtr reset_count;
 }
 
+/// <summary>
+/// A mesh as many characters. Filled in by create_skinner(), to be read only.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Skinner {
+    /// <summary>
+    /// as it was given
+    /// </summary>
     public Mesh mesh;
+    /// <summary>
+    /// as they were given
+    /// </summary>
     public Gles3SkinnerOptions options;
+    /// <summary>
+    /// its vertices on the GPU
+    /// </summary>
     public Gles3GpuMesh gpu;
+    /// <summary>
+    /// path ubo, feedback and compute
+    /// </summary>
     public Gles3PaletteRing ring;
+    /// <summary>
+    /// path texture
+    /// </summary>
     public Gles3PaletteTexture texture;
+    /// <summary>
+    /// of pose spaces
+    /// </summary>
     public Gles3PaletteTexture distance_texture;
+    /// <summary>
+    /// characters that the last update() brought up
+    /// </summary>
     public uint updated;
+    /// <summary>
+    /// between on_context_lost() and on_context_restored()
+    /// </summary>
     public byte lost;
+    /// <summary>
+    /// In the caller's memory.
+    /// what palettes are built with
+    /// </summary>
     public Affine* bind;
     public UIntPtr bind_count;
+    /// <summary>
+    /// characters after each other
+    /// </summary>
     public Affine* palettes;
     public UIntPtr palette_count;
+    /// <summary>
+    /// of pose spaces, characters after each other; path cpu: one character's
+    /// </summary>
     public Affine* distances;
     public UIntPtr distance_count;
+    /// <summary>
+    /// of morph targets, characters after each other
+    /// </summary>
     public float* weights;
     public UIntPtr weight_count;
+    /// <summary>
+    /// in the ring, a character each
+    /// </summary>
     public uint* offsets;
     public UIntPtr offset_count;
+    /// <summary>
+    /// a character each, of paths that skin once a frame
+    /// </summary>
     public Gles3SkinnedMesh* skinned;
     public UIntPtr skinned_count;
+    /// <summary>
+    /// with SkinnerOptions::motion
+    /// </summary>
     public Gles3SkinnerMotion motion;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* positions;
     public UIntPtr position_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* normals;
     public UIntPtr normal_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* tangents;
     public UIntPtr tangent_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public float* coordinates;
     public UIntPtr coordinate_count;
+    /// <summary>
+    /// path cpu: one character's
+    /// </summary>
     public MorphedGeometry morphed;
+    /// <summary>
+    /// of prepare(), kept for the next context
+    /// </summary>
     public void* scratch;
     public UIntPtr scratch_bytes;
 }
@@ -3233,6 +3997,9 @@ public unsafe struct Gles3Skinner {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3CrowdSource {
+    /// <summary>
+    /// not an additive one
+    /// </summary>
     public Clip clip;
     /// <summary>
     /// its last pose is followed by its first; otherwise it stays in the last
@@ -3250,12 +4017,21 @@ public unsafe struct Gles3CrowdSource {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3CrowdClip {
+    /// <summary>
+    /// of the clip
+    /// </summary>
     public float duration_s;
+    /// <summary>
+    /// of the crowd's frames
+    /// </summary>
     public uint first_frame;
     /// <summary>
     /// 1 … 65535
     /// </summary>
     public uint steps;
+    /// <summary>
+    /// as its source's
+    /// </summary>
     public byte loops;
     public static Gles3CrowdClip New() {
         Gles3CrowdClip made;
@@ -3269,6 +4045,9 @@ public unsafe struct Gles3CrowdClip {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3CrowdFrames {
+    /// <summary>
+    /// in the order of their sources
+    /// </summary>
     public Gles3CrowdClip* clips;
     public UIntPtr clip_count;
     /// <summary>
@@ -3276,7 +4055,13 @@ public unsafe struct Gles3CrowdFrames {
     /// </summary>
     public Affine* character_from_joint;
     public UIntPtr character_from_joint_count;
+    /// <summary>
+    /// of the skeleton
+    /// </summary>
     public uint joint_count;
+    /// <summary>
+    /// of all clips
+    /// </summary>
     public uint frame_count;
     public static Gles3CrowdFrames New() {
         Gles3CrowdFrames made;
@@ -3290,6 +4075,9 @@ public unsafe struct Gles3CrowdFrames {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3CrowdPlay {
+    /// <summary>
+    /// of CrowdFrames::clips
+    /// </summary>
     public uint clip;
     /// <summary>
     /// of a clip that does not loop within 0 … duration_s, else the nearer end
@@ -3315,6 +4103,9 @@ public unsafe struct Gles3CrowdPlay {
 /// </summary>
 [StructLayout(LayoutKind.Sequential, Size = 128)]
 public unsafe struct Gles3CrowdInstance {
+    /// <summary>
+    /// where it stands
+    /// </summary>
     public Affine scene_from_character;
     /// <summary>
     /// must have a clip
@@ -3354,7 +4145,13 @@ public unsafe struct Gles3CrowdMesh {
     /// what draw() takes
     /// </summary>
     public Gles3GpuMesh gpu;
+    /// <summary>
+    /// palettes of all frames
+    /// </summary>
     public uint frames_texture;
+    /// <summary>
+    /// palettes of the instances
+    /// </summary>
     public uint blended_texture;
     /// <summary>
     /// around the blended texture
@@ -3364,23 +4161,41 @@ public unsafe struct Gles3CrowdMesh {
     /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
     /// </summary>
     public uint previous_texture;
+    /// <summary>
+    /// around the previous texture
+    /// </summary>
     public uint previous_framebuffer;
     /// <summary>
     /// matrices of a palette
     /// </summary>
     public uint joints;
+    /// <summary>
+    /// of its frames
+    /// </summary>
     public uint frame_count;
     /// <summary>
     /// instances
     /// </summary>
     public uint capacity;
+    /// <summary>
+    /// as create_crowd_mesh() was asked
+    /// </summary>
     public byte motion;
+    /// <summary>
+    /// between on_context_lost() and on_context_restored()
+    /// </summary>
     public byte lost;
     /// <summary>
     /// What it is put on the next context from.
     /// </summary>
     public Mesh mesh;
+    /// <summary>
+    /// as they were given
+    /// </summary>
     public Gles3PrepareOptions options;
+    /// <summary>
+    /// as they were given
+    /// </summary>
     public Gles3CrowdFrames frames;
     /// <summary>
     /// what palettes are built with
@@ -3404,7 +4219,13 @@ public unsafe struct Gles3CrowdMesh {
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3Crowd {
+    /// <summary>
+    /// of records
+    /// </summary>
     public uint texture;
+    /// <summary>
+    /// instances, at most
+    /// </summary>
     public uint capacity;
     /// <summary>
     /// that have been set
@@ -3414,6 +4235,9 @@ public unsafe struct Gles3Crowd {
     /// of the frames that they play
     /// </summary>
     public uint frame_count;
+    /// <summary>
+    /// between on_context_lost() and on_context_restored()
+    /// </summary>
     public byte lost;
     /// <summary>
     /// as the texture has them
@@ -3491,8 +4315,14 @@ public unsafe delegate double Gles3Clock(void* user);
 [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 public unsafe delegate void Gles3AboutToTry(void* user, Gles3SkinningPath path);
 
+/// <summary>
+/// What one path did.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3PathResult {
+    /// <summary>
+    /// whether to use it
+    /// </summary>
     public Gles3Verdict verdict;
     /// <summary>
     /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
@@ -3500,6 +4330,9 @@ public unsafe struct Gles3PathResult {
     /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
     /// </summary>
     public float position_error;
+    /// <summary>
+    /// of normals and tangents
+    /// </summary>
     public float normal_error;
     /// <summary>
     /// to skin and draw once; 0: not timed
@@ -3516,6 +4349,9 @@ public unsafe struct Gles3PathResult {
     }
 }
 
+/// <summary>
+/// What self_test() found.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SelfTest {
     /// <summary>
@@ -3541,6 +4377,9 @@ public unsafe struct Gles3SelfTest {
     }
 }
 
+/// <summary>
+/// What is tried, and how it is timed.
+/// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Gles3SelfTestOptions {
     /// <summary>
@@ -3555,24 +4394,37 @@ public unsafe struct Gles3SelfTestOptions {
     /// the deformers that the game uses
     /// </summary>
     public byte ssd;
+    /// <summary>
+    /// animation space
+    /// </summary>
     public byte @as;
     /// <summary>
     /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     /// </summary>
     public IntPtr seconds;
+    /// <summary>
+    /// times the fastest path's time
+    /// </summary>
     public float slow;
     /// <summary>
     /// What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
     /// game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
     /// </summary>
     public uint timed_vertices;
+    /// <summary>
+    /// of that mesh
+    /// </summary>
     public uint timed_characters;
     /// <summary>
     /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
     /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
     /// with what has been there before.
+    /// what the two functions above get
     /// </summary>
     public IntPtr about_to_try;
+    /// <summary>
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+    /// </summary>
     public void* user;
     public static Gles3SelfTestOptions New() {
         Gles3SelfTestOptions made;
@@ -3619,63 +4471,74 @@ public static unsafe class Marrow {
     /// <summary>What Gles3Abi() must give.</summary>
     public const uint Gles3AbiNumber = 0x6908703b;
 
+    /// <summary>
+    /// Bytes: where blocks begin at multiples of.
+    /// </summary>
     public const int BlockBoundary = 16;
+    /// <summary>
+    /// Bytes of Unpacking's state.
+    /// </summary>
     public const int UnpackStateBytes = 512;
+    /// <summary>
+    /// What a space has at most.
+    /// </summary>
     public const uint MaxExampleParameters = 8;
+    /// <summary>
+    /// What a space has at most.
+    /// and targets
+    /// </summary>
     public const uint MaxExamples = 64;
     /// <summary>
     /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
     /// </summary>
     public const uint MaxJoints = 32767;
     /// <summary>
-    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// The most palette entries that a vertex follows.
     /// </summary>
     public const uint MaxInfluences = 8;
     /// <summary>
-    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// In Skeleton::parents: a root.
     /// </summary>
     public const ushort NoParent = 0xFFFF;
     /// <summary>
-    /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+    /// In Geometry::source_slots: a vertex of no triangle.
     /// </summary>
     public const uint NoSlot = 0xFFFFFFFF;
     /// <summary>
-    /// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
-    /// the deltas of some blocks.
+    /// The most examples of a PoseSpace.
     /// </summary>
     public const uint MaxPoseExamples = 32;
     /// <summary>
-    /// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+    /// In Mesh::material_index: no more than what stands in the Mesh.
     /// </summary>
     public const uint NoMaterial = 0xFFFFFFFF;
     /// <summary>
-    /// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+    /// In place of an image: none.
     /// </summary>
     public const uint NoImage = 0xFFFFFFFF;
     /// <summary>
-    /// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
-    /// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+    /// In Node::joint and elsewhere: none.
     /// </summary>
     public const ushort NoJoint = 0xFFFF;
     /// <summary>
-    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// Which attributes a morph target changes.
     /// </summary>
     public const uint MorphsPositions = 1;
     /// <summary>
-    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// Which attributes a morph target changes.
     /// </summary>
     public const uint MorphsNormals = 2;
     /// <summary>
-    /// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-    /// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+    /// Which attributes a morph target changes.
     /// </summary>
     public const uint MorphsTangents = 4;
     /// <summary>
     /// as many as SpringChain::colliders has bits
     /// </summary>
     public const int MaxSpringColliders = 64;
+    /// <summary>
+    /// In place of a channel: none.
+    /// </summary>
     public const uint NoChannel = 0xFFFFFFFF;
     /// <summary>
     /// The largest weight of a layer; results stay far from the limits of float.
@@ -3705,25 +4568,28 @@ public static unsafe class Marrow {
     /// shorter frames are saved up
     /// </summary>
     public const float MinSpringFrameS = 0.001f;
+    /// <summary>
+    /// In Animation: the skeleton plays nothing.
+    /// </summary>
     public const uint NoClip = 0xFFFFFFFF;
     /// <summary>
     /// Which attributes a mesh has and a program reads.
     /// </summary>
     public const uint Gles3Normals = 1;
     /// <summary>
-    /// Which attributes a mesh has and a program reads.
+    /// A mesh has tangents, a program reads them; here and below as above.
     /// </summary>
     public const uint Gles3Tangents = 2;
     /// <summary>
-    /// Which attributes a mesh has and a program reads.
+    /// Texture coordinates.
     /// </summary>
     public const uint Gles3Uvs = 4;
     /// <summary>
-    /// Which attributes a mesh has and a program reads.
+    /// Colours of vertices.
     /// </summary>
     public const uint Gles3Colours = 8;
     /// <summary>
-    /// Which attributes a mesh has and a program reads.
+    /// Morph targets.
     /// </summary>
     public const uint Gles3Morphs = 16;
     /// <summary>
@@ -3755,31 +4621,37 @@ public static unsafe class Marrow {
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// octahedral
     /// </summary>
     public const uint Gles3NormalLocation = 10;
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// octahedral, and the handedness
     /// </summary>
     public const uint Gles3TangentLocation = 11;
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// in_uv
     /// </summary>
     public const uint Gles3UvLocation = 12;
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// in_colour
     /// </summary>
     public const uint Gles3ColourLocation = 13;
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// row of the morph texture
     /// </summary>
     public const uint Gles3MorphRowLocation = 14;
     /// <summary>
     /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
     /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+    /// row of the texture of examples
     /// </summary>
     public const uint Gles3ExampleRowLocation = 15;
     /// <summary>
@@ -3797,15 +4669,24 @@ public static unsafe class Marrow {
     /// </summary>
     public const uint Gles3PaletteJoints = 341;
     /// <summary>
-    /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+    /// Bytes of that block.
     /// </summary>
     public const uint Gles3PaletteBlockBytes = 16368;
     /// <summary>
     /// Texels a row of the texture: what GLES 3.0 promises.
     /// </summary>
     public const uint Gles3PaletteTextureWidth = 2048;
+    /// <summary>
+    /// How many values SkinningPath has.
+    /// </summary>
     public const uint Gles3PathCount = 5;
+    /// <summary>
+    /// The most roles of a ProgramSet.
+    /// </summary>
     public const uint Gles3MostRoles = 4;
+    /// <summary>
+    /// The most programs of a ProgramSet.
+    /// </summary>
     public const uint Gles3MostPrograms = 192;
     /// <summary>
     /// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
@@ -3819,21 +4700,29 @@ public static unsafe class Marrow {
     /// Bytes of memory an instance for create_crowd().
     /// </summary>
     public const int Gles3CrowdInstanceBytes = 128;
+    /// <summary>
+    /// How many values Verdict has.
+    /// </summary>
     public const uint Gles3VerdictCount = 8;
+    /// <summary>
+    /// How many values GpuFamily has.
+    /// </summary>
     public const uint Gles3GpuFamilyCount = 5;
     /// <summary>
-    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
-    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    /// The most that PathResult::position_error may be, metres.
     /// </summary>
     public const float Gles3MostPositionError = 0.001f;
     /// <summary>
-    /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
-    /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-    /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+    /// The most that PathResult::normal_error may be.
     /// </summary>
     public const float Gles3MostNormalError = 0.005f;
+    /// <summary>
+    /// All paths, as bits.
+    /// </summary>
     public const uint Gles3AllPaths = 31;
+    /// <summary>
+    /// From so many characters on choose() prefers palettes in a texture.
+    /// </summary>
     public const uint Gles3ManyCharacters = 8;
     /// <summary>
     /// A result as bytes that a game stores. Errors: bad_argument (too short).
@@ -3874,6 +4763,9 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_block_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr BlockBytes(UIntPtr bytes);
+    /// <summary>
+    /// Whether a block may begin there.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_is_on_boundary", CallingConvention = CallingConvention.Cdecl)]
     public static extern byte IsOnBoundary(void* first);
     /// <summary>
@@ -3992,18 +4884,39 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_load", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Load(void* block, UIntPtr block_bytes, File* @out, DataError* error);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_skeleton_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileSkeletonCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_reference_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileReferenceCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_clip_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileClipCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_mesh_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileMeshCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_material_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileMaterialCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_image_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileImageCount(File* file);
+    /// <summary>
+    /// How many of each there are.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_node_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint FileNodeCount(File* file);
     /// <summary>
@@ -4027,17 +4940,17 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_file_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FileMesh(File* file, uint index, uint level, Mesh* @out);
     /// <summary>
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_material", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FileMaterial(File* file, uint index, Material* @out);
     /// <summary>
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_image", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FileImage(File* file, uint index, Image* @out);
     /// <summary>
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_file_node", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status FileNode(File* file, uint index, Node* @out);
@@ -4139,6 +5052,9 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_property_text", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint PropertyText(Property* property);
+    /// <summary>
+    /// How many groups of four joints a local pose has.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_skeleton_soa_size", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr SkeletonSoaSize(Skeleton* skeleton);
     /// <summary>
@@ -4146,6 +5062,9 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_mesh_palette_size", CallingConvention = CallingConvention.Cdecl)]
     public static extern uint MeshPaletteSize(Mesh* mesh);
+    /// <summary>
+    /// Whether nothing is known or in it.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_bounds_is_empty", CallingConvention = CallingConvention.Cdecl)]
     public static extern byte BoundsIsEmpty(Bounds* bounds);
     /// <summary>
@@ -4376,6 +5295,9 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_bicubic_patch", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status BicubicPatch(PatchBasis basis, float* points, UIntPtr point_count, uint components, float u, float v, float* @out, UIntPtr out_count);
+    /// <summary>
+    /// How many floats the table of a curve has.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_arc_length_count", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr ArcLengthCount(UIntPtr key_count, uint steps);
     /// <summary>
@@ -5357,6 +6279,9 @@ public static unsafe class Marrow {
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_build_program", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3BuildProgram(Gles3Api* api, Gles3ProgramKey* key, Gles3ProgramSource* source, uint palette_binding, Gles3Program* @out, byte* log, UIntPtr log_bytes);
+    /// <summary>
+    /// Deletes the program and clears the struct.
+    /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_program", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyProgram(Gles3Api* api, Gles3Program* program);
     /// <summary>
@@ -5366,8 +6291,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_palette_ring", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreatePaletteRing(Gles3Api* api, Gles3Caps* caps, uint joints, uint palettes, Gles3PaletteRing* @out);
     /// <summary>
-    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
-    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    /// Deletes the buffer and clears the struct.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_palette_ring", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyPaletteRing(Gles3Api* api, Gles3PaletteRing* ring);
@@ -5395,9 +6319,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_palette_texture", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreatePaletteTexture(Gles3Api* api, Gles3Caps* caps, uint joints, Gles3PaletteTexture* @out);
     /// <summary>
-    /// Room for `joints` matrices: 48 B each, three times.
-    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
-    /// gl_error. Leaves the active unit's 2D texture at 0.
+    /// Deletes the textures and clears the struct.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_palette_texture", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyPaletteTexture(Gles3Api* api, Gles3PaletteTexture* texture);
@@ -5484,8 +6406,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_skinned", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreateSkinned(Gles3Api* api, Gles3GpuMesh* mesh, Gles3SkinnedMesh* @out);
     /// <summary>
-    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
-    /// array at 0.
+    /// Deletes the GL objects and clears the struct.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_skinned", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroySkinned(Gles3Api* api, Gles3SkinnedMesh* mesh);
@@ -5558,14 +6479,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_skinner", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreateSkinner(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3SkinnerOptions* options, Gles3ProgramSet* programs, void* memory, UIntPtr memory_bytes, Gles3Skinner* @out);
     /// <summary>
-    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
-    /// before the first update(). Compiles what `programs` lacks for it.
-    ///
-    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
-    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
-    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
-    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
-    /// written only on success.
+    /// Deletes the GL objects and clears the struct; the memory is the caller's again.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_skinner", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroySkinner(Gles3Api* api, Gles3Skinner* skinner);
@@ -5697,17 +6611,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreateCrowdMesh(Gles3Api* api, Gles3Caps* caps, Mesh* mesh, Gles3PrepareOptions* options, Gles3CrowdFrames* frames, uint capacity, void* memory, UIntPtr memory_bytes, Gles3CrowdMesh* @out, byte motion);
     /// <summary>
-    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
-    ///
-    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
-    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
-    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
-    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
-    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-    /// the vertices, and 48 B a matrix and frame, go up, once.
-    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-    /// kMotion have MarrowVertex::previous_position from them.
+    /// Deletes the GL objects and clears the struct; the memory is the caller's again.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_crowd_mesh", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyCrowdMesh(Gles3Api* api, Gles3CrowdMesh* mesh);
@@ -5719,9 +6623,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_create_crowd", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3CreateCrowd(Gles3Api* api, Gles3Caps* caps, uint capacity, void* memory, UIntPtr memory_bytes, Gles3Crowd* @out);
     /// <summary>
-    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
-    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
-    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    /// Deletes the texture and clears the struct; the memory is the caller's again.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_destroy_crowd", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3DestroyCrowd(Gles3Api* api, Gles3Crowd* crowd);
@@ -5860,7 +6762,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_choose", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3Choose(Gles3SelfTest* test, Gles3PathNeed* need, Gles3SkinningPath* @out);
     /// <summary>
-    /// A result as bytes that a game stores. Errors: bad_argument (too short).
+    /// Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_save", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status Gles3Save(Gles3SelfTest* test, void* @out, UIntPtr out_bytes);

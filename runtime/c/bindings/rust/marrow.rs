@@ -8,6 +8,7 @@ pub const ABI: u32 = 0xc5f6d77b;
 /// What gles3_abi() must give.
 pub const GLES3_ABI: u32 = 0x6908703b;
 
+/// What a call came to.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[must_use]
@@ -40,9 +41,11 @@ impl Status {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct DataError {
+    /// what the call returns
     pub status: Status,
     /// byte in the block
     pub offset: u32,
+    /// in English
     pub rule: *const c_char,
 }
 impl Default for DataError {
@@ -59,6 +62,7 @@ const _: () = assert!(std::mem::size_of::<DataError>() == 16);
 
 pub type CallErrorHandler = Option<unsafe extern "C" fn(function: *const c_char, condition: *const c_char)>;
 
+/// Bytes: where blocks begin at multiples of.
 pub const BLOCK_BOUNDARY: usize = 16;
 
 #[repr(C)]
@@ -99,6 +103,7 @@ const _: () = assert!(std::mem::size_of::<Bytes>() == 16);
 pub struct MeshDecoder {
     /// as packed files name it
     pub codec: u32,
+    /// the codec
     pub decode: Option<unsafe extern "C" fn()>,
 }
 impl Default for MeshDecoder {
@@ -109,8 +114,10 @@ impl Default for MeshDecoder {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<MeshDecoder>() == 16);
 
+/// Bytes of Unpacking's state.
 pub const UNPACK_STATE_BYTES: usize = 512;
 
+/// How much memory unpack() takes.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct UnpackSizes {
@@ -186,6 +193,7 @@ const _: () = assert!(std::mem::size_of::<SoaTransform>() == 160);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct AdditiveTransform {
+    /// of four joints
     pub change: SoaTransform,
 }
 impl Default for AdditiveTransform {
@@ -200,6 +208,7 @@ const _: () = assert!(std::mem::size_of::<AdditiveTransform>() == 160);
 #[repr(C, align(16))]
 #[derive(Clone, Copy)]
 pub struct Affine {
+    /// the last column is the translation
     pub rows: [[f32; 4]; 3],
 }
 impl Default for Affine {
@@ -218,6 +227,7 @@ pub struct JointTransform {
     pub translation: [f32; 3],
     /// a unit quaternion x, y, z, w
     pub rotation: [f32; 4],
+    /// along the joint's axes
     pub scale: [f32; 3],
 }
 impl Default for JointTransform {
@@ -232,8 +242,11 @@ impl Default for JointTransform {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<JointTransform>() == 40);
 
+/// What a space has at most.
 pub const MAX_EXAMPLE_PARAMETERS: u32 = 8;
 
+/// What a space has at most.
+/// and targets
 pub const MAX_EXAMPLES: u32 = 64;
 
 /// An axis of the space.
@@ -257,6 +270,7 @@ const _: () = assert!(std::mem::size_of::<ExampleParameter>() == 8);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct ExampleSpace {
+    /// as the source calls it; never null
     pub name: *const c_char,
     /// at most kMaxExamples
     pub example_count: u32,
@@ -293,29 +307,28 @@ const _: () = assert!(std::mem::size_of::<ExampleSpace>() == 128);
 /// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
 pub const MAX_JOINTS: u32 = 32767;
 
-/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+/// The most palette entries that a vertex follows.
 pub const MAX_INFLUENCES: u32 = 8;
 
-/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+/// In Skeleton::parents: a root.
 pub const NO_PARENT: u16 = 0xFFFF;
 
-/// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+/// In Geometry::source_slots: a vertex of no triangle.
 pub const NO_SLOT: u32 = 0xFFFFFFFF;
 
-/// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
-/// the deltas of some blocks.
+/// The most examples of a PoseSpace.
 pub const MAX_POSE_EXAMPLES: u32 = 32;
 
-/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// In Mesh::material_index: no more than what stands in the Mesh.
 pub const NO_MATERIAL: u32 = 0xFFFFFFFF;
 
-/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+/// In place of an image: none.
 pub const NO_IMAGE: u32 = 0xFFFFFFFF;
 
-/// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
-/// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+/// In Node::joint and elsewhere: none.
 pub const NO_JOINT: u16 = 0xFFFF;
 
+/// What shape the rotations within a JointLimit have.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LimitKind(pub u8);
@@ -343,6 +356,7 @@ impl AxisOrder {
     pub const ZYX: Self = Self(5);
 }
 
+/// Which part of a local transform a Track drives.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TrackPath(pub u8);
@@ -352,6 +366,7 @@ impl TrackPath {
     pub const SCALE: Self = Self(2);
 }
 
+/// What lies between two keys, as glTF 2.0 defines it.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Interpolation(pub u8);
@@ -361,19 +376,16 @@ impl Interpolation {
     pub const CUBIC_SPLINE: Self = Self(2);
 }
 
-/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+/// Which attributes a morph target changes.
 pub const MORPHS_POSITIONS: u32 = 1;
 
-/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+/// Which attributes a morph target changes.
 pub const MORPHS_NORMALS: u32 = 2;
 
-/// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-/// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+/// Which attributes a morph target changes.
 pub const MORPHS_TANGENTS: u32 = 4;
 
-/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// How a material's alpha is meant, as in glTF 2.0.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct AlphaMode(pub u8);
@@ -383,7 +395,7 @@ impl AlphaMode {
     pub const BLEND: Self = Self(2);
 }
 
-/// What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+/// What of a material an image gives.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TextureRole(pub u8);
@@ -397,6 +409,7 @@ impl TextureRole {
     pub const SPECULAR_GLOSSINESS: Self = Self(5);
 }
 
+/// What lies beyond an image's edge.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Wrap(pub u8);
@@ -406,6 +419,7 @@ impl Wrap {
     pub const MIRRORED_REPEAT: Self = Self(2);
 }
 
+/// How an image is magnified.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MagFilter(pub u8);
@@ -415,6 +429,7 @@ impl MagFilter {
     pub const LINEAR: Self = Self(2);
 }
 
+/// How an image is minified; any: the source leaves it to the game.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MinFilter(pub u8);
@@ -428,7 +443,7 @@ impl MinFilter {
     pub const LINEAR_MIPMAP_LINEAR: Self = Self(6);
 }
 
-/// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+/// What an image's bytes are.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImageFormat(pub u8);
@@ -441,7 +456,7 @@ impl ImageFormat {
     pub const DDS: Self = Self(5);
 }
 
-/// A number, a truth or a text that an artist gave a node.
+/// What a Property is.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PropertyType(pub u8);
@@ -474,7 +489,9 @@ const _: () = assert!(std::mem::size_of::<AngleRange>() == 8);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct RateLimit {
+    /// rad/s or m/s
     pub speed: f32,
+    /// rad/s² or m/s²
     pub acceleration: f32,
 }
 impl Default for RateLimit {
@@ -510,6 +527,7 @@ const _: () = assert!(std::mem::size_of::<RateLimit>() == 8);
 pub struct JointLimit {
     /// of the skeleton
     pub joint: u16,
+    /// which of the shapes above
     pub kind: LimitKind,
     /// of euler; else xyz
     pub order: AxisOrder,
@@ -541,6 +559,7 @@ pub const MAX_SPRING_COLLIDERS: usize = 64;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SpringJoint {
+    /// of the skeleton
     pub joint: u16,
     /// 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
     pub most_pull: u16,
@@ -573,6 +592,7 @@ const _: () = assert!(std::mem::size_of::<SpringJoint>() == 28);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SpringChain {
+    /// from the chain's root to its end
     pub joints: *const SpringJoint,
     pub joint_count: usize,
     /// end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
@@ -597,10 +617,12 @@ const _: () = assert!(std::mem::size_of::<SpringChain>() == 40);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SpringCollider {
+    /// it moves with
     pub joint: u16,
     pub reserved: u16,
     /// in the joint's space
     pub from: [f32; 3],
+    /// in the joint's space
     pub to: [f32; 3],
     /// in the joint's space
     pub radius_m: f32,
@@ -636,7 +658,9 @@ const _: () = assert!(std::mem::size_of::<SpringColliderList>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Skeleton {
+    /// as the source calls it; never null
     pub name: *const c_char,
+    /// 1 … kMaxJoints
     pub joint_count: u32,
     /// joints 0 … root_count-1 have no parent joint
     pub root_count: u32,
@@ -664,7 +688,9 @@ const _: () = assert!(std::mem::size_of::<Skeleton>() == 64);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SkeletonReference {
+    /// the skeleton's
     pub name: *const c_char,
+    /// the skeleton's
     pub joint_count: u32,
     /// skeleton_hash() of the skeleton
     pub hash: u64,
@@ -687,14 +713,17 @@ const _: () = assert!(std::mem::size_of::<SkeletonReference>() == 48);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Track {
+    /// of the skeleton
     pub joint: u16,
+    /// what of the joint it drives
     pub path: TrackPath,
+    /// between its keys
     pub interpolation: Interpolation,
     /// ≥ 1
     pub key_count: u32,
     /// into Clip::times; tracks with the same keys share them
     pub first_time: u32,
-    /// into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+    /// Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
     pub first_value: u32,
 }
 impl Default for Track {
@@ -710,7 +739,9 @@ const _: () = assert!(std::mem::size_of::<Track>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct GroupMasks {
+    /// what changes over the clip
     pub moving: u16,
+    /// what stays, but not as at rest
     pub constant: u16,
 }
 impl Default for GroupMasks {
@@ -736,6 +767,7 @@ pub struct Channel {
     pub first_time: u32,
     /// into Clip::values; one float a key, three for cubic_spline (in, value, out)
     pub first_value: u32,
+    /// between its keys
     pub interpolation: Interpolation,
     pub reserved: [u8; 3],
 }
@@ -747,6 +779,7 @@ impl Default for Channel {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Channel>() == 24);
 
+/// In place of a channel: none.
 pub const NO_CHANNEL: u32 = 0xFFFFFFFF;
 
 /// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
@@ -758,6 +791,7 @@ pub struct CodedTracks {
     pub frame_count: u32,
     /// sub-tracks that move
     pub track_count: u32,
+    /// sub-tracks that stay, but not as at rest
     pub constant_count: u32,
     /// steps of time a segment; the last may have fewer
     pub segment_intervals: u32,
@@ -771,7 +805,9 @@ pub struct CodedTracks {
     pub masks: *const GroupMasks,
     /// bytes into payload
     pub segment_offsets: *const u32,
+    /// their values
     pub constants: *const c_void,
+    /// segments of packed integers
     pub payload: *const c_void,
 }
 impl Default for CodedTracks {
@@ -786,6 +822,7 @@ const _: () = assert!(std::mem::size_of::<CodedTracks>() == 64);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Clip {
+    /// as the source calls it; never null
     pub name: *const c_char,
     /// which skeleton of the file; in a clip pack, which reference
     pub skeleton: u32,
@@ -797,12 +834,17 @@ pub struct Clip {
     pub additive: bool,
     /// additive: the pose that changes are taken from; null: the rest pose
     pub reference: *const SoaTransform,
+    /// what is compressed
     pub coded: CodedTracks,
+    /// what is stored without loss
     pub tracks: *const Track,
     pub track_count: usize,
+    /// numbers that it drives
     pub channels: *const Channel,
     pub channel_count: usize,
+    /// key times of tracks and channels, seconds
     pub times_s: *const f32,
+    /// keys of tracks and channels
     pub values: *const f32,
     /// of its bytes and its place in the file, from File::clip(); 0: made by hand
     pub id: u64,
@@ -840,6 +882,7 @@ const _: () = assert!(std::mem::size_of::<Run>() == 8);
 pub struct MorphTarget {
     /// into Geometry::target_blocks
     pub first_block: u32,
+    /// how many blocks it moves
     pub block_count: u32,
     /// into Geometry::target_records
     pub first_record: u32,
@@ -847,7 +890,9 @@ pub struct MorphTarget {
     pub attributes: u32,
     /// metres, mesh space
     pub position_step: f32,
+    /// a unit of its records of normals
     pub normal_step: f32,
+    /// a unit of its records of tangents
     pub tangent_step: f32,
     pub reserved: u32,
 }
@@ -903,6 +948,7 @@ pub struct Geometry {
     pub joint_count: u32,
     /// slots
     pub indices: *const c_void,
+    /// in the order of the slots
     pub runs: *const Run,
     pub run_count: usize,
     /// for each run its k palette entries, run after run
@@ -927,15 +973,18 @@ pub struct Geometry {
     /// part of a primitive in parts.
     pub source_slots: *const u32,
     pub source_slot_count: usize,
+    /// morph targets, as many as MeshTarget of a mesh
     pub targets: *const MorphTarget,
     pub target_count: usize,
     /// as wide as indices; for each target the blocks it moves, ascending
     pub target_blocks: *const c_void,
     /// twelve a record
     pub target_records: *const i16,
+    /// examples empty: none
     pub pose_space: PoseSpace,
     /// of the bind positions, mesh space
     pub box_min: [f32; 3],
+    /// likewise
     pub box_max: [f32; 3],
 }
 impl Default for Geometry {
@@ -952,7 +1001,7 @@ const _: () = assert!(std::mem::size_of::<Geometry>() == 248);
 pub struct MeshTarget {
     /// see File::text; may be empty
     pub name: u32,
-    /// name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+    /// Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
     pub channel: u32,
     /// where no clip does
     pub weight: f32,
@@ -974,9 +1023,13 @@ pub struct Texture {
     pub image: u16,
     /// none twice in a material
     pub role: TextureRole,
+    /// along u and v
     pub wrap_u: Wrap,
+    /// along u and v
     pub wrap_v: Wrap,
+    /// as the source asks
     pub mag: MagFilter,
+    /// as the source asks
     pub min: MinFilter,
     pub reserved: u8,
 }
@@ -988,10 +1041,13 @@ impl Default for Texture {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Texture>() == 8);
 
+/// A material as far as Mesh does not say it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Material {
+    /// as the source calls it; never null
     pub name: *const c_char,
+    /// opaque: alpha is not looked at
     pub alpha: AlphaMode,
     /// mask: what is less opaque is not drawn
     pub alpha_cutoff: f32,
@@ -999,6 +1055,7 @@ pub struct Material {
     pub unlit: bool,
     /// linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
     pub emissive: [f32; 3],
+    /// one a role
     pub textures: *const Texture,
     pub texture_count: usize,
 }
@@ -1014,9 +1071,11 @@ const _: () = assert!(std::mem::size_of::<Material>() == 48);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Image {
+    /// as the source calls it; never null
     pub name: *const c_char,
     /// relative to the source file and percent-encoded, as it stood there; empty if it had none
     pub uri: *const c_char,
+    /// unknown: by its bytes or its URI none of the others
     pub format: ImageFormat,
     /// empty: by reference
     pub bytes: *const c_void,
@@ -1038,6 +1097,7 @@ const _: () = assert!(std::mem::size_of::<Image>() == 48);
 pub struct Property {
     /// see File::text; of nested ones the path, as in "door/hinges/0"
     pub name: u32,
+    /// which of the two members below holds it
     pub r#type: PropertyType,
     pub reserved: [u8; 3],
     /// finite; of a boolean 1 or 0
@@ -1057,11 +1117,15 @@ const _: () = assert!(std::mem::size_of::<Property>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Node {
+    /// as the source calls it; never empty
     pub name: *const c_char,
     /// which skeleton of the file
     pub skeleton: u32,
+    /// the nearest joint at or above it
     pub joint: u16,
+    /// never changes
     pub joint_from_node: *const Affine,
+    /// the `extras` of the source
     pub properties: *const Property,
     pub property_count: usize,
 }
@@ -1079,6 +1143,7 @@ const _: () = assert!(std::mem::size_of::<Node>() == 40);
 pub struct Helper {
     /// palette entries, below Mesh::joint_count, not the same
     pub first: u16,
+    /// palette entries, below Mesh::joint_count, not the same
     pub second: u16,
     /// of second; above 0, below 1
     pub share: f32,
@@ -1116,7 +1181,9 @@ const _: () = assert!(std::mem::size_of::<MeshLod>() == 8);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Bounds {
+    /// least corner
     pub box_min: [f32; 3],
+    /// greatest corner
     pub box_max: [f32; 3],
     /// below 0: empty, or not known
     pub radius_m: f32,
@@ -1133,7 +1200,9 @@ const _: () = assert!(std::mem::size_of::<Bounds>() == 28);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Mesh {
+    /// as the source calls it; never null
     pub name: *const c_char,
+    /// the material's name; never null
     pub material: *const c_char,
     /// which material of the file, if it has more than what stands here
     pub material_index: u32,
@@ -1149,6 +1218,7 @@ pub struct Mesh {
     pub inverse_bind: *const Affine,
     /// linear RGBA
     pub base_colour: [f32; 4],
+    /// backs are drawn, too
     pub double_sided: bool,
     /// One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
     /// vertex order needs to know: see Geometry::source_slots.
@@ -1214,9 +1284,11 @@ impl Misfit {
     pub const OTHER_PLACE: Self = Self(4);
 }
 
+/// A joint that is in the way.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct JointMisfit {
+    /// what is wrong with it
     pub how: Misfit,
     /// of the pack's reference; `extra`: of the skeleton
     pub joint: u32,
@@ -1251,6 +1323,7 @@ pub struct Playback {
     pub time_s: f64,
     /// seconds of the clip a second; 0 pauses, below 0 runs backwards
     pub speed: f32,
+    /// what happens at the ends
     pub mode: PlayMode,
     /// ping_pong: on the way back, so time runs against speed
     pub returning: bool,
@@ -1270,6 +1343,7 @@ impl Default for Playback {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Playback>() == 24);
 
+/// Which joints are sampled.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SampleOptions {
@@ -1343,6 +1417,7 @@ impl CurveKind {
     pub const CENTRIPETAL: Self = Self(6);
 }
 
+/// How a patch's points shape it.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PatchBasis(pub u8);
@@ -1371,7 +1446,7 @@ impl Easing {
     pub const BOUNCE: Self = Self(10);
 }
 
-/// R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+/// At which end a movement is eased.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EaseMode(pub u8);
@@ -1388,6 +1463,7 @@ impl EaseMode {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Curve {
+    /// what lies between keys
     pub kind: CurveKind,
     /// Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
     /// nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
@@ -1422,6 +1498,7 @@ const _: () = assert!(std::mem::size_of::<Curve>() == 40);
 pub struct ArcLength {
     /// a key interval, at least 1
     pub steps: u32,
+    /// arc_length_count() of them, ascending
     pub lengths: *const f32,
     pub length_count: usize,
 }
@@ -1444,8 +1521,11 @@ const _: () = assert!(std::mem::size_of::<ArcLength>() == 24);
 pub struct CubicBezierEase {
     /// CSS "ease"
     pub x1: f32,
+    /// CSS "ease"
     pub y1: f32,
+    /// CSS "ease"
     pub x2: f32,
+    /// CSS "ease"
     pub y2: f32,
 }
 impl Default for CubicBezierEase {
@@ -1492,6 +1572,7 @@ impl Default for BlendLayer {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<BlendLayer>() == 40);
 
+/// A change, and how much of it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct AdditiveLayer {
@@ -1536,7 +1617,9 @@ impl Fade {
 #[repr(C, align(16))]
 #[derive(Clone, Copy)]
 pub struct InertialOffset {
+    /// metres, radians, factors
     pub start: [[f32; 4]; 9],
+    /// over the whole fade
     pub slope: [[f32; 4]; 9],
     /// 1 / seconds
     pub rate: [[f32; 4]; 9],
@@ -1612,7 +1695,9 @@ pub const WIDEST_SWING_RAD: f32 = 2.9670597;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct LimitDescription {
+    /// its shape
     pub kind: LimitKind,
+    /// of euler
     pub order: AxisOrder,
     /// the local rotation where all angles are 0: most often the joint's rest
     pub zero: [f32; 4],
@@ -1623,7 +1708,9 @@ pub struct LimitDescription {
     /// hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
     /// is the half-width, and `least` its negative. Euler: the three angles.
     pub least_rad: [f32; 3],
+    /// as least_rad
     pub most_rad: [f32; 3],
+    /// 0: none
     pub rate: RateLimit,
 }
 impl Default for LimitDescription {
@@ -1652,6 +1739,7 @@ pub struct RotationFollower {
     pub velocity: [f32; 3],
     /// of the last call
     pub frame_s: f32,
+    /// follow_rotation()'s own
     pub mode: u32,
 }
 impl Default for RotationFollower {
@@ -1666,13 +1754,19 @@ impl Default for RotationFollower {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<RotationFollower>() == 52);
 
+/// A point that follows another.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct PointFollower {
+    /// where it is, metres
     pub point: [f32; 3],
+    /// of the last call
     pub target: [f32; 3],
+    /// metres a second
     pub velocity: [f32; 3],
+    /// of the last call
     pub frame_s: f32,
+    /// follow_point()'s own
     pub mode: u32,
 }
 impl Default for PointFollower {
@@ -1728,7 +1822,9 @@ const _: () = assert!(std::mem::size_of::<TwoBone>() == 64);
 #[repr(C, align(16))]
 #[derive(Clone, Copy)]
 pub struct TwoBoneTurns {
+    /// of the start joint
     pub start: [f32; 4],
+    /// of the middle joint
     pub mid: [f32; 4],
     /// for the translations of all joints from below start down to end; 1: unless max_stretch > 1
     pub stretch: f32,
@@ -1747,8 +1843,11 @@ const _: () = assert!(std::mem::size_of::<TwoBoneTurns>() == 48);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct TwoBoneJoints {
+    /// hip, shoulder
     pub start: *const Affine,
+    /// knee, elbow
     pub mid: *const Affine,
+    /// ankle, wrist
     pub end: *const Affine,
 }
 impl Default for TwoBoneJoints {
@@ -1767,8 +1866,11 @@ const _: () = assert!(std::mem::size_of::<TwoBoneJoints>() == 24);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct TwoBoneLimb {
+    /// hip, knee and ankle
     pub start: u32,
+    /// hip, knee and ankle
     pub mid: u32,
+    /// hip, knee and ankle
     pub end: u32,
 }
 impl Default for TwoBoneLimb {
@@ -1815,6 +1917,7 @@ impl Default for Aim {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Aim>() == 80);
 
+/// What aim() gives.
 #[repr(C, align(16))]
 #[derive(Clone, Copy)]
 pub struct AimTurn {
@@ -1832,6 +1935,7 @@ impl Default for AimTurn {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<AimTurn>() == 32);
 
+/// How solve_ik() solves; docs/ik/solvers.md says which is for what.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IkMethod(pub u8);
@@ -1842,6 +1946,7 @@ impl IkMethod {
     pub const GAUSS_NEWTON: Self = Self(3);
 }
 
+/// Why a solver stopped.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IkStop(pub u8);
@@ -1859,6 +1964,7 @@ impl IkStop {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct IkGoal {
+    /// of the skeleton
     pub joint: u16,
     /// 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
     pub priority: u8,
@@ -1885,9 +1991,11 @@ impl Default for IkGoal {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<IkGoal>() == 52);
 
+/// What is asked of a pose.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct IkProblem {
+    /// at least one that counts
     pub goals: *const IkGoal,
     pub goal_count: usize,
     /// that may turn: ascending, so that parents come first. Others are stiff
@@ -1896,13 +2004,14 @@ pub struct IkProblem {
     /// one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
     pub stiffness: *const f32,
     pub stiffness_count: usize,
-    /// joints ascending, as in a skeleton; those of joints that do not turn are left out
+    /// Joints ascending, as in a skeleton; those of joints that do not turn are left out.
     pub limits: *const JointLimit,
     pub limit_count: usize,
     /// Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
     /// as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
     /// scene space, metres
     pub pole: [f32; 3],
+    /// 0: no pole
     pub pole_weight: f32,
     /// By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
     /// stays. Jacobian methods only.
@@ -1920,10 +2029,13 @@ impl Default for IkProblem {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<IkProblem>() == 88);
 
+/// How it is solved.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct IkOptions {
+    /// see docs/ik/solvers.md
     pub method: IkMethod,
+    /// the most there are
     pub max_iterations: u16,
     /// an error (see IkReport) of less ends the iteration
     pub tolerance_m: f32,
@@ -1950,12 +2062,15 @@ impl Default for IkOptions {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<IkOptions>() == 24);
 
+/// How a solver ended.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct IkReport {
     /// √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
     pub error_m: f32,
+    /// that it took
     pub iterations: u32,
+    /// why it took no more
     pub why: IkStop,
 }
 impl Default for IkReport {
@@ -1971,8 +2086,11 @@ const _: () = assert!(std::mem::size_of::<IkReport>() == 12);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Foot {
+    /// joints of the skeleton
     pub hip: u32,
+    /// joints of the skeleton
     pub knee: u32,
+    /// joints of the skeleton
     pub ankle: u32,
     /// what stands on the ground, in the ankle's space: below the ball of the foot, say
     pub sole: [f32; 3],
@@ -1997,6 +2115,7 @@ const _: () = assert!(std::mem::size_of::<Foot>() == 40);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Feet {
+    /// two or more
     pub feet: *const Foot,
     pub foot_count: usize,
     /// moved up and down, with all that hangs on it, the hips too; none: stays
@@ -2056,12 +2175,15 @@ pub struct FootMotion {
     pub place: [f32; 3],
     /// of the sole from its target
     pub offset: [f32; 3],
+    /// of the sole from its target
     pub offset_speed: [f32; 3],
     /// of the ground's normal that the foot leans by from the ground's own
     pub lean: [f32; 3],
+    /// of the ground's normal that the foot leans by from the ground's own
     pub lean_speed: [f32; 3],
     /// the ground, last
     pub point: [f32; 3],
+    /// the ground, last
     pub normal: [f32; 3],
     /// level: of the ankle's axis `axis` when it was planted
     pub heading: [f32; 3],
@@ -2069,10 +2191,15 @@ pub struct FootMotion {
     pub turn: [f32; 4],
     /// how much of it is left
     pub turn_share: f32,
+    /// how much of it is left
     pub turn_share_speed: f32,
+    /// whether it is planted, and was begun
     pub axis: u8,
+    /// whether it is planted, and was begun
     pub planted: u8,
+    /// whether it is planted, and was begun
     pub begun: u8,
+    /// whether its ray found ground
     pub hit: u8,
     /// whether the leg was long enough
     pub reached: u8,
@@ -2089,6 +2216,7 @@ impl Default for FootMotion {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<FootMotion>() == 128);
 
+/// What place_feet() is told of a frame.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct FeetFrame {
@@ -2143,15 +2271,21 @@ pub struct JointRange {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Springs {
+    /// four bones each
     pub groups: *mut SpringGroup,
+    /// a chain each
     pub roots: *mut SpringRoot,
     /// joints whose matrices springs change
     pub below: *mut JointRange,
+    /// of each of them
     pub group_count: u32,
+    /// likewise
     pub root_count: u32,
+    /// likewise
     pub below_count: u32,
     /// of the skeleton
     pub joint_count: u32,
+    /// time of frames that were too short
     pub saved_s: f32,
 }
 impl Default for Springs {
@@ -2166,6 +2300,7 @@ impl Default for Springs {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Springs>() == 48);
 
+/// What simulate_springs() is told of a frame.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SpringFrame {
@@ -2177,6 +2312,7 @@ pub struct SpringFrame {
     pub gravity: [f32; 3],
     /// m/s, world; acts by `drag`
     pub wind: [f32; 3],
+    /// at most kMaxSpringColliders
     pub colliders: *const SpringCollider,
     pub collider_count: usize,
     /// chains whose first joint moves further than this in one frame are moved along …
@@ -2204,6 +2340,7 @@ const _: () = assert!(std::mem::size_of::<SpringFrame>() == 128);
 pub struct MorphedGeometry {
     /// as the bind geometry, but that skin, normals and tangents are the instance's own
     pub geometry: Geometry,
+    /// as the file has it
     pub bind: Geometry,
     /// a block's first float in the skin; one more for the end
     pub offsets: *const u32,
@@ -2222,11 +2359,15 @@ impl Default for MorphedGeometry {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<MorphedGeometry>() == 528);
 
+/// A line to draw; scene space.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct DebugLine {
+    /// its ends, metres
     pub from: [f32; 3],
+    /// its ends, metres
     pub to: [f32; 3],
+    /// r g b a
     pub colour: [u8; 4],
 }
 impl Default for DebugLine {
@@ -2241,9 +2382,11 @@ impl Default for DebugLine {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<DebugLine>() == 28);
 
+/// Room for lines in the caller's memory. The calls below append to it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct DebugLines {
+    /// the caller's
     pub room: *mut DebugLine,
     pub room_count: usize,
     /// of lines that are there, from the front
@@ -2267,6 +2410,7 @@ const _: () = assert!(std::mem::size_of::<DebugLines>() == 32);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct JointReach {
+    /// the box's middle
     pub centre: [f32; 3],
     /// ≥ 0; below 0: nothing follows this entry
     pub half: [f32; 3],
@@ -2284,7 +2428,9 @@ const _: () = assert!(std::mem::size_of::<JointReach>() == 24);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct MorphReach {
+    /// ≤ 0
     pub least: [f32; 3],
+    /// ≥ 0
     pub most: [f32; 3],
 }
 impl Default for MorphReach {
@@ -2331,6 +2477,7 @@ impl NormalTransform {
     pub const BLENDED_MATRIX: Self = Self(1);
 }
 
+/// Where skinned vertices go: the caller's memory, slot after slot.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct SkinOutput {
@@ -2345,6 +2492,7 @@ pub struct SkinOutput {
     /// normals. Leave empty to skip.
     pub tangents: *mut f32,
     pub tangent_count: usize,
+    /// of tangents, too
     pub normal_transform: NormalTransform,
 }
 impl Default for SkinOutput {
@@ -2363,6 +2511,7 @@ const _: () = assert!(std::mem::size_of::<SkinOutput>() == 56);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct AsPart {
+    /// cooked with animation space
     pub mesh: *const Mesh,
     /// from as_coordinates()
     pub coordinates: *const f32,
@@ -2383,6 +2532,7 @@ impl Default for AsPart {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<AsPart>() == 40);
 
+/// In Animation: the skeleton plays nothing.
 pub const NO_CLIP: u32 = 0xFFFFFFFF;
 
 /// What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
@@ -2409,6 +2559,7 @@ impl Default for Animation {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Animation>() == 168);
 
+/// All animations of a file, by name.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Animations {
@@ -2425,6 +2576,7 @@ impl Default for Animations {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Animations>() == 16);
 
+/// What a character is made for.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct CharacterOptions {
@@ -2454,6 +2606,7 @@ const _: () = assert!(std::mem::size_of::<CharacterOptions>() == 12);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct CharacterSkeleton {
+    /// of the file
     pub skeleton: Skeleton,
     /// skeleton.soa_size()
     pub local: *mut SoaTransform,
@@ -2464,6 +2617,7 @@ pub struct CharacterSkeleton {
     /// sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
     pub sampled: *mut SoaTransform,
     pub sampled_count: usize,
+    /// as `sampled`
     pub caches: *mut SampleCache,
     pub cache_count: usize,
 }
@@ -2510,10 +2664,14 @@ const _: () = assert!(std::mem::size_of::<CharacterMesh>() == 984);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Character {
+    /// as it was given
     pub file: File,
+    /// as they were given
     pub options: CharacterOptions,
+    /// all of the file, in its order
     pub skeletons: *mut CharacterSkeleton,
     pub skeleton_count: usize,
+    /// all of the file, in its order
     pub meshes: *mut CharacterMesh,
     pub mesh_count: usize,
     /// of morph targets, of all meshes
@@ -2521,6 +2679,7 @@ pub struct Character {
     /// Scratch, of the largest skeleton.
     pub blended: *mut BlendLayer,
     pub blended_count: usize,
+    /// of the same size
     pub change: *mut AdditiveTransform,
     pub change_count: usize,
 }
@@ -2559,6 +2718,7 @@ const _: () = assert!(std::mem::size_of::<AnimationLayer>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct OutfitSkeleton {
+    /// of the body's character
     pub body_skeleton: u32,
     /// one a joint of the outfit; see bind_outfit()
     pub body_joints: *const u16,
@@ -2598,10 +2758,14 @@ pub type Gles3GetError = Option<unsafe extern "C" fn() -> u32>;
 #[derive(Clone, Copy)]
 pub struct Gles3ErrorWatch {
     /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
     pub report: Gles3ErrorReport,
+    /// call: "glBindBuffer", a static string. May be null.
+    /// what `report` gets
     pub user: *mut c_void,
     /// what the Api's GetError has yet to tell, as it would without a watch
     pub pending: u32,
+    /// the driver's glGetError
     pub get_error: Gles3GetError,
 }
 impl Default for Gles3ErrorWatch {
@@ -2663,16 +2827,16 @@ impl Gles3Palettes {
 /// Which attributes a mesh has and a program reads.
 pub const GLES3_NORMALS: u32 = 1;
 
-/// Which attributes a mesh has and a program reads.
+/// A mesh has tangents, a program reads them; here and below as above.
 pub const GLES3_TANGENTS: u32 = 2;
 
-/// Which attributes a mesh has and a program reads.
+/// Texture coordinates.
 pub const GLES3_UVS: u32 = 4;
 
-/// Which attributes a mesh has and a program reads.
+/// Colours of vertices.
 pub const GLES3_COLOURS: u32 = 8;
 
-/// Which attributes a mesh has and a program reads.
+/// Morph targets.
 pub const GLES3_MORPHS: u32 = 16;
 
 /// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
@@ -2698,26 +2862,32 @@ pub const GLES3_JOINTS_LOCATION: u32 = 8;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// octahedral
 pub const GLES3_NORMAL_LOCATION: u32 = 10;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// octahedral, and the handedness
 pub const GLES3_TANGENT_LOCATION: u32 = 11;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// in_uv
 pub const GLES3_UV_LOCATION: u32 = 12;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// in_colour
 pub const GLES3_COLOUR_LOCATION: u32 = 13;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// row of the morph texture
 pub const GLES3_MORPH_ROW_LOCATION: u32 = 14;
 
 /// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
 /// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+/// row of the texture of examples
 pub const GLES3_EXAMPLE_ROW_LOCATION: u32 = 15;
 
 /// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
@@ -2731,7 +2901,7 @@ pub const GLES3_PREVIOUS_LOCATION: u32 = 1;
 /// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 pub const GLES3_PALETTE_JOINTS: u32 = 341;
 
-/// Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
+/// Bytes of that block.
 pub const GLES3_PALETTE_BLOCK_BYTES: u32 = 16368;
 
 /// Texels a row of the texture: what GLES 3.0 promises.
@@ -2741,10 +2911,13 @@ pub const GLES3_PALETTE_TEXTURE_WIDTH: u32 = 2048;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3Caps {
+    /// that one block may have
     pub uniform_block_bytes: u32,
     /// power of two
     pub uniform_offset_alignment: u32,
+    /// of four numbers each
     pub vertex_attributes: u32,
+    /// along each side
     pub texture_size: u32,
     /// OpenGL ES 3.1 or newer, and its functions
     pub compute: bool,
@@ -2769,20 +2942,31 @@ pub struct Gles3VertexLayout {
     pub influences: u32,
     /// 1 or 2
     pub joint_bytes: u32,
+    /// the stream of SSD
     pub ssd_stride: u32,
+    /// the stream of SSD
     pub ssd_weights: u32,
+    /// the stream of SSD
     pub ssd_joints: u32,
     /// in SSD's stream; 0: there is none
     pub example_row: u32,
+    /// the stream of animation space
     pub as_stride: u32,
+    /// the stream of animation space
     pub as_tangents: u32,
+    /// the stream of animation space
     pub as_joints: u32,
     /// there are tangents, and room for them
     pub surface_normals: bool,
+    /// the stream that all deformers share
     pub surface_stride: u32,
+    /// the stream that all deformers share
     pub normal: u32,
+    /// the stream that all deformers share
     pub tangent: u32,
+    /// the stream that all deformers share
     pub uv: u32,
+    /// the stream that all deformers share
     pub colour: u32,
     /// unorm16×2, otherwise f32×2
     pub uv_unorm: bool,
@@ -2829,8 +3013,11 @@ const _: () = assert!(std::mem::size_of::<Gles3VertexLayout>() == 64);
 pub struct Gles3GpuMesh {
     /// vertex array objects; 0 where not asked for. Rigid uses this one too.
     pub ssd_array: u32,
+    /// of animation space
     pub as_array: u32,
+    /// the streams above, a buffer each
     pub ssd_buffer: u32,
+    /// of animation space
     pub as_buffer: u32,
     /// 0 for a mesh of bare positions
     pub surface_buffer: u32,
@@ -2840,12 +3027,15 @@ pub struct Gles3GpuMesh {
     pub morph_texture: u32,
     /// 0 without PrepareOptions::psd, or examples
     pub example_texture: u32,
+    /// of all three vertex arrays
     pub index_buffer: u32,
+    /// three a triangle
     pub index_count: u32,
     /// GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
     pub index_type: u32,
     /// what the indices draw: GL_TRIANGLES
     pub primitive: u32,
+    /// as Geometry::slot_count
     pub slot_count: u32,
     /// matrices in its palette
     pub joint_count: u32,
@@ -2871,6 +3061,7 @@ pub struct Gles3GpuMesh {
     pub distance_texels: u32,
     /// Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
     pub coordinate_scale: f32,
+    /// of its vertex buffers
     pub layout: Gles3VertexLayout,
 }
 impl Default for Gles3GpuMesh {
@@ -2885,6 +3076,7 @@ impl Default for Gles3GpuMesh {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3GpuMesh>() == 152);
 
+/// What prepare() puts on the GPU.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3PrepareOptions {
@@ -2921,9 +3113,13 @@ const _: () = assert!(std::mem::size_of::<Gles3PrepareOptions>() == 32);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3ProgramKey {
+    /// by which vertices are skinned
     pub deformer: Gles3Deformer,
+    /// 4 to 8: that of the mesh or more
     pub influences: u8,
+    /// kNormals | …, that it reads
     pub features: u8,
+    /// where they are
     pub palettes: Gles3Palettes,
 }
 impl Default for Gles3ProgramKey {
@@ -2959,7 +3155,9 @@ const _: () = assert!(std::mem::size_of::<Gles3ProgramKey>() == 4);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3ProgramSource {
+    /// as above
     pub vertex: *const c_char,
+    /// as above
     pub fragment: *const c_char,
     /// for transform feedback, interleaved; empty otherwise
     pub feedback_varyings: *const *const c_char,
@@ -2977,34 +3175,57 @@ impl Default for Gles3ProgramSource {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3ProgramSource>() == 32);
 
+/// A program of the driver and where its uniforms are. Filled in by Marrow.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3Program {
+    /// for UseProgram(); 0: none
     pub id: u32,
+    /// where it reads palettes
     pub reads: Gles3Palettes,
     /// built with kMotion
     pub motion: bool,
     /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
     pub coordinate_scale: i32,
+    /// Locations of uniforms.
+    /// of attributes; here and below -1: there is none
     pub joint_bits: i32,
+    /// of palettes in a texture
     pub palettes: i32,
+    /// of palettes in a texture
     pub first_row: i32,
+    /// of crowds
     pub instances: i32,
+    /// of crowds
     pub crowd: i32,
     /// of pre-skinning by compute shaders
     pub vertex_layout: i32,
+    /// of morph targets
     pub morph_changes: i32,
+    /// of morph targets
     pub morph_targets: i32,
+    /// of morph targets
     pub morph_count: i32,
+    /// of morph targets
     pub morph_shift: i32,
+    /// of morph targets
     pub morph_per_row: i32,
+    /// of the frame before
     pub previous_palettes: i32,
+    /// of the frame before
     pub previous_targets: i32,
+    /// of the frame before
     pub previous_count: i32,
+    /// of pose spaces
     pub examples: i32,
+    /// of pose spaces
     pub example_step: i32,
+    /// of pose spaces
     pub distances: i32,
+    /// of pose spaces
     pub distance_row: i32,
+    /// of pose spaces
     pub previous_distances: i32,
 }
 impl Default for Gles3Program {
@@ -3024,10 +3245,13 @@ const _: () = assert!(std::mem::size_of::<Gles3Program>() == 88);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3PaletteRing {
+    /// a uniform buffer; 0: none
     pub buffer: u32,
+    /// of offsets, bytes
     pub alignment: u32,
     /// bytes that palettes may use
     pub capacity: u32,
+    /// bytes, since begin_frame()
     pub used: u32,
 }
 impl Default for Gles3PaletteRing {
@@ -3047,6 +3271,7 @@ const _: () = assert!(std::mem::size_of::<Gles3PaletteRing>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3PaletteTexture {
+    /// 0: none
     pub textures: [u32; 3],
     /// which was written last
     pub current: u32,
@@ -3069,6 +3294,7 @@ impl Default for Gles3PaletteTexture {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3PaletteTexture>() == 28);
 
+/// What skins vertices ahead of drawing.
 #[repr(transparent)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gles3Preskin(pub u8);
@@ -3085,8 +3311,11 @@ impl Gles3Preskin {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SkinnedMesh {
+    /// vertex array object
     pub array: u32,
+    /// of the vertices
     pub buffer: u32,
+    /// the mesh's
     pub slot_count: u32,
     /// kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
     pub features: u8,
@@ -3120,19 +3349,24 @@ impl Gles3SkinningPath {
     pub const CPU: Self = Self(4);
 }
 
+/// How many values SkinningPath has.
 pub const GLES3_PATH_COUNT: u32 = 5;
 
+/// The most roles of a ProgramSet.
 pub const GLES3_MOST_ROLES: u32 = 4;
 
+/// The most programs of a ProgramSet.
 pub const GLES3_MOST_PROGRAMS: u32 = 192;
 
 /// One of a set, filled in by Marrow.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3ProgramSetEntry {
+    /// what it was built for
     pub key: Gles3ProgramKey,
     /// kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
     pub role: u32,
+    /// as it was built
     pub program: Gles3Program,
 }
 impl Default for Gles3ProgramSetEntry {
@@ -3149,6 +3383,7 @@ const _: () = assert!(std::mem::size_of::<Gles3ProgramSetEntry>() == 96);
 pub struct Gles3ProgramSet {
     /// Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
     pub roles: [Gles3ProgramSource; 4],
+    /// of `roles`, that are used
     pub role_count: u32,
     /// Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
     /// read previous_position of skinners and crowds that keep it.
@@ -3158,7 +3393,9 @@ pub struct Gles3ProgramSet {
     /// what the driver says of a text that does not compile
     pub log: *mut c_char,
     pub log_bytes: usize,
+    /// what was compiled
     pub entries: [Gles3ProgramSetEntry; 192],
+    /// of entries
     pub count: u32,
 }
 impl Default for Gles3ProgramSet {
@@ -3173,9 +3410,11 @@ impl Default for Gles3ProgramSet {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3ProgramSet>() == 18600);
 
+/// How a mesh is skinned, and for how many characters.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SkinnerOptions {
+    /// choose() in gles3_self_test.h names the best
     pub path: Gles3SkinningPath,
     /// rigid, ssd, as or psd, which is ssd for a mesh without examples
     pub deformer: Gles3Deformer,
@@ -3210,17 +3449,24 @@ const _: () = assert!(std::mem::size_of::<Gles3SkinnerOptions>() == 40);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SkinnerMotion {
+    /// path ubo
     pub ring: Gles3PaletteRing,
+    /// in the ring, a character each
     pub offsets: *mut u32,
     pub offset_count: usize,
+    /// of paths that skin once a frame
     pub skinned: *mut Gles3SkinnedMesh,
     pub skinned_count: usize,
+    /// of morph targets
     pub weights: *mut f32,
     pub weight_count: usize,
+    /// of the last update()
     pub sent_weights: *mut f32,
     pub sent_weight_count: usize,
+    /// a character each: 1 if it had no update() before its last
     pub still: *mut u8,
     pub still_count: usize,
+    /// 1 if the next update() is to be its first
     pub reset: *mut u8,
     pub reset_count: usize,
 }
@@ -3232,39 +3478,62 @@ impl Default for Gles3SkinnerMotion {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3SkinnerMotion>() == 112);
 
+/// A mesh as many characters. Filled in by create_skinner(), to be read only.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3Skinner {
+    /// as it was given
     pub mesh: Mesh,
+    /// as they were given
     pub options: Gles3SkinnerOptions,
+    /// its vertices on the GPU
     pub gpu: Gles3GpuMesh,
+    /// path ubo, feedback and compute
     pub ring: Gles3PaletteRing,
+    /// path texture
     pub texture: Gles3PaletteTexture,
+    /// of pose spaces
     pub distance_texture: Gles3PaletteTexture,
+    /// characters that the last update() brought up
     pub updated: u32,
+    /// between on_context_lost() and on_context_restored()
     pub lost: bool,
+    /// In the caller's memory.
+    /// what palettes are built with
     pub bind: *mut Affine,
     pub bind_count: usize,
+    /// characters after each other
     pub palettes: *mut Affine,
     pub palette_count: usize,
+    /// of pose spaces, characters after each other; path cpu: one character's
     pub distances: *mut Affine,
     pub distance_count: usize,
+    /// of morph targets, characters after each other
     pub weights: *mut f32,
     pub weight_count: usize,
+    /// in the ring, a character each
     pub offsets: *mut u32,
     pub offset_count: usize,
+    /// a character each, of paths that skin once a frame
     pub skinned: *mut Gles3SkinnedMesh,
     pub skinned_count: usize,
+    /// with SkinnerOptions::motion
     pub motion: Gles3SkinnerMotion,
+    /// path cpu: one character's
     pub positions: *mut f32,
     pub position_count: usize,
+    /// path cpu: one character's
     pub normals: *mut f32,
     pub normal_count: usize,
+    /// path cpu: one character's
     pub tangents: *mut f32,
     pub tangent_count: usize,
+    /// path cpu: one character's
     pub coordinates: *mut f32,
     pub coordinate_count: usize,
+    /// path cpu: one character's
     pub morphed: MorphedGeometry,
+    /// of prepare(), kept for the next context
     pub scratch: *mut c_void,
     pub scratch_bytes: usize,
 }
@@ -3289,6 +3558,7 @@ pub const GLES3_CROWD_INSTANCE_BYTES: usize = 128;
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3CrowdSource {
+    /// not an additive one
     pub clip: Clip,
     /// its last pose is followed by its first; otherwise it stays in the last
     pub loops: bool,
@@ -3309,10 +3579,13 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdSource>() == 160);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3CrowdClip {
+    /// of the clip
     pub duration_s: f32,
+    /// of the crowd's frames
     pub first_frame: u32,
     /// 1 … 65535
     pub steps: u32,
+    /// as its source's
     pub loops: bool,
 }
 impl Default for Gles3CrowdClip {
@@ -3331,12 +3604,15 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdClip>() == 16);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3CrowdFrames {
+    /// in the order of their sources
     pub clips: *const Gles3CrowdClip,
     pub clip_count: usize,
     /// frame after frame
     pub character_from_joint: *const Affine,
     pub character_from_joint_count: usize,
+    /// of the skeleton
     pub joint_count: u32,
+    /// of all clips
     pub frame_count: u32,
 }
 impl Default for Gles3CrowdFrames {
@@ -3355,6 +3631,7 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdFrames>() == 40);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3CrowdPlay {
+    /// of CrowdFrames::clips
     pub clip: u32,
     /// of a clip that does not loop within 0 … duration_s, else the nearer end
     pub phase_s: f32,
@@ -3379,6 +3656,7 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdPlay>() == 24);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3CrowdInstance {
+    /// where it stands
     pub scene_from_character: Affine,
     /// must have a clip
     pub a: Gles3CrowdPlay,
@@ -3410,23 +3688,31 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdInstance>() == 128);
 pub struct Gles3CrowdMesh {
     /// what draw() takes
     pub gpu: Gles3GpuMesh,
+    /// palettes of all frames
     pub frames_texture: u32,
+    /// palettes of the instances
     pub blended_texture: u32,
     /// around the blended texture
     pub framebuffer: u32,
     /// With motion alone: as they were in the frame before. begin_frame() has the two take turns.
     pub previous_texture: u32,
+    /// around the previous texture
     pub previous_framebuffer: u32,
     /// matrices of a palette
     pub joints: u32,
+    /// of its frames
     pub frame_count: u32,
     /// instances
     pub capacity: u32,
+    /// as create_crowd_mesh() was asked
     pub motion: bool,
+    /// between on_context_lost() and on_context_restored()
     pub lost: bool,
     /// What it is put on the next context from.
     pub mesh: Mesh,
+    /// as they were given
     pub options: Gles3PrepareOptions,
+    /// as they were given
     pub frames: Gles3CrowdFrames,
     /// what palettes are built with
     pub bind: *mut Affine,
@@ -3451,12 +3737,15 @@ const _: () = assert!(std::mem::size_of::<Gles3CrowdMesh>() == 680);
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3Crowd {
+    /// of records
     pub texture: u32,
+    /// instances, at most
     pub capacity: u32,
     /// that have been set
     pub count: u32,
     /// of the frames that they play
     pub frame_count: u32,
+    /// between on_context_lost() and on_context_restored()
     pub lost: bool,
     /// as the texture has them
     pub records: *mut c_void,
@@ -3496,6 +3785,7 @@ impl Gles3Verdict {
     pub const SLOW: Self = Self(7);
 }
 
+/// How many values Verdict has.
 pub const GLES3_VERDICT_COUNT: u32 = 8;
 
 /// Chips that want another order of paths where nothing is timed, and other texts of shaders.
@@ -3514,20 +3804,19 @@ impl Gles3GpuFamily {
     pub const NVIDIA: Self = Self(4);
 }
 
+/// How many values GpuFamily has.
 pub const GLES3_GPU_FAMILY_COUNT: u32 = 5;
 
-/// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
-/// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-/// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+/// The most that PathResult::position_error may be, metres.
 pub const GLES3_MOST_POSITION_ERROR: f32 = 0.001;
 
-/// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
-/// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-/// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+/// The most that PathResult::normal_error may be.
 pub const GLES3_MOST_NORMAL_ERROR: f32 = 0.005;
 
+/// All paths, as bits.
 pub const GLES3_ALL_PATHS: u32 = 31;
 
+/// From so many characters on choose() prefers palettes in a texture.
 pub const GLES3_MANY_CHARACTERS: u32 = 8;
 
 /// A result as bytes that a game stores. Errors: bad_argument (too short).
@@ -3537,14 +3826,17 @@ pub type Gles3Clock = Option<unsafe extern "C" fn(user: *mut c_void) -> f64>;
 
 pub type Gles3AboutToTry = Option<unsafe extern "C" fn(user: *mut c_void, path: Gles3SkinningPath)>;
 
+/// What one path did.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3PathResult {
+    /// whether to use it
     pub verdict: Gles3Verdict,
     /// The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
     /// and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
     /// kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
     pub position_error: f32,
+    /// of normals and tangents
     pub normal_error: f32,
     /// to skin and draw once; 0: not timed
     pub ns_per_vertex: f32,
@@ -3563,6 +3855,7 @@ impl Default for Gles3PathResult {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3PathResult>() == 20);
 
+/// What self_test() found.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SelfTest {
@@ -3585,6 +3878,7 @@ impl Default for Gles3SelfTest {
 #[cfg(target_pointer_width = "64")]
 const _: () = assert!(std::mem::size_of::<Gles3SelfTest>() == 112);
 
+/// What is tried, and how it is timed.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct Gles3SelfTestOptions {
@@ -3594,18 +3888,23 @@ pub struct Gles3SelfTestOptions {
     pub crashed: u32,
     /// the deformers that the game uses
     pub ssd: bool,
+    /// animation space
     pub r#as: bool,
     /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     pub seconds: Gles3Clock,
+    /// times the fastest path's time
     pub slow: f32,
     /// What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
     /// game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
     pub timed_vertices: u32,
+    /// of that mesh
     pub timed_characters: u32,
     /// Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
     /// forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
     /// with what has been there before.
+    /// what the two functions above get
     pub about_to_try: Gles3AboutToTry,
+    /// Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
     pub user: *mut c_void,
 }
 impl Default for Gles3SelfTestOptions {
@@ -3671,6 +3970,7 @@ extern "C" {
     /// How many bytes of any alignment hold a block of `bytes`.
     #[link_name = "mrw_block_bytes"]
     pub fn block_bytes(bytes: usize) -> usize;
+    /// Whether a block may begin there.
     #[link_name = "mrw_is_on_boundary"]
     pub fn is_on_boundary(first: *const c_void) -> bool;
     /// What lies behind the first boundary in `memory`; empty if there is none.
@@ -3763,18 +4063,25 @@ extern "C" {
     /// May be null: error.
     #[link_name = "mrw_load"]
     pub fn load(block: *const c_void, block_bytes: usize, out: *mut File, error: *mut DataError) -> Status;
+    /// How many of each there are.
     #[link_name = "mrw_file_skeleton_count"]
     pub fn file_skeleton_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_reference_count"]
     pub fn file_reference_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_clip_count"]
     pub fn file_clip_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_mesh_count"]
     pub fn file_mesh_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_material_count"]
     pub fn file_material_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_image_count"]
     pub fn file_image_count(file: *const File) -> u32;
+    /// How many of each there are.
     #[link_name = "mrw_file_node_count"]
     pub fn file_node_count(file: *const File) -> u32;
     /// An index that is not below the count gives what is empty. Cost: a few loads.
@@ -3789,13 +4096,13 @@ extern "C" {
     /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
     #[link_name = "mrw_file_mesh"]
     pub fn file_mesh(file: *const File, index: u32, level: u32, out: *mut Mesh) -> Status;
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     #[link_name = "mrw_file_material"]
     pub fn file_material(file: *const File, index: u32, out: *mut Material) -> Status;
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     #[link_name = "mrw_file_image"]
     pub fn file_image(file: *const File, index: u32, out: *mut Image) -> Status;
-    /// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+    /// An index that is not below the count gives what is empty. Cost: a few loads.
     #[link_name = "mrw_file_node"]
     pub fn file_node(file: *const File, index: u32, out: *mut Node) -> Status;
     /// About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
@@ -3864,11 +4171,13 @@ extern "C" {
     /// zero-terminated, never null.
     #[link_name = "mrw_property_text"]
     pub fn property_text(property: *const Property) -> u32;
+    /// How many groups of four joints a local pose has.
     #[link_name = "mrw_skeleton_soa_size"]
     pub fn skeleton_soa_size(skeleton: *const Skeleton) -> usize;
     /// How many matrices build_palette() writes.
     #[link_name = "mrw_mesh_palette_size"]
     pub fn mesh_palette_size(mesh: *const Mesh) -> u32;
+    /// Whether nothing is known or in it.
     #[link_name = "mrw_bounds_is_empty"]
     pub fn bounds_is_empty(bounds: *const Bounds) -> bool;
     /// A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
@@ -4057,6 +4366,7 @@ extern "C" {
     /// Cost: 20 blends of four points.
     #[link_name = "mrw_bicubic_patch"]
     pub fn bicubic_patch(basis: PatchBasis, points: *const f32, point_count: usize, components: u32, u: f32, v: f32, out: *mut f32, out_count: usize) -> Status;
+    /// How many floats the table of a curve has.
     #[link_name = "mrw_arc_length_count"]
     pub fn arc_length_count(key_count: usize, steps: u32) -> usize;
     /// Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
@@ -4848,14 +5158,14 @@ extern "C" {
     /// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
     #[link_name = "mrw_gles3_build_program"]
     pub fn gles3_build_program(api: *const Gles3Api, key: *const Gles3ProgramKey, source: *const Gles3ProgramSource, palette_binding: u32, out: *mut Gles3Program, log: *mut c_char, log_bytes: usize) -> Status;
+    /// Deletes the program and clears the struct.
     #[link_name = "mrw_gles3_destroy_program"]
     pub fn gles3_destroy_program(api: *const Gles3Api, program: *mut Gles3Program);
     /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
     /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
     #[link_name = "mrw_gles3_create_palette_ring"]
     pub fn gles3_create_palette_ring(api: *const Gles3Api, caps: *const Gles3Caps, joints: u32, palettes: u32, out: *mut Gles3PaletteRing) -> Status;
-    /// Room for palettes of `joints` matrices altogether in `palettes` pieces.
-    /// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+    /// Deletes the buffer and clears the struct.
     #[link_name = "mrw_gles3_destroy_palette_ring"]
     pub fn gles3_destroy_palette_ring(api: *const Gles3Api, ring: *mut Gles3PaletteRing);
     /// Drops the last frame's palettes. Leaves GL_UNIFORM_BUFFER bound to the ring.
@@ -4873,9 +5183,7 @@ extern "C" {
     /// gl_error. Leaves the active unit's 2D texture at 0.
     #[link_name = "mrw_gles3_create_palette_texture"]
     pub fn gles3_create_palette_texture(api: *const Gles3Api, caps: *const Gles3Caps, joints: u32, out: *mut Gles3PaletteTexture) -> Status;
-    /// Room for `joints` matrices: 48 B each, three times.
-    /// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
-    /// gl_error. Leaves the active unit's 2D texture at 0.
+    /// Deletes the textures and clears the struct.
     #[link_name = "mrw_gles3_destroy_palette_texture"]
     pub fn gles3_destroy_palette_texture(api: *const Gles3Api, texture: *mut Gles3PaletteTexture);
     /// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
@@ -4938,8 +5246,7 @@ extern "C" {
     /// array at 0.
     #[link_name = "mrw_gles3_create_skinned"]
     pub fn gles3_create_skinned(api: *const Gles3Api, mesh: *const Gles3GpuMesh, out: *mut Gles3SkinnedMesh) -> Status;
-    /// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
-    /// array at 0.
+    /// Deletes the GL objects and clears the struct.
     #[link_name = "mrw_gles3_destroy_skinned"]
     pub fn gles3_destroy_skinned(api: *const Gles3Api, mesh: *mut Gles3SkinnedMesh);
     /// What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
@@ -4992,14 +5299,7 @@ extern "C" {
     /// written only on success.
     #[link_name = "mrw_gles3_create_skinner"]
     pub fn gles3_create_skinner(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3SkinnerOptions, programs: *mut Gles3ProgramSet, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3Skinner) -> Status;
-    /// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
-    /// before the first update(). Compiles what `programs` lacks for it.
-    ///
-    /// mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
-    /// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
-    /// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
-    /// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
-    /// written only on success.
+    /// Deletes the GL objects and clears the struct; the memory is the caller's again.
     #[link_name = "mrw_gles3_destroy_skinner"]
     pub fn gles3_destroy_skinner(api: *const Gles3Api, skinner: *mut Gles3Skinner);
     /// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
@@ -5097,17 +5397,7 @@ extern "C" {
     /// May be null: options.
     #[link_name = "mrw_gles3_create_crowd_mesh"]
     pub fn gles3_create_crowd_mesh(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, frames: *const Gles3CrowdFrames, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3CrowdMesh, motion: bool) -> Status;
-    /// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
-    ///
-    /// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
-    /// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
-    /// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
-    /// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-    /// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
-    /// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-    /// the vertices, and 48 B a matrix and frame, go up, once.
-    /// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-    /// kMotion have MarrowVertex::previous_position from them.
+    /// Deletes the GL objects and clears the struct; the memory is the caller's again.
     #[link_name = "mrw_gles3_destroy_crowd_mesh"]
     pub fn gles3_destroy_crowd_mesh(api: *const Gles3Api, mesh: *mut Gles3CrowdMesh);
     /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
@@ -5115,9 +5405,7 @@ extern "C" {
     /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
     #[link_name = "mrw_gles3_create_crowd"]
     pub fn gles3_create_crowd(api: *const Gles3Api, caps: *const Gles3Caps, capacity: u32, memory: *mut c_void, memory_bytes: usize, out: *mut Gles3Crowd) -> Status;
-    /// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
-    /// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
-    /// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+    /// Deletes the texture and clears the struct; the memory is the caller's again.
     #[link_name = "mrw_gles3_destroy_crowd"]
     pub fn gles3_destroy_crowd(api: *const Gles3Api, crowd: *mut Gles3Crowd);
     /// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
@@ -5220,7 +5508,7 @@ extern "C" {
     /// Errors: unsupported (none is usable). `out` is written only on success.
     #[link_name = "mrw_gles3_choose"]
     pub fn gles3_choose(test: *const Gles3SelfTest, need: *const Gles3PathNeed, out: *mut Gles3SkinningPath) -> Status;
-    /// A result as bytes that a game stores. Errors: bad_argument (too short).
+    /// Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
     #[link_name = "mrw_gles3_save"]
     pub fn gles3_save(test: *const Gles3SelfTest, out: *mut c_void, out_bytes: usize) -> Status;
     /// The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,

@@ -63,6 +63,9 @@ export const GLES3_ALL_PATHS: number;
 export const GLES3_MANY_CHARACTERS: number;
 export const GLES3_SAVED_SELF_TEST_BYTES: number;
 
+/**
+ * What a call came to.
+ */
 export const Status: {
   readonly OK: number;
   /**
@@ -108,6 +111,9 @@ export const Status: {
 };
 export type Status = number;
 
+/**
+ * What shape the rotations within a JointLimit have.
+ */
 export const LimitKind: {
   /**
    * turns freely; for joints that have a rate limit alone
@@ -141,6 +147,9 @@ export const AxisOrder: {
 };
 export type AxisOrder = number;
 
+/**
+ * Which part of a local transform a Track drives.
+ */
 export const TrackPath: {
   readonly TRANSLATION: number;
   readonly ROTATION: number;
@@ -148,6 +157,9 @@ export const TrackPath: {
 };
 export type TrackPath = number;
 
+/**
+ * What lies between two keys, as glTF 2.0 defines it.
+ */
 export const Interpolation: {
   readonly STEP: number;
   readonly LINEAR: number;
@@ -156,7 +168,7 @@ export const Interpolation: {
 export type Interpolation = number;
 
 /**
- * What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+ * How a material's alpha is meant, as in glTF 2.0.
  */
 export const AlphaMode: {
   readonly OPAQUE: number;
@@ -166,7 +178,7 @@ export const AlphaMode: {
 export type AlphaMode = number;
 
 /**
- * What a mesh's material has beyond a name, a base colour and its sides, which stand in the Mesh.
+ * What of a material an image gives.
  */
 export const TextureRole: {
   readonly BASE_COLOUR: number;
@@ -181,6 +193,9 @@ export const TextureRole: {
 };
 export type TextureRole = number;
 
+/**
+ * What lies beyond an image's edge.
+ */
 export const Wrap: {
   readonly REPEAT: number;
   readonly CLAMP_TO_EDGE: number;
@@ -188,6 +203,9 @@ export const Wrap: {
 };
 export type Wrap = number;
 
+/**
+ * How an image is magnified.
+ */
 export const MagFilter: {
   readonly ANY: number;
   readonly NEAREST: number;
@@ -195,6 +213,9 @@ export const MagFilter: {
 };
 export type MagFilter = number;
 
+/**
+ * How an image is minified; any: the source leaves it to the game.
+ */
 export const MinFilter: {
   readonly ANY: number;
   readonly NEAREST: number;
@@ -207,7 +228,7 @@ export const MinFilter: {
 export type MinFilter = number;
 
 /**
- * A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+ * What an image's bytes are.
  */
 export const ImageFormat: {
   readonly UNKNOWN: number;
@@ -220,7 +241,7 @@ export const ImageFormat: {
 export type ImageFormat = number;
 
 /**
- * A number, a truth or a text that an artist gave a node.
+ * What a Property is.
  */
 export const PropertyType: {
   readonly NUMBER: number;
@@ -311,6 +332,9 @@ export const CurveKind: {
 };
 export type CurveKind = number;
 
+/**
+ * How a patch's points shape it.
+ */
 export const PatchBasis: {
   /**
    * through its inner points: u, v = 0 … 1 lead from point (1, 1) to point (2, 2)
@@ -342,7 +366,7 @@ export const Easing: {
 export type Easing = number;
 
 /**
- * R. Penner's easings (Programming Macromedia Flash MX, 2002, chapter 7).
+ * At which end a movement is eased.
  */
 export const EaseMode: {
   readonly IN: number;
@@ -370,6 +394,9 @@ export const Fade: {
 };
 export type Fade = number;
 
+/**
+ * How solve_ik() solves; docs/ik/solvers.md says which is for what.
+ */
 export const IkMethod: {
   readonly FABRIK: number;
   readonly CCD: number;
@@ -378,6 +405,9 @@ export const IkMethod: {
 };
 export type IkMethod = number;
 
+/**
+ * Why a solver stopped.
+ */
 export const IkStop: {
   /**
    * the error is less than the tolerance
@@ -453,6 +483,9 @@ export const Gles3Palettes: {
 };
 export type Gles3Palettes = number;
 
+/**
+ * What skins vertices ahead of drawing.
+ */
 export const Gles3Preskin: {
   /**
    * transform feedback, OpenGL ES 3.0
@@ -569,11 +602,17 @@ export interface List<T> extends View {
  * Where a block of data breaks the format, and which rule. `rule` is a static string.
  */
 export interface DataError extends View {
+  /**
+   * what the call returns
+   */
   status: Status;
   /**
    * byte in the block
    */
   offset: number;
+  /**
+   * in English
+   */
   rule: string;
 }
 
@@ -595,9 +634,15 @@ export interface MeshDecoder extends View {
    * as packed files name it
    */
   codec: number;
+  /**
+   * the codec
+   */
   decode: number;
 }
 
+/**
+ * How much memory unpack() takes.
+ */
 export interface UnpackSizes extends View {
   /**
    * of the unpacked file
@@ -663,6 +708,9 @@ export interface SoaTransform extends View {
  * translation: difference; rotation: of the parent's axes, w ≥ 0; scale: ratio.
  */
 export interface AdditiveTransform extends View {
+  /**
+   * of four joints
+   */
   readonly change: SoaTransform;
 }
 
@@ -670,6 +718,9 @@ export interface AdditiveTransform extends View {
  * An affine map, three rows of four: out = rows · (x, y, z, 1). What palettes and files hold: 48 bytes a joint.
  */
 export interface Affine extends View {
+  /**
+   * the last column is the translation
+   */
   readonly rows: TypedArray;
 }
 
@@ -685,6 +736,9 @@ export interface JointTransform extends View {
    * a unit quaternion x, y, z, w
    */
   readonly rotation: TypedArray;
+  /**
+   * along the joint's axes
+   */
   readonly scale: TypedArray;
 }
 
@@ -706,6 +760,9 @@ export interface ExampleParameter extends View {
  * Rows have one float a target, and zeros up to a multiple of four.
  */
 export interface ExampleSpace extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
   /**
    * at most kMaxExamples
@@ -761,7 +818,13 @@ export interface AngleRange extends View {
  * The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
  */
 export interface RateLimit extends View {
+  /**
+   * rad/s or m/s
+   */
   speed: number;
+  /**
+   * rad/s² or m/s²
+   */
   acceleration: number;
 }
 
@@ -788,6 +851,9 @@ export interface JointLimit extends View {
    * of the skeleton
    */
   joint: number;
+  /**
+   * which of the shapes above
+   */
   kind: LimitKind;
   /**
    * of euler; else xyz
@@ -815,6 +881,9 @@ export interface JointLimit extends View {
  * A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
  */
 export interface SpringJoint extends View {
+  /**
+   * of the skeleton
+   */
   joint: number;
   /**
    * 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
@@ -850,6 +919,9 @@ export interface SpringJoint extends View {
  * Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
  */
 export interface SpringChain extends View {
+  /**
+   * from the chain's root to its end
+   */
   joints: List<SpringJoint>;
   /**
    * end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
@@ -866,12 +938,18 @@ export interface SpringChain extends View {
  * space is where that is most.
  */
 export interface SpringCollider extends View {
+  /**
+   * it moves with
+   */
   joint: number;
   reserved: number;
   /**
    * in the joint's space
    */
   readonly from: TypedArray;
+  /**
+   * in the joint's space
+   */
   readonly to: TypedArray;
   /**
    * in the joint's space
@@ -889,7 +967,13 @@ export interface SpringColliderList extends View {
  * comes before its children and the roots come first.
  */
 export interface Skeleton extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
+  /**
+   * 1 … kMaxJoints
+   */
   joint_count: number;
   /**
    * joints 0 … root_count-1 have no parent joint
@@ -921,7 +1005,13 @@ export interface Skeleton extends View {
  * In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
  */
 export interface SkeletonReference extends View {
+  /**
+   * the skeleton's
+   */
   name: string;
+  /**
+   * the skeleton's
+   */
   joint_count: number;
   /**
    * skeleton_hash() of the skeleton
@@ -945,8 +1035,17 @@ export interface SkeletonReference extends View {
  * One channel of a clip stored without loss: the source's own keys at the source's own times.
  */
 export interface Track extends View {
+  /**
+   * of the skeleton
+   */
   joint: number;
+  /**
+   * what of the joint it drives
+   */
   path: TrackPath;
+  /**
+   * between its keys
+   */
   interpolation: Interpolation;
   /**
    * ≥ 1
@@ -957,7 +1056,7 @@ export interface Track extends View {
    */
   first_time: number;
   /**
-   * into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out)
+   * Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
    */
   first_value: number;
 }
@@ -967,7 +1066,13 @@ export interface Track extends View {
  * stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
  */
 export interface GroupMasks extends View {
+  /**
+   * what changes over the clip
+   */
   moving: number;
+  /**
+   * what stays, but not as at rest
+   */
   constant: number;
 }
 
@@ -996,6 +1101,9 @@ export interface Channel extends View {
    * into Clip::values; one float a key, three for cubic_spline (in, value, out)
    */
   first_value: number;
+  /**
+   * between its keys
+   */
   interpolation: Interpolation;
   readonly reserved: TypedArray;
 }
@@ -1013,6 +1121,9 @@ export interface CodedTracks extends View {
    * sub-tracks that move
    */
   track_count: number;
+  /**
+   * sub-tracks that stay, but not as at rest
+   */
   constant_count: number;
   /**
    * steps of time a segment; the last may have fewer
@@ -1038,7 +1149,13 @@ export interface CodedTracks extends View {
    * bytes into payload
    */
   segment_offsets: number;
+  /**
+   * their values
+   */
   constants: number;
+  /**
+   * segments of packed integers
+   */
   payload: number;
 }
 
@@ -1046,6 +1163,9 @@ export interface CodedTracks extends View {
  * An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
  */
 export interface Clip extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
   /**
    * which skeleton of the file; in a clip pack, which reference
@@ -1067,10 +1187,25 @@ export interface Clip extends View {
    * additive: the pose that changes are taken from; null: the rest pose
    */
   reference: number;
+  /**
+   * what is compressed
+   */
   readonly coded: CodedTracks;
+  /**
+   * what is stored without loss
+   */
   tracks: List<Track>;
+  /**
+   * numbers that it drives
+   */
   channels: List<Channel>;
+  /**
+   * key times of tracks and channels, seconds
+   */
   times_s: number;
+  /**
+   * keys of tracks and channels
+   */
   values: number;
   /**
    * of its bytes and its place in the file, from File::clip(); 0: made by hand
@@ -1102,6 +1237,9 @@ export interface MorphTarget extends View {
    * into Geometry::target_blocks
    */
   first_block: number;
+  /**
+   * how many blocks it moves
+   */
   block_count: number;
   /**
    * into Geometry::target_records
@@ -1115,7 +1253,13 @@ export interface MorphTarget extends View {
    * metres, mesh space
    */
   position_step: number;
+  /**
+   * a unit of its records of normals
+   */
   normal_step: number;
+  /**
+   * a unit of its records of tangents
+   */
   tangent_step: number;
   reserved: number;
 }
@@ -1180,6 +1324,9 @@ export interface Geometry extends View {
    * slots
    */
   indices: number;
+  /**
+   * in the order of the slots
+   */
   runs: List<Run>;
   /**
    * for each run its k palette entries, run after run
@@ -1222,6 +1369,9 @@ export interface Geometry extends View {
    * part of a primitive in parts.
    */
   source_slots: List<number>;
+  /**
+   * morph targets, as many as MeshTarget of a mesh
+   */
   targets: List<MorphTarget>;
   /**
    * as wide as indices; for each target the blocks it moves, ascending
@@ -1231,11 +1381,17 @@ export interface Geometry extends View {
    * twelve a record
    */
   target_records: number;
+  /**
+   * examples empty: none
+   */
   readonly pose_space: PoseSpace;
   /**
    * of the bind positions, mesh space
    */
   readonly box_min: TypedArray;
+  /**
+   * likewise
+   */
   readonly box_max: TypedArray;
 }
 
@@ -1248,7 +1404,7 @@ export interface MeshTarget extends View {
    */
   name: number;
   /**
-   * name of the channel that clips drive its weight by, see find_weight_channels() in morph.h
+   * Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
    */
   channel: number;
   /**
@@ -1270,15 +1426,36 @@ export interface Texture extends View {
    * none twice in a material
    */
   role: TextureRole;
+  /**
+   * along u and v
+   */
   wrap_u: Wrap;
+  /**
+   * along u and v
+   */
   wrap_v: Wrap;
+  /**
+   * as the source asks
+   */
   mag: MagFilter;
+  /**
+   * as the source asks
+   */
   min: MinFilter;
   reserved: number;
 }
 
+/**
+ * A material as far as Mesh does not say it.
+ */
 export interface Material extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
+  /**
+   * opaque: alpha is not looked at
+   */
   alpha: AlphaMode;
   /**
    * mask: what is less opaque is not drawn
@@ -1292,6 +1469,9 @@ export interface Material extends View {
    * linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
    */
   readonly emissive: TypedArray;
+  /**
+   * one a role
+   */
   textures: List<Texture>;
 }
 
@@ -1299,11 +1479,17 @@ export interface Material extends View {
  * A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
  */
 export interface Image extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
   /**
    * relative to the source file and percent-encoded, as it stood there; empty if it had none
    */
   uri: string;
+  /**
+   * unknown: by its bytes or its URI none of the others
+   */
   format: ImageFormat;
   /**
    * empty: by reference
@@ -1323,6 +1509,9 @@ export interface Property extends View {
    * see File::text; of nested ones the path, as in "door/hinges/0"
    */
   name: number;
+  /**
+   * which of the two members below holds it
+   */
   type: PropertyType;
   readonly reserved: TypedArray;
   /**
@@ -1337,13 +1526,25 @@ export interface Property extends View {
  * scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
  */
 export interface Node extends View {
+  /**
+   * as the source calls it; never empty
+   */
   name: string;
   /**
    * which skeleton of the file
    */
   skeleton: number;
+  /**
+   * the nearest joint at or above it
+   */
   joint: number;
+  /**
+   * never changes
+   */
   joint_from_node: number;
+  /**
+   * the `extras` of the source
+   */
   properties: List<Property>;
 }
 
@@ -1355,6 +1556,9 @@ export interface Helper extends View {
    * palette entries, below Mesh::joint_count, not the same
    */
   first: number;
+  /**
+   * palette entries, below Mesh::joint_count, not the same
+   */
   second: number;
   /**
    * of second; above 0, below 1
@@ -1380,7 +1584,13 @@ export interface MeshLod extends View {
  * A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
  */
 export interface Bounds extends View {
+  /**
+   * least corner
+   */
   readonly box_min: TypedArray;
+  /**
+   * greatest corner
+   */
   readonly box_max: TypedArray;
   /**
    * below 0: empty, or not known
@@ -1392,7 +1602,13 @@ export interface Bounds extends View {
  * Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
  */
 export interface Mesh extends View {
+  /**
+   * as the source calls it; never null
+   */
   name: string;
+  /**
+   * the material's name; never null
+   */
   material: string;
   /**
    * which material of the file, if it has more than what stands here
@@ -1422,6 +1638,9 @@ export interface Mesh extends View {
    * linear RGBA
    */
   readonly base_colour: TypedArray;
+  /**
+   * backs are drawn, too
+   */
   double_sided: boolean;
   /**
    * One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
@@ -1456,7 +1675,13 @@ export interface Mesh extends View {
 export interface File extends View {
 }
 
+/**
+ * A joint that is in the way.
+ */
 export interface JointMisfit extends View {
+  /**
+   * what is wrong with it
+   */
   how: Misfit;
   /**
    * of the pack's reference; `extra`: of the skeleton
@@ -1477,6 +1702,9 @@ export interface Playback extends View {
    * seconds of the clip a second; 0 pauses, below 0 runs backwards
    */
   speed: number;
+  /**
+   * what happens at the ends
+   */
   mode: PlayMode;
   /**
    * ping_pong: on the way back, so time runs against speed
@@ -1489,6 +1717,9 @@ export interface Playback extends View {
   turns: number;
 }
 
+/**
+ * Which joints are sampled.
+ */
 export interface SampleOptions extends View {
   /**
    * A level of detail, or any set of joints: joint j is bit j % 32 of word j / 32; at least ⌈joint_count / 32⌉ words.
@@ -1533,6 +1764,9 @@ export interface SampleCache extends View {
  * and arrives straight.
  */
 export interface Curve extends View {
+  /**
+   * what lies between keys
+   */
   kind: CurveKind;
   /**
    * Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
@@ -1564,6 +1798,9 @@ export interface ArcLength extends View {
    * a key interval, at least 1
    */
   steps: number;
+  /**
+   * arc_length_count() of them, ascending
+   */
   lengths: List<number>;
 }
 
@@ -1576,8 +1813,17 @@ export interface CubicBezierEase extends View {
    * CSS "ease"
    */
   x1: number;
+  /**
+   * CSS "ease"
+   */
   y1: number;
+  /**
+   * CSS "ease"
+   */
   x2: number;
+  /**
+   * CSS "ease"
+   */
   y2: number;
 }
 
@@ -1600,6 +1846,9 @@ export interface BlendLayer extends View {
   mask: List<number>;
 }
 
+/**
+ * A change, and how much of it.
+ */
 export interface AdditiveLayer extends View {
   /**
    * at least skeleton.soa_size()
@@ -1622,7 +1871,13 @@ export interface AdditiveLayer extends View {
  *   offset(t) = (1 - s)⁴ (start + slope s) with s = min(rate t, 1).
  */
 export interface InertialOffset extends View {
+  /**
+   * metres, radians, factors
+   */
   readonly start: TypedArray;
+  /**
+   * over the whole fade
+   */
   readonly slope: TypedArray;
   /**
    * 1 / seconds
@@ -1674,7 +1929,13 @@ export interface InertialStart extends View {
  * A limit as people think of it.
  */
 export interface LimitDescription extends View {
+  /**
+   * its shape
+   */
   kind: LimitKind;
+  /**
+   * of euler
+   */
   order: AxisOrder;
   /**
    * the local rotation where all angles are 0: most often the joint's rest
@@ -1693,7 +1954,13 @@ export interface LimitDescription extends View {
    * is the half-width, and `least` its negative. Euler: the three angles.
    */
   readonly least_rad: TypedArray;
+  /**
+   * as least_rad
+   */
   readonly most_rad: TypedArray;
+  /**
+   * 0: none
+   */
   readonly rate: RateLimit;
 }
 
@@ -1719,14 +1986,35 @@ export interface RotationFollower extends View {
    * of the last call
    */
   frame_s: number;
+  /**
+   * follow_rotation()'s own
+   */
   mode: number;
 }
 
+/**
+ * A point that follows another.
+ */
 export interface PointFollower extends View {
+  /**
+   * where it is, metres
+   */
   readonly point: TypedArray;
+  /**
+   * of the last call
+   */
   readonly target: TypedArray;
+  /**
+   * metres a second
+   */
   readonly velocity: TypedArray;
+  /**
+   * of the last call
+   */
   frame_s: number;
+  /**
+   * follow_point()'s own
+   */
   mode: number;
 }
 
@@ -1774,7 +2062,13 @@ export interface TwoBone extends View {
  * Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
  */
 export interface TwoBoneTurns extends View {
+  /**
+   * of the start joint
+   */
   readonly start: TypedArray;
+  /**
+   * of the middle joint
+   */
   readonly mid: TypedArray;
   /**
    * for the translations of all joints from below start down to end; 1: unless max_stretch > 1
@@ -1790,8 +2084,17 @@ export interface TwoBoneTurns extends View {
  * The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
  */
 export interface TwoBoneJoints extends View {
+  /**
+   * hip, shoulder
+   */
   start: number;
+  /**
+   * knee, elbow
+   */
   mid: number;
+  /**
+   * ankle, wrist
+   */
   end: number;
 }
 
@@ -1799,8 +2102,17 @@ export interface TwoBoneJoints extends View {
  * Joints of a skeleton; other joints may lie between them.
  */
 export interface TwoBoneLimb extends View {
+  /**
+   * hip, knee and ankle
+   */
   start: number;
+  /**
+   * hip, knee and ankle
+   */
   mid: number;
+  /**
+   * hip, knee and ankle
+   */
   end: number;
 }
 
@@ -1839,6 +2151,9 @@ export interface Aim extends View {
   readonly offset: TypedArray;
 }
 
+/**
+ * What aim() gives.
+ */
 export interface AimTurn extends View {
   /**
    * a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
@@ -1856,6 +2171,9 @@ export interface AimTurn extends View {
  * and it does not, of twice the weight and it gives way half as far where goals contradict each other.
  */
 export interface IkGoal extends View {
+  /**
+   * of the skeleton
+   */
   joint: number;
   /**
    * 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
@@ -1883,7 +2201,13 @@ export interface IkGoal extends View {
   rotation_weight: number;
 }
 
+/**
+ * What is asked of a pose.
+ */
 export interface IkProblem extends View {
+  /**
+   * at least one that counts
+   */
   goals: List<IkGoal>;
   /**
    * that may turn: ascending, so that parents come first. Others are stiff
@@ -1894,7 +2218,7 @@ export interface IkProblem extends View {
    */
   stiffness: List<number>;
   /**
-   * joints ascending, as in a skeleton; those of joints that do not turn are left out
+   * Joints ascending, as in a skeleton; those of joints that do not turn are left out.
    */
   limits: List<JointLimit>;
   /**
@@ -1903,6 +2227,9 @@ export interface IkProblem extends View {
    * scene space, metres
    */
   readonly pole: TypedArray;
+  /**
+   * 0: no pole
+   */
   pole_weight: number;
   /**
    * By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
@@ -1911,8 +2238,17 @@ export interface IkProblem extends View {
   root_travel_m: number;
 }
 
+/**
+ * How it is solved.
+ */
 export interface IkOptions extends View {
+  /**
+   * see docs/ik/solvers.md
+   */
   method: IkMethod;
+  /**
+   * the most there are
+   */
   max_iterations: number;
   /**
    * an error (see IkReport) of less ends the iteration
@@ -1938,12 +2274,21 @@ export interface IkOptions extends View {
   stretch: number;
 }
 
+/**
+ * How a solver ended.
+ */
 export interface IkReport extends View {
   /**
    * √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
    */
   error_m: number;
+  /**
+   * that it took
+   */
   iterations: number;
+  /**
+   * why it took no more
+   */
   why: IkStop;
 }
 
@@ -1952,8 +2297,17 @@ export interface IkReport extends View {
  * its angle.
  */
 export interface Foot extends View {
+  /**
+   * joints of the skeleton
+   */
   hip: number;
+  /**
+   * joints of the skeleton
+   */
   knee: number;
+  /**
+   * joints of the skeleton
+   */
   ankle: number;
   /**
    * what stands on the ground, in the ankle's space: below the ball of the foot, say
@@ -1973,6 +2327,9 @@ export interface Foot extends View {
  * Two legs or more. The clips have been made for level ground, through the scene's origin.
  */
 export interface Feet extends View {
+  /**
+   * two or more
+   */
   feet: List<Foot>;
   /**
    * moved up and down, with all that hangs on it, the hips too; none: stays
@@ -2031,16 +2388,25 @@ export interface FootMotion extends View {
    * of the sole from its target
    */
   readonly offset: TypedArray;
+  /**
+   * of the sole from its target
+   */
   readonly offset_speed: TypedArray;
   /**
    * of the ground's normal that the foot leans by from the ground's own
    */
   readonly lean: TypedArray;
+  /**
+   * of the ground's normal that the foot leans by from the ground's own
+   */
   readonly lean_speed: TypedArray;
   /**
    * the ground, last
    */
   readonly point: TypedArray;
+  /**
+   * the ground, last
+   */
   readonly normal: TypedArray;
   /**
    * level: of the ankle's axis `axis` when it was planted
@@ -2054,10 +2420,25 @@ export interface FootMotion extends View {
    * how much of it is left
    */
   turn_share: number;
+  /**
+   * how much of it is left
+   */
   turn_share_speed: number;
+  /**
+   * whether it is planted, and was begun
+   */
   axis: number;
+  /**
+   * whether it is planted, and was begun
+   */
   planted: number;
+  /**
+   * whether it is planted, and was begun
+   */
   begun: number;
+  /**
+   * whether its ray found ground
+   */
   hit: number;
   /**
    * whether the leg was long enough
@@ -2065,6 +2446,9 @@ export interface FootMotion extends View {
   reached: number;
 }
 
+/**
+ * What place_feet() is told of a frame.
+ */
 export interface FeetFrame extends View {
   /**
    * since the last frame
@@ -2092,22 +2476,43 @@ export interface FeetFrame extends View {
  * Chains of one character. To keep or to copy a motion, copy the memory.
  */
 export interface Springs extends View {
+  /**
+   * four bones each
+   */
   groups: number;
+  /**
+   * a chain each
+   */
   roots: number;
   /**
    * joints whose matrices springs change
    */
   below: number;
+  /**
+   * of each of them
+   */
   group_count: number;
+  /**
+   * likewise
+   */
   root_count: number;
+  /**
+   * likewise
+   */
   below_count: number;
   /**
    * of the skeleton
    */
   joint_count: number;
+  /**
+   * time of frames that were too short
+   */
   saved_s: number;
 }
 
+/**
+ * What simulate_springs() is told of a frame.
+ */
 export interface SpringFrame extends View {
   /**
    * since the last frame
@@ -2125,6 +2530,9 @@ export interface SpringFrame extends View {
    * m/s, world; acts by `drag`
    */
   readonly wind: TypedArray;
+  /**
+   * at most kMaxSpringColliders
+   */
   colliders: List<SpringCollider>;
   /**
    * chains whose first joint moves further than this in one frame are moved along …
@@ -2148,6 +2556,9 @@ export interface MorphedGeometry extends View {
    * as the bind geometry, but that skin, normals and tangents are the instance's own
    */
   readonly geometry: Geometry;
+  /**
+   * as the file has it
+   */
   readonly bind: Geometry;
   /**
    * a block's first float in the skin; one more for the end
@@ -2167,13 +2578,31 @@ export interface MorphedGeometry extends View {
   attributes: number;
 }
 
+/**
+ * A line to draw; scene space.
+ */
 export interface DebugLine extends View {
+  /**
+   * its ends, metres
+   */
   readonly from: TypedArray;
+  /**
+   * its ends, metres
+   */
   readonly to: TypedArray;
+  /**
+   * r g b a
+   */
   readonly colour: TypedArray;
 }
 
+/**
+ * Room for lines in the caller's memory. The calls below append to it.
+ */
 export interface DebugLines extends View {
+  /**
+   * the caller's
+   */
   room: List<DebugLine>;
   /**
    * of lines that are there, from the front
@@ -2189,6 +2618,9 @@ export interface DebugLines extends View {
  * The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
  */
 export interface JointReach extends View {
+  /**
+   * the box's middle
+   */
   readonly centre: TypedArray;
   /**
    * ≥ 0; below 0: nothing follows this entry
@@ -2201,7 +2633,13 @@ export interface JointReach extends View {
  * and about 0, in mesh space.
  */
 export interface MorphReach extends View {
+  /**
+   * ≤ 0
+   */
   readonly least: TypedArray;
+  /**
+   * ≥ 0
+   */
   readonly most: TypedArray;
 }
 
@@ -2223,6 +2661,9 @@ export interface Reach extends View {
   readonly pose_space: MorphReach;
 }
 
+/**
+ * Where skinned vertices go: the caller's memory, slot after slot.
+ */
 export interface SkinOutput extends View {
   /**
    * 3 a slot; required
@@ -2238,6 +2679,9 @@ export interface SkinOutput extends View {
    * normals. Leave empty to skip.
    */
   tangents: List<number>;
+  /**
+   * of tangents, too
+   */
   normal_transform: NormalTransform;
 }
 
@@ -2245,6 +2689,9 @@ export interface SkinOutput extends View {
  * A mesh in animation space, for as_tangents().
  */
 export interface AsPart extends View {
+  /**
+   * cooked with animation space
+   */
   mesh: number;
   /**
    * from as_coordinates()
@@ -2279,6 +2726,9 @@ export interface Animation extends View {
   channels: List<number>;
 }
 
+/**
+ * All animations of a file, by name.
+ */
 export interface Animations extends View {
   /**
    * One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
@@ -2287,6 +2737,9 @@ export interface Animations extends View {
   all: List<Animation>;
 }
 
+/**
+ * What a character is made for.
+ */
 export interface CharacterOptions extends View {
   /**
    * that are blended at once, at most; at least 1
@@ -2311,6 +2764,9 @@ export interface CharacterOptions extends View {
  * the other alike; all calls of stage 3½ do.
  */
 export interface CharacterSkeleton extends View {
+  /**
+   * of the file
+   */
   readonly skeleton: Skeleton;
   /**
    * skeleton.soa_size()
@@ -2324,6 +2780,9 @@ export interface CharacterSkeleton extends View {
    * sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
    */
   sampled: List<SoaTransform>;
+  /**
+   * as `sampled`
+   */
   caches: List<SampleCache>;
 }
 
@@ -2365,9 +2824,21 @@ export interface CharacterMesh extends View {
  * Views into the caller's memory. A copy is the same character.
  */
 export interface Character extends View {
+  /**
+   * as it was given
+   */
   readonly file: File;
+  /**
+   * as they were given
+   */
   readonly options: CharacterOptions;
+  /**
+   * all of the file, in its order
+   */
   skeletons: List<CharacterSkeleton>;
+  /**
+   * all of the file, in its order
+   */
   meshes: List<CharacterMesh>;
   /**
    * of morph targets, of all meshes
@@ -2377,6 +2848,9 @@ export interface Character extends View {
    * Scratch, of the largest skeleton.
    */
   blended: List<BlendLayer>;
+  /**
+   * of the same size
+   */
   change: List<AdditiveTransform>;
 }
 
@@ -2402,6 +2876,9 @@ export interface AnimationLayer extends View {
  * Of one skeleton of an outfit: what it follows.
  */
 export interface OutfitSkeleton extends View {
+  /**
+   * of the body's character
+   */
   body_skeleton: number;
   /**
    * one a joint of the outfit; see bind_outfit()
@@ -2426,13 +2903,21 @@ export interface Outfit extends View {
 export interface Gles3ErrorWatch extends View {
   /**
    * call: "glBindBuffer", a static string. May be null.
+   * what `report` gets
    */
   report: number;
+  /**
+   * call: "glBindBuffer", a static string. May be null.
+   * what `report` gets
+   */
   user: number;
   /**
    * what the Api's GetError has yet to tell, as it would without a watch
    */
   pending: number;
+  /**
+   * the driver's glGetError
+   */
   get_error: number;
 }
 
@@ -2446,12 +2931,21 @@ export interface Gles3Api extends View {
  * What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
  */
 export interface Gles3Caps extends View {
+  /**
+   * that one block may have
+   */
   uniform_block_bytes: number;
   /**
    * power of two
    */
   uniform_offset_alignment: number;
+  /**
+   * of four numbers each
+   */
   vertex_attributes: number;
+  /**
+   * along each side
+   */
   texture_size: number;
   /**
    * OpenGL ES 3.1 or newer, and its functions
@@ -2471,24 +2965,57 @@ export interface Gles3VertexLayout extends View {
    * 1 or 2
    */
   joint_bytes: number;
+  /**
+   * the stream of SSD
+   */
   ssd_stride: number;
+  /**
+   * the stream of SSD
+   */
   ssd_weights: number;
+  /**
+   * the stream of SSD
+   */
   ssd_joints: number;
   /**
    * in SSD's stream; 0: there is none
    */
   example_row: number;
+  /**
+   * the stream of animation space
+   */
   as_stride: number;
+  /**
+   * the stream of animation space
+   */
   as_tangents: number;
+  /**
+   * the stream of animation space
+   */
   as_joints: number;
   /**
    * there are tangents, and room for them
    */
   surface_normals: boolean;
+  /**
+   * the stream that all deformers share
+   */
   surface_stride: number;
+  /**
+   * the stream that all deformers share
+   */
   normal: number;
+  /**
+   * the stream that all deformers share
+   */
   tangent: number;
+  /**
+   * the stream that all deformers share
+   */
   uv: number;
+  /**
+   * the stream that all deformers share
+   */
   colour: number;
   /**
    * unorm16×2, otherwise f32×2
@@ -2528,8 +3055,17 @@ export interface Gles3GpuMesh extends View {
    * vertex array objects; 0 where not asked for. Rigid uses this one too.
    */
   ssd_array: number;
+  /**
+   * of animation space
+   */
   as_array: number;
+  /**
+   * the streams above, a buffer each
+   */
   ssd_buffer: number;
+  /**
+   * of animation space
+   */
   as_buffer: number;
   /**
    * 0 for a mesh of bare positions
@@ -2547,7 +3083,13 @@ export interface Gles3GpuMesh extends View {
    * 0 without PrepareOptions::psd, or examples
    */
   example_texture: number;
+  /**
+   * of all three vertex arrays
+   */
   index_buffer: number;
+  /**
+   * three a triangle
+   */
   index_count: number;
   /**
    * GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
@@ -2557,6 +3099,9 @@ export interface Gles3GpuMesh extends View {
    * what the indices draw: GL_TRIANGLES
    */
   primitive: number;
+  /**
+   * as Geometry::slot_count
+   */
   slot_count: number;
   /**
    * matrices in its palette
@@ -2606,9 +3151,15 @@ export interface Gles3GpuMesh extends View {
    * Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
    */
   coordinate_scale: number;
+  /**
+   * of its vertex buffers
+   */
   readonly layout: Gles3VertexLayout;
 }
 
+/**
+ * What prepare() puts on the GPU.
+ */
 export interface Gles3PrepareOptions extends View {
   /**
    * also what rigid draws from
@@ -2639,9 +3190,21 @@ export interface Gles3PrepareOptions extends View {
  * and with kMorphs set_previous_morphs().
  */
 export interface Gles3ProgramKey extends View {
+  /**
+   * by which vertices are skinned
+   */
   deformer: Gles3Deformer;
+  /**
+   * 4 to 8: that of the mesh or more
+   */
   influences: number;
+  /**
+   * kNormals | …, that it reads
+   */
   features: number;
+  /**
+   * where they are
+   */
   palettes: Gles3Palettes;
 }
 
@@ -2666,7 +3229,13 @@ export interface Gles3ProgramKey extends View {
  * after UseProgram(program.id), by Api or by any other loader.
  */
 export interface Gles3ProgramSource extends View {
+  /**
+   * as above
+   */
   vertex: string;
+  /**
+   * as above
+   */
   fragment: string;
   /**
    * for transform feedback, interleaved; empty otherwise
@@ -2674,8 +3243,17 @@ export interface Gles3ProgramSource extends View {
   feedback_varyings: List<number>;
 }
 
+/**
+ * A program of the driver and where its uniforms are. Filled in by Marrow.
+ */
 export interface Gles3Program extends View {
+  /**
+   * for UseProgram(); 0: none
+   */
   id: number;
+  /**
+   * where it reads palettes
+   */
   reads: Gles3Palettes;
   /**
    * built with kMotion
@@ -2683,29 +3261,85 @@ export interface Gles3Program extends View {
   motion: boolean;
   /**
    * Locations of uniforms.
+   * of attributes; here and below -1: there is none
    */
   coordinate_scale: number;
+  /**
+   * Locations of uniforms.
+   * of attributes; here and below -1: there is none
+   */
   joint_bits: number;
+  /**
+   * of palettes in a texture
+   */
   palettes: number;
+  /**
+   * of palettes in a texture
+   */
   first_row: number;
+  /**
+   * of crowds
+   */
   instances: number;
+  /**
+   * of crowds
+   */
   crowd: number;
   /**
    * of pre-skinning by compute shaders
    */
   vertex_layout: number;
+  /**
+   * of morph targets
+   */
   morph_changes: number;
+  /**
+   * of morph targets
+   */
   morph_targets: number;
+  /**
+   * of morph targets
+   */
   morph_count: number;
+  /**
+   * of morph targets
+   */
   morph_shift: number;
+  /**
+   * of morph targets
+   */
   morph_per_row: number;
+  /**
+   * of the frame before
+   */
   previous_palettes: number;
+  /**
+   * of the frame before
+   */
   previous_targets: number;
+  /**
+   * of the frame before
+   */
   previous_count: number;
+  /**
+   * of pose spaces
+   */
   examples: number;
+  /**
+   * of pose spaces
+   */
   example_step: number;
+  /**
+   * of pose spaces
+   */
   distances: number;
+  /**
+   * of pose spaces
+   */
   distance_row: number;
+  /**
+   * of pose spaces
+   */
   previous_distances: number;
 }
 
@@ -2714,12 +3348,21 @@ export interface Gles3Program extends View {
  * contents are orphaned, so the CPU never waits for the GPU.
  */
 export interface Gles3PaletteRing extends View {
+  /**
+   * a uniform buffer; 0: none
+   */
   buffer: number;
+  /**
+   * of offsets, bytes
+   */
   alignment: number;
   /**
    * bytes that palettes may use
    */
   capacity: number;
+  /**
+   * bytes, since begin_frame()
+   */
   used: number;
 }
 
@@ -2728,6 +3371,9 @@ export interface Gles3PaletteRing extends View {
  * frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
  */
 export interface Gles3PaletteTexture extends View {
+  /**
+   * 0: none
+   */
   readonly textures: TypedArray;
   /**
    * which was written last
@@ -2753,8 +3399,17 @@ export interface Gles3PaletteTexture extends View {
  * and indices are the mesh's, which must be there as long.
  */
 export interface Gles3SkinnedMesh extends View {
+  /**
+   * vertex array object
+   */
   array: number;
+  /**
+   * of the vertices
+   */
   buffer: number;
+  /**
+   * the mesh's
+   */
   slot_count: number;
   /**
    * kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
@@ -2766,11 +3421,17 @@ export interface Gles3SkinnedMesh extends View {
  * One of a set, filled in by Marrow.
  */
 export interface Gles3ProgramSetEntry extends View {
+  /**
+   * what it was built for
+   */
   readonly key: Gles3ProgramKey;
   /**
    * kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
    */
   role: number;
+  /**
+   * as it was built
+   */
   readonly program: Gles3Program;
 }
 
@@ -2782,6 +3443,9 @@ export interface Gles3ProgramSet extends View {
    * Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
    */
   readonly roles: Gles3ProgramSource[];
+  /**
+   * of `roles`, that are used
+   */
   role_count: number;
   /**
    * Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
@@ -2796,11 +3460,23 @@ export interface Gles3ProgramSet extends View {
    * what the driver says of a text that does not compile
    */
   log: List<number>;
+  /**
+   * what was compiled
+   */
   readonly entries: Gles3ProgramSetEntry[];
+  /**
+   * of entries
+   */
   count: number;
 }
 
+/**
+ * How a mesh is skinned, and for how many characters.
+ */
 export interface Gles3SkinnerOptions extends View {
+  /**
+   * choose() in gles3_self_test.h names the best
+   */
   path: Gles3SkinningPath;
   /**
    * rigid, ssd, as or psd, which is ssd for a mesh without examples
@@ -2837,6 +3513,9 @@ export interface Gles3SkinnerOptions extends View {
 export interface Gles3SkinnerMotion extends View {
 }
 
+/**
+ * A mesh as many characters. Filled in by create_skinner(), to be read only.
+ */
 export interface Gles3Skinner extends View {
 }
 
@@ -2844,6 +3523,9 @@ export interface Gles3Skinner extends View {
  * What is baked, and how it ends.
  */
 export interface Gles3CrowdSource extends View {
+  /**
+   * not an additive one
+   */
   readonly clip: Clip;
   /**
    * its last pose is followed by its first; otherwise it stays in the last
@@ -2855,12 +3537,21 @@ export interface Gles3CrowdSource extends View {
  * Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
  */
 export interface Gles3CrowdClip extends View {
+  /**
+   * of the clip
+   */
   duration_s: number;
+  /**
+   * of the crowd's frames
+   */
   first_frame: number;
   /**
    * 1 … 65535
    */
   steps: number;
+  /**
+   * as its source's
+   */
   loops: boolean;
 }
 
@@ -2868,12 +3559,21 @@ export interface Gles3CrowdClip extends View {
  * Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
  */
 export interface Gles3CrowdFrames extends View {
+  /**
+   * in the order of their sources
+   */
   clips: List<Gles3CrowdClip>;
   /**
    * frame after frame
    */
   character_from_joint: List<Affine>;
+  /**
+   * of the skeleton
+   */
   joint_count: number;
+  /**
+   * of all clips
+   */
   frame_count: number;
 }
 
@@ -2881,6 +3581,9 @@ export interface Gles3CrowdFrames extends View {
  * At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
  */
 export interface Gles3CrowdPlay extends View {
+  /**
+   * of CrowdFrames::clips
+   */
   clip: number;
   /**
    * of a clip that does not loop within 0 … duration_s, else the nearer end
@@ -2900,6 +3603,9 @@ export interface Gles3CrowdPlay extends View {
  * One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
  */
 export interface Gles3CrowdInstance extends View {
+  /**
+   * where it stands
+   */
   readonly scene_from_character: Affine;
   /**
    * must have a clip
@@ -2932,7 +3638,13 @@ export interface Gles3CrowdMesh extends View {
    * what draw() takes
    */
   readonly gpu: Gles3GpuMesh;
+  /**
+   * palettes of all frames
+   */
   frames_texture: number;
+  /**
+   * palettes of the instances
+   */
   blended_texture: number;
   /**
    * around the blended texture
@@ -2942,23 +3654,41 @@ export interface Gles3CrowdMesh extends View {
    * With motion alone: as they were in the frame before. begin_frame() has the two take turns.
    */
   previous_texture: number;
+  /**
+   * around the previous texture
+   */
   previous_framebuffer: number;
   /**
    * matrices of a palette
    */
   joints: number;
+  /**
+   * of its frames
+   */
   frame_count: number;
   /**
    * instances
    */
   capacity: number;
+  /**
+   * as create_crowd_mesh() was asked
+   */
   motion: boolean;
+  /**
+   * between on_context_lost() and on_context_restored()
+   */
   lost: boolean;
   /**
    * What it is put on the next context from.
    */
   readonly mesh: Mesh;
+  /**
+   * as they were given
+   */
   readonly options: Gles3PrepareOptions;
+  /**
+   * as they were given
+   */
   readonly frames: Gles3CrowdFrames;
   /**
    * what palettes are built with
@@ -2974,7 +3704,13 @@ export interface Gles3CrowdMesh extends View {
  * Instances, in a texture: 128 B each, 256 a line. The caller's memory holds the same bytes for the next context.
  */
 export interface Gles3Crowd extends View {
+  /**
+   * of records
+   */
   texture: number;
+  /**
+   * instances, at most
+   */
   capacity: number;
   /**
    * that have been set
@@ -2984,6 +3720,9 @@ export interface Gles3Crowd extends View {
    * of the frames that they play
    */
   frame_count: number;
+  /**
+   * between on_context_lost() and on_context_restored()
+   */
   lost: boolean;
   /**
    * as the texture has them
@@ -2991,7 +3730,13 @@ export interface Gles3Crowd extends View {
   records: List<number>;
 }
 
+/**
+ * What one path did.
+ */
 export interface Gles3PathResult extends View {
+  /**
+   * whether to use it
+   */
   verdict: Gles3Verdict;
   /**
    * The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
@@ -2999,6 +3744,9 @@ export interface Gles3PathResult extends View {
    * kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
    */
   position_error: number;
+  /**
+   * of normals and tangents
+   */
   normal_error: number;
   /**
    * to skin and draw once; 0: not timed
@@ -3010,6 +3758,9 @@ export interface Gles3PathResult extends View {
   ns_per_pass: number;
 }
 
+/**
+ * What self_test() found.
+ */
 export interface Gles3SelfTest extends View {
   /**
    * by SkinningPath
@@ -3025,6 +3776,9 @@ export interface Gles3SelfTest extends View {
   key: bigint;
 }
 
+/**
+ * What is tried, and how it is timed.
+ */
 export interface Gles3SelfTestOptions extends View {
   /**
    * bit_of() of those to try
@@ -3038,24 +3792,37 @@ export interface Gles3SelfTestOptions extends View {
    * the deformers that the game uses
    */
   ssd: boolean;
+  /**
+   * animation space
+   */
   as: boolean;
   /**
    * Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
    */
   seconds: number;
+  /**
+   * times the fastest path's time
+   */
   slow: number;
   /**
    * What is timed: characters of a mesh of so many vertices, of up to four influences, by SSD if `ssd`. State what the
    * game draws most of. 16 … 65 520 vertices, of which a multiple of 16 is taken; 1 … 256 characters.
    */
   timed_vertices: number;
+  /**
+   * of that mesh
+   */
   timed_characters: number;
   /**
    * Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
    * forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
    * with what has been there before.
+   * what the two functions above get
    */
   about_to_try: number;
+  /**
+   * Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+   */
   user: number;
 }
 
@@ -3231,6 +3998,9 @@ export class Marrow {
    * How many bytes of any alignment hold a block of `bytes`.
    */
   block_bytes(bytes: number): number;
+  /**
+   * Whether a block may begin there.
+   */
   is_on_boundary(first: View | number | null): boolean;
   /**
    * What lies behind the first boundary in `memory`; empty if there is none.
@@ -3307,12 +4077,33 @@ export class Marrow {
    * May be null: error.
    */
   load(block: List<number> | null, out: File | null, error: DataError | null): Status;
+  /**
+   * How many of each there are.
+   */
   file_skeleton_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_reference_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_clip_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_mesh_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_material_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_image_count(file: File | null): number;
+  /**
+   * How many of each there are.
+   */
   file_node_count(file: File | null): number;
   /**
    * An index that is not below the count gives what is empty. Cost: a few loads.
@@ -3331,15 +4122,15 @@ export class Marrow {
    */
   file_mesh(file: File | null, index: number, level: number, out: Mesh | null): Status;
   /**
-   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   * An index that is not below the count gives what is empty. Cost: a few loads.
    */
   file_material(file: File | null, index: number, out: Material | null): Status;
   /**
-   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   * An index that is not below the count gives what is empty. Cost: a few loads.
    */
   file_image(file: File | null, index: number, out: Image | null): Status;
   /**
-   * level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+   * An index that is not below the count gives what is empty. Cost: a few loads.
    */
   file_node(file: File | null, index: number, out: Node | null): Status;
   /**
@@ -3424,11 +4215,17 @@ export class Marrow {
    * zero-terminated, never null.
    */
   property_text(property: Property | null): number;
+  /**
+   * How many groups of four joints a local pose has.
+   */
   skeleton_soa_size(skeleton: Skeleton | null): number;
   /**
    * How many matrices build_palette() writes.
    */
   mesh_palette_size(mesh: Mesh | null): number;
+  /**
+   * Whether nothing is known or in it.
+   */
   bounds_is_empty(bounds: Bounds | null): boolean;
   /**
    * A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
@@ -3625,6 +4422,9 @@ export class Marrow {
    * Cost: 20 blends of four points.
    */
   bicubic_patch(basis: PatchBasis, points: List<number> | null, components: number, u: number, v: number, out: List<number> | null): Status;
+  /**
+   * How many floats the table of a curve has.
+   */
   arc_length_count(key_count: number, steps: number): number;
   /**
    * Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
@@ -4436,6 +5236,9 @@ export class Marrow {
    * words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
    */
   gles3_build_program(api: Gles3Api | null, key: Gles3ProgramKey | null, source: Gles3ProgramSource | null, palette_binding: number, out: Gles3Program | null, log: List<number> | null): Status;
+  /**
+   * Deletes the program and clears the struct.
+   */
   gles3_destroy_program(api: Gles3Api | null, program: Gles3Program | null): void;
   /**
    * Room for palettes of `joints` matrices altogether in `palettes` pieces.
@@ -4443,8 +5246,7 @@ export class Marrow {
    */
   gles3_create_palette_ring(api: Gles3Api | null, caps: Gles3Caps | null, joints: number, palettes: number, out: Gles3PaletteRing | null): Status;
   /**
-   * Room for palettes of `joints` matrices altogether in `palettes` pieces.
-   * Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+   * Deletes the buffer and clears the struct.
    */
   gles3_destroy_palette_ring(api: Gles3Api | null, ring: Gles3PaletteRing | null): void;
   /**
@@ -4467,9 +5269,7 @@ export class Marrow {
    */
   gles3_create_palette_texture(api: Gles3Api | null, caps: Gles3Caps | null, joints: number, out: Gles3PaletteTexture | null): Status;
   /**
-   * Room for `joints` matrices: 48 B each, three times.
-   * Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
-   * gl_error. Leaves the active unit's 2D texture at 0.
+   * Deletes the textures and clears the struct.
    */
   gles3_destroy_palette_texture(api: Gles3Api | null, texture: Gles3PaletteTexture | null): void;
   /**
@@ -4542,8 +5342,7 @@ export class Marrow {
    */
   gles3_create_skinned(api: Gles3Api | null, mesh: Gles3GpuMesh | null, out: Gles3SkinnedMesh | null): Status;
   /**
-   * Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
-   * array at 0.
+   * Deletes the GL objects and clears the struct.
    */
   gles3_destroy_skinned(api: Gles3Api | null, mesh: Gles3SkinnedMesh | null): void;
   /**
@@ -4602,14 +5401,7 @@ export class Marrow {
    */
   gles3_create_skinner(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3SkinnerOptions | null, programs: Gles3ProgramSet | null, memory: List<number> | null, out: Gles3Skinner | null): Status;
   /**
-   * Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
-   * before the first update(). Compiles what `programs` lacks for it.
-   *
-   * mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
-   * skinner_bytes(), 16-byte aligned, the skinner's until destroy().
-   * Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
-   * the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
-   * written only on success.
+   * Deletes the GL objects and clears the struct; the memory is the caller's again.
    */
   gles3_destroy_skinner(api: Gles3Api | null, skinner: Gles3Skinner | null): void;
   /**
@@ -4710,17 +5502,7 @@ export class Marrow {
    */
   gles3_create_crowd_mesh(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, frames: Gles3CrowdFrames | null, capacity: number, memory: List<number> | null, out: Gles3CrowdMesh | null, motion: boolean): Status;
   /**
-   * Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
-   *
-   * The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
-   * on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
-   * 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
-   * askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-   * crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
-   * what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-   * the vertices, and 48 B a matrix and frame, go up, once.
-   * motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-   * kMotion have MarrowVertex::previous_position from them.
+   * Deletes the GL objects and clears the struct; the memory is the caller's again.
    */
   gles3_destroy_crowd_mesh(api: Gles3Api | null, mesh: Gles3CrowdMesh | null): void;
   /**
@@ -4730,9 +5512,7 @@ export class Marrow {
    */
   gles3_create_crowd(api: Gles3Api | null, caps: Gles3Caps | null, capacity: number, memory: List<number> | null, out: Gles3Crowd | null): Status;
   /**
-   * Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
-   * Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
-   * 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+   * Deletes the texture and clears the struct; the memory is the caller's again.
    */
   gles3_destroy_crowd(api: Gles3Api | null, crowd: Gles3Crowd | null): void;
   /**
@@ -4845,7 +5625,7 @@ export class Marrow {
    */
   gles3_choose(test: Gles3SelfTest | null, need: Gles3PathNeed | null, out: View | number | null): Status;
   /**
-   * A result as bytes that a game stores. Errors: bad_argument (too short).
+   * Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
    */
   gles3_save(test: Gles3SelfTest | null, out: List<number> | null): Status;
   /**

@@ -1,0 +1,71 @@
+// What every recipe of docs/ik/cookbook.md stands on: the sample character in a pose, and the distance that is left.
+// Of a file that is not packed: marrow cook hero.glb --mesh-codec none --clip-codec raw -o hero.mrw
+#pragma once
+
+#include <marrow/marrow.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+inline void must(marrow::Status status) {
+  if (status == marrow::Status::ok) return;
+  std::printf("%s\n", to_string(status));
+  std::exit(1);
+}
+
+struct Newt {
+  std::vector<char> bytes;
+  std::vector<std::byte> shared, own;
+  marrow::File file;
+  marrow::Animations animations;
+  marrow::Character body;
+  marrow::Skeleton skeleton;
+  // Both forms of the pose. All solvers keep them alike.
+  marrow::Span<marrow::SoaTransform> local;
+  marrow::Span<marrow::Affine> scene;
+
+  explicit Newt(const char* path) {
+    std::ifstream stream(path, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(stream), {});
+    must(load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file));
+    shared.resize(animations_bytes(file, file));
+    own.resize(character_bytes(file, {}));
+    must(make_animations(file, file, shared, animations));
+    must(make_character(file, {}, own, body));
+    skeleton = body.skeletons[0].skeleton;
+    local = body.skeletons[0].local;
+    scene = body.skeletons[0].scene_from_joint;
+  }
+  const marrow::Animation* clip(const char* name) const { return find_animation(animations, name); }
+  void play(const char* name, float time_s) { must(pose_character(body, {{clip(name), time_s}})); }
+  std::uint32_t joint(const char* name) const {
+    const std::uint32_t found = file.find_joint(skeleton, name);
+    if (found == skeleton.joint_count) must(marrow::Status::bad_argument);
+    return found;
+  }
+  // Where the joint is, in the scene.
+  float at(std::uint32_t joint, int axis) const { return scene[joint].rows[axis][3]; }
+  float millimetres(std::uint32_t joint, const float (&point)[3]) const {
+    float sum = 0;
+    for (int i = 0; i < 3; ++i) sum += (at(joint, i) - point[i]) * (at(joint, i) - point[i]);
+    return 1000 * std::sqrt(sum);
+  }
+  // For pictures: the pose, a joint a line. See pictures.py.
+  void save(const char* folder, const char* recipe) const {
+    if (folder == nullptr) return;
+    std::FILE* const out = std::fopen((std::string(folder) + "/" + recipe + ".pose").c_str(), "w");
+    for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
+      marrow::JointTransform t;
+      must(get_joint(local, j, t));
+      std::fprintf(out, "%s %g %g %g %g %g %g %g\n", file.text(skeleton.names[j]), double(t.translation[0]),
+                   double(t.translation[1]), double(t.translation[2]), double(t.rotation[0]), double(t.rotation[1]),
+                   double(t.rotation[2]), double(t.rotation[3]));
+    }
+    std::fclose(out);
+  }
+};
