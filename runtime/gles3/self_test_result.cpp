@@ -15,7 +15,7 @@ extern const unsigned char shader_skin[], shader_preskin_vert[], shader_preskin_
 namespace marrow::gles3 {
 namespace {
 
-// Which path is likely to be better, the best first; docs/architecture.md says why.
+// Which path is likely to be better, the best first; docs/decisions.md says why.
 constexpr SkinningPath kUbo = SkinningPath::ubo, kTexture = SkinningPath::texture, kFeedback = SkinningPath::feedback,
                        kCompute = SkinningPath::compute, kCpu = SkinningPath::cpu;
 constexpr SkinningPath kFew[2][kPathCount] = {{kUbo, kTexture, kCompute, kFeedback, kCpu},

@@ -25,7 +25,7 @@ gles3::SelfTest usable(std::uint32_t paths, gles3::GpuFamily family = gles3::Gpu
   return out;
 }
 
-// The tables of docs/architecture.md, word by word.
+// The tables of docs/gles/paths.md, word by word.
 TEST(SelfTestResult, ThePathIsTheFirstOfTheTable) {
   struct Row {
     gles3::PathNeed need;

@@ -18,7 +18,7 @@ namespace marrow::test {
 namespace {
 
 constexpr int kMoments = 101;
-// What leaving out and rounding keys may cost (docs/architecture.md), and float's rounding in times, weights and their
+// What leaving out and rounding keys may cost (docs/cooking/clips.md), and float's rounding in times, weights and their
 // sum.
 constexpr double kShare = 0x1p-17 + 0x1p-20;
 

@@ -25,7 +25,7 @@ namespace {
 
 using gles3::Deformer;
 
-// Of OpenGL ES: docs/architecture.md.
+// Of OpenGL ES: docs/performance.md.
 constexpr double kMostPosition = 2e-4;  // of the diagonal
 constexpr double kMostNormalDeg = 1;
 

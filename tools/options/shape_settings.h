@@ -1,4 +1,4 @@
-// [[shapes]] of marrow.toml: spaces of example shapes (docs/cooking.md).
+// [[shapes]] of marrow.toml: spaces of example shapes (docs/cooking/deformers.md).
 #pragma once
 
 #include <string>

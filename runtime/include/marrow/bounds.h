@@ -6,7 +6,7 @@
 // Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
 // the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
-// nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
+// nothing of their residuals (docs/benchmarks.md, "Bounds", has how far they went beyond it).
 #pragma once
 
 #include "marrow/api.h"

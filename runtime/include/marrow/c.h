@@ -264,7 +264,8 @@ mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t 
 //                  or CharacterMesh::weights between pose_character() and finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here (docs/cooking.md).
+// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// (docs/deformers.md).
 
 // What a space has at most.
 #define MRW_MAX_EXAMPLE_PARAMETERS 8u
@@ -568,7 +569,7 @@ struct mrw_group_masks {
 };
 
 // A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
-// that keys on a straight line between others may have been left out (docs/architecture.md).
+// that keys on a straight line between others may have been left out (docs/cooking/clips.md).
 typedef struct mrw_channel mrw_channel;
 struct mrw_channel {
   uint32_t name;  // see File::text
@@ -2127,7 +2128,8 @@ mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinat
 //                  or CharacterMesh::weights between pose_character() and finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here (docs/cooking.md).
+// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// (docs/deformers.md).
 
 // For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
 // clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
@@ -2232,7 +2234,7 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 // along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
 // not finite, the two are blended as numbers.
 //
-// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+// The same palette serves SSD and animation space (docs/decisions.md, "One palette").
 // Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
 // centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
@@ -2265,7 +2267,7 @@ bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_coun
 // Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
 // the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
-// nothing of their residuals (docs/architecture.md, "Bounds", has how far they went beyond it).
+// nothing of their residuals (docs/benchmarks.md, "Bounds", has how far they went beyond it).
 
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
 typedef struct mrw_joint_reach mrw_joint_reach;
@@ -2330,7 +2332,7 @@ enum {
   // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
   // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
   // normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
-  // (docs/architecture.md). Tangents are inverse_transpose's up to length.
+  // (docs/benchmarks.md). Tangents are inverse_transpose's up to length.
   MRW_NORMAL_TRANSFORM_BLENDED_MATRIX = 1,
 };
 

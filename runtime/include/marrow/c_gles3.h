@@ -374,7 +374,7 @@ size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_pre
 // free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
 // targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
 // and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
 // passes over the vertices; once a mesh.
 // May be null: options.
 mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
@@ -774,7 +774,7 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 // stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
 // the character itself is mirrored, which turns_inside_out() of its palette tells, both are the other way round.
 //
-// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
+// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 
 // Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 #define MRW_GLES3_MAX_CROWD_FRAMES 1048576u
@@ -1149,7 +1149,7 @@ mrw_status mrw_gles3_run_self_test(const mrw_gles3_api* api, const mrw_gles3_cap
 //   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
 //   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
 //
-// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+// More than kPaletteJoints leave texture and cpu. Why so: docs/decisions.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.
 mrw_status mrw_gles3_choose(const mrw_gles3_self_test* test, const mrw_gles3_path_need* need,
     mrw_gles3_skinning_path* out) MRW_NODISCARD;

@@ -5,7 +5,8 @@
 //                  or CharacterMesh::weights between pose_character() and finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here (docs/cooking.md).
+// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// (docs/deformers.md).
 #pragma once
 
 #include "marrow/api.h"

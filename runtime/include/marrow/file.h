@@ -156,7 +156,7 @@ struct GroupMasks {
 static_assert(sizeof(GroupMasks) == 4);
 
 // A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
-// that keys on a straight line between others may have been left out (docs/architecture.md).
+// that keys on a straight line between others may have been left out (docs/cooking/clips.md).
 struct Channel {
   std::uint32_t name = 0;         // see File::text
   float rest = 0;                 // the number where no clip drives it

@@ -204,7 +204,7 @@ MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOpti
 // free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
 // targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
 // and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
 // passes over the vertices; once a mesh.
 MARROW_API Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                           Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);

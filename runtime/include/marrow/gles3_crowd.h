@@ -15,7 +15,7 @@
 // stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
 // the character itself is mirrored, which turns_inside_out() of its palette tells, both are the other way round.
 //
-// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/architecture.md, "Crowds".
+// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 #pragma once
 
 #include "marrow/api.h"

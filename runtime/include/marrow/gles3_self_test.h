@@ -127,7 +127,7 @@ inline constexpr std::uint32_t kManyCharacters = 8;
 //   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
 //   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
 //
-// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+// More than kPaletteJoints leave texture and cpu. Why so: docs/decisions.md, "Which path".
 // Errors: unsupported (none is usable). `out` is written only on success.
 MARROW_API Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
 

@@ -23,7 +23,7 @@ namespace marrow {
 // along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
 // not finite, the two are blended as numbers.
 //
-// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+// The same palette serves SSD and animation space (docs/decisions.md, "One palette").
 // Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
 // centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.

@@ -19,7 +19,7 @@ enum class NormalTransform : std::uint8_t {
   // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
   // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
   // normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
-  // (docs/architecture.md). Tangents are inverse_transpose's up to length.
+  // (docs/benchmarks.md). Tangents are inverse_transpose's up to length.
   blended_matrix,
 };
 

@@ -117,7 +117,7 @@ double largest_difference(const Canvas& a, const Canvas& b, std::uint32_t joints
   return largest;
 }
 
-// Weights are stored within 2.5e-4 (docs/cooking.md), here twice: as they were read, and as they were painted.
+// Weights are stored within 2.5e-4 (docs/cooking/errors.md), here twice: as they were read, and as they were painted.
 TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
   const File& file = newt();
   const std::uint32_t joints = file.skeleton(0).joint_count;

@@ -25,8 +25,8 @@ struct PaintedMesh {
   std::vector<PaintedVertex> vertices;
 };
 
-// JSON, see docs/cooking.md. path: for messages. Throws tools::Failure at the place in the text: invalid; unsupported
-// for another version.
+// JSON: docs/cooking/skin_weights.md. path: for messages. Throws tools::Failure at the place in the text: invalid;
+// unsupported for another version.
 std::vector<PaintedMesh> read_painted(const std::string& path, std::string_view text);
 
 // What read_painted() reads, a vertex a line, places and weights to the bit of a float.

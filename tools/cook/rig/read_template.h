@@ -1,4 +1,4 @@
-// Skeletons for --auto-skeleton, as their text says, see docs/cooking.md.
+// Skeletons for --auto-skeleton, as their text says, see docs/cooking/skeletons.md.
 #pragma once
 
 #include <string>

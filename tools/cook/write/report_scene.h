@@ -25,7 +25,7 @@ struct SourceFile {
 // raw_bytes, bytes, memory_bytes, additive, channels [name], max_error_m, max_vertex_error_m, bounds}], materials
 // [{name, alpha, textures
 // [{role, image}]}], images [{name, uri, format, bytes}], nodes [{name, skeleton, joint, properties}], keep [{glob,
-// nodes [name]}], warnings [{pointer, rule, text}]}; docs/architecture.md says what each means.
+// nodes [name]}], warnings [{pointer, rule, text}]}; docs/reference/report.md says what each means.
 nlohmann::ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
                                     const std::vector<RawWarning>& warnings);
 

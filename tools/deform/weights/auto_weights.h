@@ -24,7 +24,7 @@ enum class WeightMethod {
   gaussian,  // exp(-α (R / L)²), L the mean length of bones
   // d⁻⁸, d the distance through the mesh's voxels: Dionne and de Lasa, "Geodesic voxel binding for production character
   // meshes", SCA 2013, whose falloff (1 / ((1 - α) d + α d²))² is d⁻⁴ for α = 1; squared once more it comes closer to
-  // artists' weights, see docs/cooking.md.
+  // artists' weights, see docs/deformers/weights.md.
   geodesic,
   glow,  // the light of bones, see glow.h
 };

@@ -744,7 +744,7 @@ public unsafe struct GroupMasks {
 
 /// <summary>
 /// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
-/// that keys on a straight line between others may have been left out (docs/architecture.md).
+/// that keys on a straight line between others may have been left out (docs/cooking/clips.md).
 /// </summary>
 [StructLayout(LayoutKind.Sequential)]
 public unsafe struct Channel {
@@ -2769,7 +2769,7 @@ public enum NormalTransform : byte {
     /// Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
     /// where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
     /// normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
-    /// (docs/architecture.md). Tangents are inverse_transpose's up to length.
+    /// (docs/benchmarks.md). Tangents are inverse_transpose's up to length.
     /// </summary>
     BlendedMatrix = 1,
 }
@@ -5902,7 +5902,7 @@ public static unsafe class Marrow {
     /// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
     /// not finite, the two are blended as numbers.
     ///
-    /// The same palette serves SSD and animation space (docs/architecture.md, "One palette").
+    /// The same palette serves SSD and animation space (docs/decisions.md, "One palette").
     /// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
     /// centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
     /// Thread-safe on different outputs; out overlaps none of the inputs.
@@ -6260,7 +6260,7 @@ public static unsafe class Marrow {
     /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
     /// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
     /// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-    /// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/architecture.md. Cost: a few
+    /// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
     /// passes over the vertices; once a mesh.
     /// May be null: options.
     /// </summary>
@@ -6756,7 +6756,7 @@ public static unsafe class Marrow {
     ///   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
     ///   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
     ///
-    /// More than kPaletteJoints leave texture and cpu. Why so: docs/architecture.md, "Which path".
+    /// More than kPaletteJoints leave texture and cpu. Why so: docs/decisions.md, "Which path".
     /// Errors: unsupported (none is usable). `out` is written only on success.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_choose", CallingConvention = CallingConvention.Cdecl)]
