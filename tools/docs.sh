@@ -15,4 +15,4 @@ inputs=$("$python" tools/docs/api_comments.py --inputs build/docs-stages.dox)
 rm -rf build/docs
 "$python" -m mkdocs build --quiet --strict --config-file tools/docs/mkdocs.yml
 "$python" tools/docs/links.py build/docs
-echo "build/docs/index.html"
+echo "build/docs/index.html; its search wants a server: python3 -m http.server -d build/docs"

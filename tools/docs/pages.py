@@ -4,7 +4,7 @@
 usage: tools/docs/pages.py FOLDER
 
 README.md becomes index.md. A link to a public header leads to its page of the API reference, one to another file of the
-sources to its text, shown as a page. The interfaces for other languages become pages, too.
+sources to its text.
 """
 import pathlib
 import re
@@ -13,8 +13,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TOP = {"README.md": "index.md", "CHANGELOG.md": "CHANGELOG.md", "CONTRIBUTING.md": "CONTRIBUTING.md", "THIRD_PARTY.md": "THIRD_PARTY.md"}
-LANGUAGES = {".cpp": "cpp", ".h": "cpp", ".c": "c", ".rs": "rust", ".cs": "csharp", ".ts": "ts", ".mjs": "js", ".js": "js", ".py": "python",
-             ".sh": "sh", ".glsl": "glsl", ".json": "json", ".toml": "toml", ".gd": "python", ".java": "java", ".swift": "swift"}
+SOURCES = {".cpp", ".h", ".c", ".rs", ".cs", ".ts", ".mjs", ".js", ".py", ".sh", ".glsl", ".json", ".toml", ".gd", ".java", ".swift", ".txt",
+           ".md", ".cmake", ""}
 
 
 def api_page(header):
@@ -37,10 +37,10 @@ class Site:
         for include in ("runtime/include", "platform/egl/include"):
             if str(relative).startswith(include) and path.suffix == ".h":
                 return api_page(path)
-        if path.is_dir() or path.suffix not in LANGUAGES and path.suffix not in (".txt", ".md", ""):
+        if path.is_dir() or path.suffix not in SOURCES:
             return None
         self.sources.add(relative)
-        return f"source/{relative}.md"
+        return f"source/{relative}.txt"
 
     def with_links(self, text, page, place):
         """place: the page's path in the site."""
@@ -65,11 +65,9 @@ class Site:
         out.write_text(self.with_links(path.read_text(), path, place))
 
     def source(self, relative):
-        out = self.folder / f"source/{relative}.md"
+        out = self.folder / f"source/{relative}.txt"
         out.parent.mkdir(parents=True, exist_ok=True)
-        text = (ROOT / relative).read_text()
-        language = LANGUAGES.get(relative.suffix, "text")
-        out.write_text(f"---\nsearch:\n  exclude: true\n---\n# {relative}\n\n~~~~~~{language}\n{text}~~~~~~\n")
+        shutil.copy(ROOT / relative, out)
 
 
 def main():
