@@ -1,5 +1,5 @@
 // What a game in a browser begins with: it plays the walk of a character and draws it by WebGL 2, over marrow::gles3.
-// play.mjs fetches the file, has the canvas, and calls what is exported here. See docs/web.md.
+// play.mjs fetches the file, has the canvas, and calls what is exported here. See docs/platforms/web.md.
 #include <marrow/block.h>
 #include <marrow/gles3_skinner.h>
 #include <marrow/marrow.h>

@@ -1,8 +1,8 @@
-// Plays a character on a canvas by WebGL 2, and goes on when the context is lost. See docs/web.md.
+// Plays a character on a canvas by WebGL 2, and goes on when the context is lost. See docs/platforms/web.md.
 import load from './newt.mjs';
 
 const kDeformers = { rigid: 1, ssd: 2, as: 3 };    // gles3::Deformer
-const kPaths = { ubo: 0, texture: 1, cpu: 4 };     // gles3::SkinningPath; WebGL 2 has no others, see docs/web.md
+const kPaths = { ubo: 0, texture: 1, cpu: 4 };     // gles3::SkinningPath; WebGL 2 has no others, see docs/platforms/web.md
 
 // A program, and what goes on in it, for a canvas whose size is what is drawn. Rejects without WebGL 2 or the file.
 export async function play(canvas, url, { deformer = 'ssd', path = 'ubo', distance_m = 4.6 } = {}) {

@@ -1,4 +1,4 @@
-# Programs that docs/ik/cookbook.md, docs/gles, docs/moving_from_ozz.md and docs/troubleshooting.md show. They do with the sample what they say.
+# Programs that docs/ik/cookbook.md, docs/gles, docs/moving/from_ozz.md and docs/troubleshooting.md show. They do with the sample what they say.
 set(guides "")
 function(marrow_guide folder name)
   add_executable(marrow_${folder}_${name} examples/${folder}/${name}.cpp)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the game of platform/web to WebAssembly, draws it by WebGL 2 in a headless Chromium, and compares the pictures
-# with those of `marrow render`; see docs/web.md. Exit 1 if they differ or the program has grown beyond its limit, 3 if
+# with those of `marrow render`; see docs/platforms/web.md. Exit 1 if they differ or the program has grown beyond its limit, 3 if
 # a compiler or a browser cannot be had. Builds in build/web, pictures go to build/web/pictures.
 # usage: tools/check/web.sh MARROW      (the program)
 set -euo pipefail

@@ -1,4 +1,4 @@
-// A frame by the stages themselves, as a game that comes from ozz-animation has it. See docs/moving_from_ozz.md.
+// A frame by the stages themselves, as a game that comes from ozz-animation has it. See docs/moving/from_ozz.md.
 #include <marrow/marrow.h>
 
 #include <cstdio>
