@@ -22,6 +22,11 @@ STAGES = {
     "clang": ("For C and other languages", "c c_gles3"),
 }
 
+MAIN_PAGE = """/** @mainpage
+The public headers, grouped as the <a href="modules.html">stages</a> are. Every function says what goes in and out, in
+which units and spaces, what fails and what it costs. <a href="../index.html">The manual</a> says how they are used.
+*/"""
+
 
 def as_text(text):
     """What Doxygen would take for a command or a tag, as plain text."""
@@ -127,7 +132,8 @@ def inputs():
 
 def main():
     if sys.argv[1] == "--inputs":
-        print("\n".join(f"/// @defgroup {key} {title}" for key, (title, _) in STAGES.items()), file=open(sys.argv[2], "w"))
+        groups = "\n".join(f"/// @defgroup {key} {title}" for key, (title, _) in STAGES.items())
+        pathlib.Path(sys.argv[2]).write_text(f"{MAIN_PAGE}\n{groups}\n")
         print(" ".join([sys.argv[2], *[str(path.relative_to(ROOT)) for path in inputs()]]))
         return
     path = pathlib.Path(sys.argv[1])
