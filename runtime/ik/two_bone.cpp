@@ -1,6 +1,7 @@
 #include "ik/two_bone.h"
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "marrow/ik.h"
@@ -13,35 +14,32 @@ namespace {
 template <bool plain>
 inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
-  LimbProblem<One> in = {mid - start,
-                         end - mid,
-                         wide(goal.target) - start,
-                         wide_rows(*joints.start),
-                         wide_rows(*joints.mid),
-                         wide(goal.bend_axis),
-                         {wide(goal.pole), is_some(goal.twist_rad), {}, {}},
-                         all_lanes<One>(goal.soft),
-                         is_partial(goal.max_stretch),
-                         all_lanes<One>(goal.max_stretch),
-                         is_partial(goal.weight),
-                         all_lanes<One>(goal.weight)};
-  if (!plain && in.about.twisted) {
-    const CosSin twist = cos_sin(goal.twist_rad);
-    in.about.cos = all_lanes<One>(twist.cos);
-    in.about.sin = all_lanes<One>(twist.sin);
-  }
-  return in;
+  return {mid - start,
+          end - mid,
+          wide(goal.target) - start,
+          wide_rows(*joints.start),
+          wide_rows(*joints.mid),
+          {load_aligned(goal.bend_axis)},
+          {plain ? Vector<One>{load_aligned(goal.pole)} : wide(goal.pole), is_some(goal.twist_rad),
+           all_lanes<One>(goal.twist_rad)},
+          all_lanes<One>(goal.soft),
+          is_partial(goal.max_stretch),
+          all_lanes<One>(goal.max_stretch),
+          is_partial(goal.weight),
+          all_lanes<One>(goal.weight)};
 }
 
-// False if the numbers are not finite.
+// False if the numbers are not finite; see solve_limb().
 template <bool plain>
 inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  LimbProblem<One> in = problem<plain>(joints, goal);
   LimbSolution<One> s;
-  if (!solve_limb<plain>(problem<plain>(joints, goal), s)) return false;
+  if (!solve_limb<plain>(in, s)) return false;
   store(out.start, s.start.v);
   store(out.mid, s.mid.v);
   out.stretch = first_lane(s.stretch.v);
-  out.reached = s.miss < s.limb * all_lanes<One>(kNear);
+  const One near = s.limb * number<One>(kNumbers.near);
+  out.reached = s.miss_squared < near * near;
   return true;
 }
 
@@ -56,7 +54,7 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
 [[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
                                                     TwoBoneTurns& out) {
   const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (usual && solve_one<true>(joints, goal, out)) return {};
+  if (!kSmall && usual && solve_one<true>(joints, goal, out)) return {};
   return solve_any(joints, goal, out);
 }
 
@@ -65,6 +63,11 @@ void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t j
                   Span<SoaTransform> local) {
   for (; joint != start; joint = skeleton.parents[joint])
     for (float(&axis)[4] : local[joint / 4].translation) axis[joint % 4] *= stretch;
+}
+
+void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+  turn_joint(local, limb.start, turns.start);
+  turn_joint(local, limb.mid, turns.mid);
 }
 
 }  // namespace
@@ -77,18 +80,15 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
 
 BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
               Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
-  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
-  MARROW_CHECK(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
+  const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
+  if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, {chain, 3})) return bad;
   const Affine* const joints = scene_from_joint.data;
+  const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
-  if (const BadCall bad = solve_reach({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns))
-    return bad;
+  if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
   if (reached != nullptr) *reached = turns.reached;
   if (goal.weight == 0) return {};
-  turn_joint(local, limb.start, turns.start);
-  turn_joint(local, limb.mid, turns.mid);
+  turn_limb(local, limb, turns);
   if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
   (void)local_to_model_below(skeleton, local, limb.start, scene_from_joint);
   return {};
