@@ -21,7 +21,8 @@ struct Numbers {
   Number no_angle_squared;  // of an angle between directions that are as good as one
   Number near;              // of a limb's length: what counts as reached
 };
-extern const Numbers kNumbers;
+// Hidden, so that shared libraries need not look up where they are.
+[[gnu::visibility("hidden")]] extern const Numbers kNumbers;
 
 template <class F>
 F number(const Number& n);

@@ -168,7 +168,7 @@ MARROW_LARGE inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> t
     if constexpr (plain) return false;
     way = halfway_round(from, normal, to, way);
   }
-  const Vector<F> arc = cross(from, way.h), carried = normal * way.half - way.h * dot(way.h, normal);
+  const Vector<F> carried = normal * way.half - way.h * dot(way.h, normal);
   Angle<F> angle = {one, zero, one};
   if (const F pole = dot(about.pole, about.pole); !all(pole < number<F>(kNumbers.tiny))) {
     angle.cos = dot(about.pole, cross(to, carried));
@@ -188,7 +188,7 @@ MARROW_LARGE inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> t
     cos = select(wide, absolute(angle.sin), cos);
     sin = select(wide, flip(angle.length - angle.cos, angle.sin), sin);
   }
-  out = {arc * cos - way.h * sin, way.along * cos};
+  out = {cross(from, way.h) * cos - way.h * sin, way.along * cos};
   return true;
 }
 

@@ -120,9 +120,8 @@ inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower
                       Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
   const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
-  const F cosine = dot(upper, lower);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
-  const F sine = sqrt(dot(normal, normal)), inverse = one / sine;
+  const F sine = sqrt(dot(normal, normal)), inverse = one / sine, cosine = dot(upper, lower);
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
           quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in.bend_axis)};

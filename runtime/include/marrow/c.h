@@ -1672,7 +1672,7 @@ struct MRW_ALIGN(16) mrw_aim_turn {
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
 // Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 416 instructions on x86-64, 323 on AArch64; about as much again where the limb is nearly straight or bent the
+// Cost: 413 instructions on x86-64, 327 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
     mrw_two_bone_turns* out) MRW_NODISCARD;
@@ -1696,7 +1696,7 @@ mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_l
 // turn about it, in one quaternion.
 // Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
-// Cost: 218 instructions on x86-64, 177 on AArch64.
+// Cost: 219 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is

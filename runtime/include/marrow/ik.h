@@ -61,7 +61,7 @@ struct TwoBoneJoints {
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
 // Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 416 instructions on x86-64, 323 on AArch64; about as much again where the limb is nearly straight or bent the
+// Cost: 413 instructions on x86-64, 327 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
@@ -106,7 +106,7 @@ struct alignas(16) AimTurn {
 // turn about it, in one quaternion.
 // Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
-// Cost: 218 instructions on x86-64, 177 on AArch64.
+// Cost: 219 instructions on x86-64, 180 on AArch64.
 MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
 // The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
