@@ -1,4 +1,5 @@
 #include "core/check.h"
+#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "ik/turn_onto.h"
@@ -18,16 +19,11 @@ struct View {
   About<One> about;
 };
 
-struct Seen {
-  Quaternion<One> turn;
-  bool reached;
-};
-
 // The unit direction, seen from the joint, of what is to be turned onto the target: of the point where the ray is as
-// far away as the target, or, if it never is, of the nearest; and whether the target can be met.
-template <bool plain>
+// far away as the target, or, if it never is, of the nearest; and whether the target can be met. False if there is
+// none.
 inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& direction, bool& reached) {
-  const One zero = all_lanes<One>(0), tiny = all_lanes<One>(kTinySquare), one = all_lanes<One>(1);
+  const One zero = all_lanes<One>(0), tiny = number<One>(kNumbers.tiny), one = number<One>(kNumbers.one);
   One squared = dot(view.forward, view.forward);
   reached = tiny < lesser(way_squared, squared);
   if (!reached) return false;
@@ -43,106 +39,72 @@ inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& dir
   return true;
 }
 
-// As turn_onto; the identity where there are no directions. False also if the numbers are not finite.
+// As turn_onto(), by a share; the identity where there are no directions. False also if the numbers are not finite.
 template <bool plain>
-inline bool look(const View& view, Seen& out) {
-  const One zero = all_lanes<One>(0), one = all_lanes<One>(1);
+inline bool look(const View& view, float weight, AimTurn& out) {
+  const One zero = all_lanes<One>(0), one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
   const One way_squared = dot(view.way, view.way);
-  Vector<One> from;
-  bool directed = direction_of_ray<plain>(view, way_squared, from, out.reached);
-  if (!directed) {
-    if constexpr (plain) return false;
-    const One sum = way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset);
-    out.turn = quaternion(vector_of(zero, zero, zero), one);
-    return sum < all_lanes<One>(kHugeSquare);
-  }
-  About<One> about = view.about;
-  Vector<One> normal = cross(view.up, from);
-  const One squared = dot(normal, normal);
-  if (const auto along =
-          squared < all_lanes<One>(1e-10f) * dot(view.up, view.up) || squared < all_lanes<One>(kTinySquare);
-      !plain && along) {
-    about.pole = vector_of(zero, zero, zero);
-    normal = any_across(from);
-  } else {
-    if (plain && along) return false;
-    normal = normal * (one / sqrt(squared));
-  }
+  if (plain && view.about.twisted) return false;
   Quaternion<One> turn;
-  if (!turn_onto<plain>(from, normal, view.way * (one / sqrt(way_squared)), about, turn)) return false;
-  const One turn_squared = squared_length(turn);
-  if (!(turn_squared < all_lanes<One>(kHugeSquare))) return false;
-  if (plain && !(all_lanes<One>(kTinySquare) < turn_squared)) return false;
-  out.turn = unit_turn<plain>(turn, turn_squared);
+  One squared;
+  bool reached;
+  if (Vector<One> from; direction_of_ray(view, way_squared, from, reached)) {
+    About<One> about = view.about;
+    Vector<One> normal = cross(view.up, from);
+    const One normal_squared = dot(normal, normal);
+    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.up, view.up), tiny)) {
+      if constexpr (plain) return false;
+      about.pole = vector_of(zero, zero, zero);
+      normal = any_across(from);
+    } else {
+      normal = normal * (one / sqrt(normal_squared));
+    }
+    AnyTurn<One> whole;
+    if (!turn_onto<plain>(from, normal, view.way * (one / sqrt(way_squared)), about, whole)) return false;
+    turn = quaternion_of(whole.axis, whole.w);
+    squared = squared_length(turn);
+    if (plain && squared < tiny) return false;
+  } else {
+    if constexpr (plain) return false;
+    turn = quaternion(vector_of(zero, zero, zero), one);
+    squared = one + (way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset)) *
+                        all_lanes<One>(0x1p-24f);
+  }
+  if (!(squared < number<One>(kNumbers.huge))) return false;
+  turn = unit_turn<plain>(turn, squared);
+  if (is_partial(weight)) turn = part_of(turn, all_lanes<One>(weight));
+  store(out.turn, turn.v);
+  out.reached = reached;
   return true;
 }
 
-inline Vector<One> to_local(const Axes<One>& axes, const Vector<One>& v) {
+inline Vector<One> to_local(const Axes<One>& axes, Vector<One> v) {
   return without_w(direction_to_local(axes, v));
+}
+
+// Three numbers; what stands behind them is finite, or the call is bad, if `plain`.
+template <bool plain>
+inline Vector<One> wide_or_more(const float (&v)[3]) {
+  return plain ? Vector<One>{load(v)} : wide(v);
 }
 
 template <bool plain>
 inline View view_from(const Affine& joint, const Aim& goal) {
   const Axes<One> axes = axes_of<plain>(wide_rows(joint));
-  const Vector<One> lengths = without_w(axes.lengths), forward = by_component(wide(goal.forward), lengths);
-  View view = {to_local(axes, wide(goal.target) - wide_origin(joint)),
+  const Vector<One> lengths = without_w(axes.lengths);
+  const Vector<One> forward = by_component(wide_or_more<plain>(goal.forward), lengths);
+  View view = {to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)),
                forward,
-               by_component(wide(goal.up), lengths),
+               by_component(wide_or_more<plain>(goal.up), lengths),
                forward,
                is_some(goal.offset),
-               {to_local(axes, wide(goal.pole)), is_some(goal.twist_rad), {}, {}}};
+               {to_local(axes, {load(goal.pole)}), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   if (view.apart) view.offset = by_component(wide(goal.offset), lengths);
   return view;
 }
 
-inline void add_twist(const Aim& goal, About<One>& about) {
-  if (!about.twisted) return;
-  const CosSin twist = cos_sin(goal.twist_rad);
-  about.cos = all_lanes<One>(twist.cos);
-  about.sin = all_lanes<One>(twist.sin);
-}
-
-inline void store_turn(const Seen& seen, float weight, AimTurn& out) {
-  const Quaternion<One> turn = !is_partial(weight) ? seen.turn : part_of(seen.turn, all_lanes<One>(weight));
-  store(out.turn, turn.v);
-  out.reached = seen.reached;
-}
-
-[[gnu::noinline, gnu::cold]] BadCall aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
-  MARROW_CHECK(is_share(goal.weight));
-  View view = view_from<false>(joint, goal);
-  add_twist(goal, view.about);
-  Seen seen;
-  MARROW_CHECK(look<false>(view, seen) && "finite, not too large");
-  store_turn(seen, goal.weight, out);
-  return {};
-}
-
-// How a joint of a chain must turn so that the last one looks at the target.
-bool look_by(const Affine& joint, const Affine& last, const Aim& goal, float weight, AimTurn& out) {
-  const Axes<One> axes = axes_of<false>(wide_rows(joint));
-  const Vector3 eye = transform(last, vector3(goal.offset)) - origin(joint);
-  View view = {to_local(axes, wide(goal.target) - wide_origin(joint)),
-               to_local(axes, wide(turn(last, vector3(goal.forward)))),
-               to_local(axes, wide(turn(last, vector3(goal.up)))),
-               to_local(axes, wide(eye)),
-               true,
-               {to_local(axes, wide(goal.pole)), is_some(goal.twist_rad), {}, {}}};
-  add_twist(goal, view.about);
-  Seen seen;
-  if (!look<false>(view, seen)) return false;
-  store_turn(seen, weight, out);
-  return true;
-}
-
-// The rotation about the joint's place that a turn in its local space is in the scene.
-Affine as_moved(const Affine& joint, const float (&local_turn)[4]) {
-  const Axes<One> axes = axes_of<false>(wide_rows(joint));
-  float v[4];
-  store(v, axis_to_scene(axes, wide(local_turn)).v);
-  const Rotation q = quaternion(vector3(v), local_turn[3]);
-  const Vector3 at = origin(joint);
-  return affine({rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})}, at - rotate(q, at));
+[[gnu::noinline, gnu::cold]] bool aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
+  return look<false>(view_from<false>(joint, goal), goal.weight, out);
 }
 
 // What part of what is left joint i of `count` does: falloff^m / (1 + falloff + … + falloff^m), m joints being after
@@ -156,41 +118,69 @@ float share_of(std::size_t i, std::size_t count, float falloff) {
   return share / sum;
 }
 
-// The turn of joint i, after those before it have turned; `moved` is what they do to all that hangs on them.
-bool turn_of_chain(Span<const std::uint32_t> joints, std::size_t i, const Aim& goal, float falloff,
-                   Span<const Affine> scene_from_joint, Affine& moved, AimTurn& out) {
-  Affine joint, last;
-  multiply(moved, scene_from_joint[joints[i]], joint);
-  multiply(moved, scene_from_joint[joints[joints.size - 1]], last);
-  if (!look_by(joint, last, goal, goal.weight * share_of(i, joints.size, falloff), out)) return false;
-  Affine all;
-  multiply(as_moved(joint, out.turn), moved, all);
-  moved = all;
+// A chain that looks, in the scene. When a joint has turned, the target and the pole are turned back instead of all
+// that hangs on it.
+struct Gaze {
+  Vector<One> target, pole, eye, forward, up;
+  float twist_rad;
+};
+
+inline Vector<One> to_scene(const Affine& joint, const float (&v)[3]) {
+  return transposed_times(wide_rows(joint), wide(v));
+}
+
+// v, turned back.
+inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
+  const Vector<One> t = cross(v, axis_part(q));
+  return v + (t * w_of(q) + cross(t, axis_part(q))) * all_lanes<One>(2);
+}
+
+// A joint's turn; false if the numbers are not finite.
+bool turn_gaze(const Affine& joint, float weight, Gaze& gaze, AimTurn& out) {
+  const Axes<One> axes = axes_of<false>(wide_rows(joint));
+  const Vector<One> at = wide_origin(joint), way = gaze.target - at;
+  const View view = {to_local(axes, way),
+                     to_local(axes, gaze.forward),
+                     to_local(axes, gaze.up),
+                     to_local(axes, gaze.eye - at),
+                     true,
+                     {to_local(axes, gaze.pole), is_some(gaze.twist_rad), all_lanes<One>(gaze.twist_rad)}};
+  if (!look<false>(view, weight, out)) return false;
+  const Quaternion<One> local = {load(out.turn)};
+  const Quaternion<One> turn = quaternion(axis_to_scene(axes, axis_part(local)), w_of(local));
+  gaze.target = at + turned_back(turn, way);
+  gaze.pole = turned_back(turn, gaze.pole);
   return true;
+}
+
+// The last of the joints' turns. If `local` is empty, it is not changed: says whether the numbers are finite.
+BadCall turn_joints(Span<const std::uint32_t> joints, const Aim& goal, float falloff, Span<SoaTransform> local,
+                    Span<const Affine> scene_from_joint, AimTurn& turn) {
+  const Affine& last = scene_from_joint[joints[joints.size - 1]];
+  Gaze gaze = {wide(goal.target),
+               wide(goal.pole),
+               to_scene(last, goal.offset) + wide_origin(last),
+               to_scene(last, goal.forward),
+               to_scene(last, goal.up),
+               goal.twist_rad};
+  for (std::size_t i = 0; i < joints.size; ++i) {
+    const float weight = goal.weight * share_of(i, joints.size, falloff);
+    MARROW_CHECK(turn_gaze(scene_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");
+    if (!local.empty()) turn_joint(local, joints[i], turn.turn);
+  }
+  return {};
 }
 
 // Of a chain, or of one joint.
 BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                    Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
+  if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, joints)) return bad;
   MARROW_CHECK(is_share(goal.weight) && is_share(falloff));
-  MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
-  for (std::size_t i = 1; i < joints.size; ++i) {
-    MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
-    MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));
-  }
   AimTurn turn;
-  Affine moved = kIdentity;  // once without writing: the last may fail
-  for (std::size_t i = 0; i < joints.size; ++i)
-    MARROW_CHECK(turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn) && "finite, not too large");
+  if (const BadCall bad = turn_joints(joints, goal, falloff, {}, scene_from_joint, turn)) return bad;
   if (reached != nullptr) *reached = turn.reached;
   if (goal.weight == 0) return {};
-  moved = kIdentity;
-  for (std::size_t i = 0; i < joints.size; ++i) {
-    (void)turn_of_chain(joints, i, goal, falloff, scene_from_joint, moved, turn);
-    turn_joint(local, joints[i], turn.turn);
-  }
+  (void)turn_joints(joints, goal, falloff, local, scene_from_joint, turn);
   (void)local_to_model_below(skeleton, local, joints[0], scene_from_joint);
   return {};
 }
@@ -198,14 +188,10 @@ BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, c
 }  // namespace
 
 [[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
-  if (is_plain_share(goal.weight) && !is_some(goal.twist_rad)) {
-    const View view = view_from<true>(joint, goal);
-    if (Seen seen; look<true>(view, seen)) {
-      store_turn(seen, goal.weight, out);
-      return Status::ok;
-    }
-  }
-  MARROW_REQUIRE_GOOD(aim_any(joint, goal, out));
+  if (!kSmall && is_plain_share(goal.weight) && look<true>(view_from<true>(joint, goal), goal.weight, out))
+    return Status::ok;
+  MARROW_REQUIRE(is_share(goal.weight));
+  MARROW_REQUIRE(aim_any(joint, goal, out) && "finite, not too large");
   return Status::ok;
 }
 

@@ -39,15 +39,14 @@ bool near(const Affine& a) {
 
 BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const Skeleton& skeleton = call.skeleton;
-  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
-  MARROW_CHECK(hangs_below(skeleton, foot.knee, foot.hip) && hangs_below(skeleton, foot.ankle, foot.knee));
+  const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
+  if (const BadCall bad = check_chain(skeleton, call.local, call.scene_from_joint, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
   MARROW_CHECK(near(vector3(foot.sole)));
   MARROW_CHECK(near(vector3(foot.bend_axis)));
   MARROW_CHECK(within(foot.weight, 0, 1));
   MARROW_CHECK(near(vector3(ground.point)));
   MARROW_CHECK(near(vector3(ground.normal)));
-  const std::uint32_t joints[3] = {foot.hip, foot.knee, foot.ankle};
   for (const std::uint32_t joint : joints) {
     const Affine& m = call.scene_from_joint[joint];
     MARROW_CHECK(near(m));

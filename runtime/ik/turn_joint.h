@@ -1,24 +1,57 @@
 // What a kernel of inverse kinematics found, put into a pose.
 #pragma once
 
+#include "core/check.h"
 #include "marrow/file.h"
 #include "math/joint.h"
 
 namespace marrow {
 
+// a · b, with the operations of the product of two Rotation in their order.
+inline Quaternion<One> product(Quaternion<One> a, Quaternion<One> b) {
+  const f32x4 a_yzx = rotated_xyz(a.v), b_yzx = rotated_xyz(b.v), each = a.v * b.v;
+  const f32x4 axis = w_of(a).v * b.v + a.v * w_of(b).v + a_yzx * rotated_xyz(b_yzx) - rotated_xyz(a_yzx) * b_yzx;
+  return {with_w(axis, splat_lane<3>(each) - splat_lane<0>(each) - splat_lane<1>(each) - splat_lane<2>(each))};
+}
+
+inline Quaternion<One> wide_rotation(Span<const SoaTransform> pose, std::size_t joint) {
+  const Rotation q = rotation_of(pose, joint);
+  return {lanes(q.x, q.y, q.z, q.w)};
+}
+// A quaternion of any length; the identity of one that is too short, or not finite.
+[[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, Quaternion<One> q) {
+  const f32x4 each = q.v * q.v;
+  const float squared = first_lane(each + splat_lane<1>(each) + splat_lane<2>(each) + splat_lane<3>(each));
+  float now[4] = {0, 0, 0, 1};
+  if (has_direction(squared)) store(now, q.v * splat(1.0f / sqrt(squared)));
+  set_rotation(pose, joint, rotation(now));
+}
+
 // The kernels know the axes of a matrix, which hide whether a joint mirrors itself by its own scale: there the turn
 // goes the other way about the axes that are mirrored an odd number of times.
 inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
-  const bool x = s.x < 0, y = s.y < 0, z = s.z < 0;
-  const Rotation own = {y != z ? -turn[0] : turn[0], x != z ? -turn[1] : turn[1], x != y ? -turn[2] : turn[2], turn[3]};
-  set_rotation(local, joint, normalised(rotation_of(local, joint) * own));
+  const f32x4 mirrored = flip(lanes(s.y, s.z, s.x, 1), lanes(s.z, s.x, s.y, 1));
+  set_direction(local, joint, product(wide_rotation(local, joint), {flip(load(turn), mirrored)}));
 }
 
 // Whether `joint` is below `above`, at any depth. Both are joints of the skeleton.
 inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
   while (joint > above && joint >= skeleton.root_count) joint = skeleton.parents[joint];
   return joint == above;
+}
+
+// A pose and its matrices are there, and of the joints each is below the one before it.
+[[gnu::noinline]] inline BadCall check_chain(const Skeleton& skeleton, Span<const SoaTransform> local,
+                                             Span<const Affine> scene_from_joint, Span<const std::uint32_t> joints) {
+  MARROW_CHECK(holds(local, skeleton.soa_size()));
+  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
+  MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
+  for (std::size_t i = 1; i < joints.size; ++i) {
+    MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
+    MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));
+  }
+  return {};
 }
 
 }  // namespace marrow

@@ -2,126 +2,193 @@
 // turn in the scene brought into a joint's local space.
 #pragma once
 
+#include "ik/numbers.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
 
-namespace marrow {
+// What is large stands once where code is to be small, and where it is used if it is to be fast.
+#ifdef __OPTIMIZE_SIZE__
+#define MARROW_LARGE [[gnu::noinline]]
+#else
+#define MARROW_LARGE
+#endif
 
-// Of what is as good as infinite. Of few bits, as kTinySquare.
-inline constexpr float kHugeSquare = 0x1p+100f;
+namespace marrow {
 
 // Sine of the angle between target and pole below which the pole loses its say.
 inline constexpr float kPoleCone = 0.1f;
+// There the middle joint goes over to a side of 37° from that of the pose, so that it swings round, and does not jump,
+// where the target goes over the pole in the plane of pose and pole.
+inline constexpr float kPullAlong = 0.8f, kPullAside = 0.6f;
 
-// A turn of any length, given squared, to one of length 1 with w ≥ 0, or the identity if it has no length. If `plain`,
-// it has, and w ≥ 0 already.
+// The square of a pole's part across the target's direction that is as good as none.
+inline constexpr float kNoSide = 8 * kTinySquare;
+
+// The square of the sum of two directions that are as good as opposite.
+inline constexpr float kOpposite = 1e-13f;
+
+// to = value, where m holds.
+template <class T>
+inline void set_where(bool m, T& to, T value) {
+  if (m) to = value;
+}
+template <class T>
+inline void set_where(mask4 m, T& to, T value) {
+  to = select(m, value, to);
+}
+
+// As of other vectors, in little code: across v, of unit length, however short v is; x where v has no direction.
+MARROW_LARGE inline Vector<One> any_across(Vector<One> v) {
+  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  float squares[4];
+  store(squares, v.v * v.v);
+  int least = squares[2] < squares[1] ? 2 : 1;
+  if (!(squares[least] < squares[0])) least = 0;
+  const Vector<One> across = cross(v, {load_aligned(kAxes[least])});
+  const One squared = dot(across, across);
+  if (squared < number<One>(kNumbers.tiny)) return {load_aligned(kAxes[0])};
+  return across * inverse_root(squared);
+}
+
+// A quaternion, of an axis whose w is 0.
+template <class F>
+inline Quaternion<F> quaternion_of(const Vector<F>& axis, F w) {
+  return quaternion(axis, w);
+}
+inline Quaternion<One> quaternion_of(const Vector<One>& axis, One w) {
+  return {axis.v + only_w(w.v)};
+}
+
+// A turn of any length, given squared, to one of length 1: the identity if it has no length. If `plain`, it has.
 template <bool plain, class F>
-inline Quaternion<F> unit_turn(const Quaternion<F>& q, F squared) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1), factor = one / sqrt(squared);
-  if constexpr (plain) return q * factor;
-  const auto none = squared < all_lanes<F>(kTinySquare);
-  const Quaternion<F> unit = q * flip(factor, w_of(q));
-  return any(none) ? select(none, quaternion(vector_of(zero, zero, zero), one), unit) : unit;
+inline Quaternion<F> unit_turn(Quaternion<F> q, F squared) {
+  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one);
+  if constexpr (plain) return q * (one / sqrt(squared));
+  const Quaternion<F> unit = q * inverse_root(squared);
+  return select(squared < number<F>(kNumbers.tiny), quaternion(vector_of(zero, zero, zero), one), unit);
 }
 
 // As share_of().
 template <class F>
-inline Quaternion<F> part_of(const Quaternion<F>& q, F weight) {
+MARROW_LARGE inline Quaternion<F> part_of(Quaternion<F> q, F weight) {
   const Quaternion<F> part = straight_share(q, weight);
   return unit_turn<true>(part, squared_length(part));
 }
+
+// A quaternion of any length, in the scene or in local space.
+template <class F>
+struct AnyTurn {
+  Vector<F> axis;
+  F w;
+};
 
 // What says how things turn about the target's direction.
 template <class F>
 struct About {
   Vector<F> pole;  // zero: the shortest arc alone
   bool twisted;
-  F cos, sin;  // of a twist on top, if twisted
+  F twist_rad;  // on top, if twisted
 };
 
-// Cosine and sine of half an angle, both times any factor.
+// An angle by its cosine and sine, and their length.
 template <class F>
-struct HalfAngle {
-  F cos, sin;
+struct Angle {
+  F cos, sin, length;
 };
 
-// The angle about `to`, a unit vector, back from pole × to (and the twist) to `carried`, a vector across it of length
-// d. by_arc: where the shortest arc leaves the normal, of any length. Leaves out what only poles near the target need
-// if `plain`; false if it is needed.
-template <bool plain, class F>
-inline bool half_angle_to_pole(const Vector<F>& carried, F d, const Vector<F>& to, const Vector<F>& by_arc,
-                               const About<F>& about, HalfAngle<F>& half) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1);
-  F c = dot(about.pole, cross(to, carried)), s = dot(about.pole, carried);
-  const F squared = c * c + s * s, pole = dot(about.pole, about.pole);
-  F length = sqrt(squared);
-  if (const auto clear = d * d * pole * all_lanes<F>(kPoleCone * kPoleCone) < squared; !all(clear)) {
-    if constexpr (plain) return false;
-    // Pulled to where the shortest arc leaves it, the more the nearer target and pole are.
-    const F arc_squared = dot(by_arc, by_arc), pull = all_lanes<F>(kPoleCone) * d * sqrt(pole) - length;
-    const auto lost = arc_squared < all_lanes<F>(1e-12f);
-    const F share = pull / select(lost, one, sqrt(arc_squared) * d);
-    const F pulled_c = c + select(lost, pull, share * dot(by_arc, carried));
-    const F pulled_s = s - select(lost, zero, share * dot(by_arc, cross(to, carried)));
-    const F again = pulled_c * pulled_c + pulled_s * pulled_s;
-    const auto none = again < all_lanes<F>(kTinySquare) * d * d;
-    c = select(clear, c, select(none, one, pulled_c));
-    s = select(clear, s, select(none, zero, pulled_s));
-    length = select(clear, length, select(none, one, sqrt(again)));
+// The angle less a twist.
+inline Angle<One> untwisted(Angle<One> a, One twist_rad) {
+  const CosSin twist = cos_sin(first_lane(twist_rad.v));
+  const One cos = all_lanes<One>(twist.cos), sin = all_lanes<One>(twist.sin);
+  return {a.cos * cos + a.sin * sin, a.sin * cos - a.cos * sin, a.length};
+}
+inline Angle<f32x4> untwisted(Angle<f32x4> a, f32x4 twist_rad) {
+  float angles_rad[4], cosines[4], sines[4];
+  store(angles_rad, twist_rad);
+  for (int i = 0; i < 4; ++i) {
+    const CosSin twist = cos_sin(angles_rad[i]);
+    cosines[i] = twist.cos;
+    sines[i] = twist.sin;
   }
-  if (!plain && about.twisted) {
-    const F before = c;
-    c = before * about.cos + s * about.sin;
-    s = s * about.cos - before * about.sin;
-  }
-  half = {length + c, s};
-  if (const auto wide = c < zero; any(wide)) {  // half.cos would be a difference of equals
-    half.cos = select(wide, absolute(s), half.cos);
-    half.sin = select(wide, flip(length - c, s), half.sin);
-  }
-  return true;
+  const f32x4 cos = load(cosines), sin = load(sines);
+  return {a.cos * cos + a.sin * sin, a.sin * cos - a.cos * sin, a.length};
+}
+
+// The angle from the pole's side where that is shorter than `cone`, squared, as target and pole are near: pulled to
+// beside where the shortest arc leaves it, the more the nearer they are. Where there is no pole, it stays there.
+template <class F>
+inline Angle<F> pulled(Angle<F> a, F cone) {
+  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), pull = greater(sqrt(cone) - a.length, zero);
+  const F c = a.cos + pull * all_lanes<F>(kPullAlong), s = a.sin + pull * all_lanes<F>(kPullAside);
+  const F squared = c * c + s * s;
+  const auto none = squared < all_lanes<F>(2 * kNoSide);
+  Angle<F> to = {c, s, sqrt(squared)};
+  set_where(none, to.cos, one);
+  set_where(none, to.sin, zero);
+  set_where(none, to.length, one);
+  return to;
+}
+
+// Half-way between two directions, of any length.
+template <class F>
+struct Halfway {
+  Vector<F> h;
+  F half, along;  // half of its length squared, and its part along the first of the directions
+};
+// The same of directions that are far apart, of `h`, their sum: across their difference, which it is but for rounding;
+// across the normal if there is nothing left.
+template <class F>
+inline Halfway<F> halfway_round(Vector<F> from, Vector<F> normal, Vector<F> to, Halfway<F> way) {
+  const F half = number<F>(kNumbers.half);
+  const Vector<F> apart = from - to;
+  const Vector<F> part = way.h - apart * (dot(apart, way.h) / dot(apart, apart));
+  const F squared = dot(part, part), inverse = inverse_root(squared);
+  const auto far = way.half < number<F>(kNumbers.far), none = squared < all_lanes<F>(kOpposite);
+  Halfway<F> out = {part * inverse, half, half * squared * inverse};
+  set_where(none, out.h, cross(normal, from));
+  set_where(none, out.along, all_lanes<F>(0));
+  return {select(far, out.h, way.h), select(far, half, way.half), select(far, out.along, way.along)};
 }
 
 // Turns the unit vector `from` onto the unit vector `to`, and then about it: until `normal`, a unit vector across
-// `from`, is pole × to; then by the twist. `out` is not of unit length. Leaves out what only some need if `plain`;
-// false if it is needed.
+// `from`, is pole × to; then by the twist. `out` may be of any length, with w ≥ 0. Leaves out what only some need if
+// `plain`; false if it is needed.
 //
-// The shortest arc is q = (d, from × to) with d = 1 + from · to, and takes the normal to n d - (from + to)(n · to),
-// over d. With C and S the cosine and sine of half the angle that is left, the product is (d C, (from × to) C + (from +
-// to) S), with S negative. If from and to are far apart and there is a pole, half a turn about the normal comes first,
-// and what is left is short; without a pole, opposites are half a turn about the normal apart.
+// The shortest arc is half a turn about `from` and one about h, half-way between: q = (from × h, from · h). It takes
+// the normal to n - 2 (n · h) h. Both hold for any unit vector h, so that opposites are no exception: there h is in the
+// plane of the limb. With C and S the cosine and sine of half the angle that is left, the product is ((from × h) C + h
+// S, (from · h) C), with S negative; here h is from + to.
 template <bool plain, class F>
-inline bool turn_onto(const Vector<F>& from, const Vector<F>& normal, const Vector<F>& to, const About<F>& about,
-                      Quaternion<F>& out) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1), far = all_lanes<F>(-0.5f);
-  const F along = dot(from, to);
-  const auto behind = along < far;
-  auto back = behind;
-  Vector<F> start = from;
-  if (any(behind)) {
+MARROW_LARGE inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const About<F>& about,
+                                   AnyTurn<F>& out) {
+  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one);
+  Halfway<F> way = {from + to, one, one};
+  way.along = way.half = number<F>(kNumbers.half) * dot(way.h, way.h);
+  if (any(way.half < number<F>(kNumbers.far))) {
     if constexpr (plain) return false;
-    back = select(all_lanes<F>(kTinySquare) < dot(about.pole, about.pole), along, zero) < far;
-    start = select(back, from * (zero - one), from);
+    way = halfway_round(from, normal, to, way);
   }
-  const Vector<F> arc = cross(start, to), sum = start + to;
-  F d = one + along;
-  if (!plain && any(behind)) d = select(back, one - along, select(behind, dot(arc, arc) / (one - along), d));
-  const Vector<F> carried = normal * d - sum * dot(to, normal);
-  HalfAngle<F> half = {one + one, zero};
-  if (plain && all(dot(about.pole, about.pole) < all_lanes<F>(kTinySquare))) {
-    out = quaternion(arc * half.cos, d * half.cos);
-    return true;
+  const Vector<F> carried = normal * way.half - way.h * dot(way.h, normal);
+  Angle<F> angle = {one, zero, one};
+  if (const F pole = dot(about.pole, about.pole); !all(pole < number<F>(kNumbers.tiny))) {
+    angle.cos = dot(about.pole, cross(to, carried));
+    angle.sin = dot(about.pole, carried);
+    const F squared = angle.cos * angle.cos + angle.sin * angle.sin;
+    const F cone =
+        greater(pole * (way.half * way.half) * number<F>(kNumbers.cone_squared), number<F>(kNumbers.no_side));
+    angle.length = sqrt(squared);
+    if (!all(cone < squared)) {
+      if constexpr (plain) return false;
+      angle = pulled(angle, cone);
+    }
   }
-  Vector<F> by_arc = carried;
-  if (!plain && any(behind)) by_arc = select(back, normal * (one + along) - (from + to) * dot(to, normal), carried);
-  if (!half_angle_to_pole<plain>(carried, d, to, by_arc, about, half)) return false;
-  const Vector<F> axis = arc * half.cos - sum * half.sin;
-  const F w = d * half.cos;
-  out = quaternion(axis, w);
-  if (!plain && any(behind)) {
-    const Quaternion<F> whole = quaternion(normal * w + cross(axis, normal), zero - dot(axis, normal));
-    out = select(d < all_lanes<F>(1e-14f), quaternion(normal, zero), select(back, whole, out));
+  if (!plain && about.twisted) angle = untwisted(angle, about.twist_rad);
+  F cos = angle.length + angle.cos, sin = angle.sin;
+  if (const auto wide = angle.cos < zero; any(wide)) {  // cos would be a difference of equals
+    cos = select(wide, absolute(angle.sin), cos);
+    sin = select(wide, flip(angle.length - angle.cos, angle.sin), sin);
   }
+  out = {cross(from, way.h) * cos - way.h * sin, way.along * cos};
   return true;
 }
 
@@ -133,27 +200,43 @@ struct Axes {
   F handed;                            // its sign: whether they are a right-handed triple
 };
 
+// 1 / root, of a square that is not 0 if `plain`; else 0 for what is too small.
+template <bool plain>
+inline f32x4 reciprocal(f32x4 root, f32x4 squared) {
+  const f32x4 inverse = number<f32x4>(kNumbers.one) / root;
+  return plain ? inverse : only_where(number<f32x4>(kNumbers.tiny) < squared, inverse);
+}
+template <bool plain>
+inline Vector<f32x4> reciprocals(const Vector<f32x4>& roots, const Vector<f32x4>& squared) {
+  return {reciprocal<plain>(roots.x, squared.x), reciprocal<plain>(roots.y, squared.y),
+          reciprocal<plain>(roots.z, squared.z)};
+}
+template <bool plain>
+inline Vector<One> reciprocals(const Vector<One>& roots, const Vector<One>& squared) {
+  return {reciprocal<plain>(roots.v, squared.v)};
+}
+
 // Axes of no length become 0, or infinite if `plain`.
 template <bool plain, class F>
 inline Axes<F> axes_of(const Linear<F>& rows) {
   const Vector<F>&x = rows.x, &y = rows.y, &z = rows.z;
-  const Vector<F> squared = by_component(x, x) + by_component(y, y) + by_component(z, z);
-  return {rows, roots(squared), inverse_roots<plain>(squared), dot(cross(x, y), z)};
+  const Vector<F> squared = by_component(x, x) + by_component(y, y) + by_component(z, z), lengths = roots(squared);
+  return {rows, lengths, reciprocals<plain>(lengths, squared), dot(cross(x, y), z)};
 }
 
 // A direction, from the scene to the joint's local space, but for its scale; its w may be anything.
 template <class F>
-inline Vector<F> direction_to_local(const Axes<F>& axes, const Vector<F>& v) {
+inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
   return by_component(axes.rows * v, axes.inverse_lengths);
 }
 // The axis of a turn.
 template <class F>
-inline Vector<F> axis_to_local(const Axes<F>& axes, const Vector<F>& v) {
+inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
 // And back.
 template <class F>
-inline Vector<F> axis_to_scene(const Axes<F>& axes, const Vector<F>& v) {
+inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));
   return flip(transposed_times(axes.rows, t), axes.handed);
 }

@@ -1,47 +1,49 @@
 #include "ik/two_bone.h"
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "marrow/ik.h"
 #include "marrow/local_to_model.h"
 #include "math/elementary.h"
+#include "math/finite.h"
 
 namespace marrow {
 namespace {
 
+constexpr int kMostSteps = 10;
+constexpr float kAsBent = 0.99999f;  // cosine of half the angle by which a bent limb may still be bent
+
 template <bool plain>
 inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
-  LimbProblem<One> in = {mid - start,
-                         end - mid,
-                         wide(goal.target) - start,
-                         wide_rows(*joints.start),
-                         wide_rows(*joints.mid),
-                         wide(goal.bend_axis),
-                         {wide(goal.pole), is_some(goal.twist_rad), {}, {}},
-                         all_lanes<One>(goal.soft),
-                         is_partial(goal.max_stretch),
-                         all_lanes<One>(goal.max_stretch),
-                         is_partial(goal.weight),
-                         all_lanes<One>(goal.weight)};
-  if (!plain && in.about.twisted) {
-    const CosSin twist = cos_sin(goal.twist_rad);
-    in.about.cos = all_lanes<One>(twist.cos);
-    in.about.sin = all_lanes<One>(twist.sin);
-  }
-  return in;
+  return {mid - start,
+          end - mid,
+          wide(goal.target) - start,
+          wide_rows(*joints.start),
+          wide_rows(*joints.mid),
+          {load_aligned(goal.bend_axis)},
+          {plain ? Vector<One>{load_aligned(goal.pole)} : wide(goal.pole), is_some(goal.twist_rad),
+           all_lanes<One>(goal.twist_rad)},
+          all_lanes<One>(goal.soft),
+          is_partial(goal.max_stretch),
+          all_lanes<One>(goal.max_stretch),
+          is_partial(goal.weight),
+          all_lanes<One>(goal.weight)};
 }
 
-// False if the numbers are not finite.
+// False if the numbers are not finite; see solve_limb().
 template <bool plain>
 inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  LimbProblem<One> in = problem<plain>(joints, goal);
   LimbSolution<One> s;
-  if (!solve_limb<plain>(problem<plain>(joints, goal), s)) return false;
+  if (!solve_limb<plain>(in, s)) return false;
   store(out.start, s.start.v);
   store(out.mid, s.mid.v);
   out.stretch = first_lane(s.stretch.v);
-  out.reached = s.miss < s.limb * all_lanes<One>(kNear);
+  const One near = s.limb * number<One>(kNumbers.near);
+  out.reached = s.miss_squared < near * near;
   return true;
 }
 
@@ -56,7 +58,7 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
 [[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
                                                     TwoBoneTurns& out) {
   const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (usual && solve_one<true>(joints, goal, out)) return {};
+  if (!kSmall && usual && solve_one<true>(joints, goal, out)) return {};
   return solve_any(joints, goal, out);
 }
 
@@ -65,6 +67,121 @@ void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t j
                   Span<SoaTransform> local) {
   for (; joint != start; joint = skeleton.parents[joint])
     for (float(&axis)[4] : local[joint / 4].translation) axis[joint % 4] *= stretch;
+}
+
+// The columns of a map's linear part.
+Linear<One> wide_columns(const Affine& m) {
+  f32x4 x = load_aligned(m.rows[0]), y = load_aligned(m.rows[1]), z = load_aligned(m.rows[2]), w = splat(0.0f);
+  transpose(x, y, z, w);
+  return {{x}, {y}, {z}};
+}
+
+// Whether a map's axes are not at right angles, or of different lengths.
+[[gnu::noinline]] bool is_uneven(const Affine& m) {
+  const Linear<One> c = wide_columns(m);
+  const One squared = dot(c.x, c.x);
+  const Vector<One> sizes = vector_of(dot(c.y, c.y) - squared, dot(c.z, c.z) - squared, dot(c.x, c.y));
+  const Vector<One> angles = vector_of(dot(c.y, c.z), dot(c.z, c.x), all_lanes<One>(0));
+  return !(dot(sizes, sizes) + dot(angles, angles) < all_lanes<One>(1e-10f) * (squared * squared));
+}
+
+// What is above a joint.
+const Affine& map_above(const Skeleton& skeleton, std::uint32_t joint, Span<const Affine> scene_from_joint) {
+  return joint < skeleton.root_count ? skeleton.scene_from_root[joint] : scene_from_joint[skeleton.parents[joint]];
+}
+
+// The inverse of a map's linear part; not finite if there is none.
+[[gnu::noinline]] Affine inverse_of(const Affine& m) {
+  const Linear<One> c = wide_columns(m), rows = cofactors(c);
+  const One over = number<One>(kNumbers.one) / dot(c.x, rows.x);
+  Affine out;
+  store(out.rows[0], (rows.x * over).v);
+  store(out.rows[1], (rows.y * over).v);
+  store(out.rows[2], (rows.z * over).v);
+  return out;
+}
+Vector<One> through(const Affine& m, Vector<One> v) {
+  return transposed_times(wide_rows(m), v);
+}
+
+// A limb that changes its shape as its joints turn, in two spaces: that of what is above it, in which the first joint
+// turns it rigidly, and that of the middle joint's parent, in which the middle joint does so.
+struct UnevenLimb {
+  const Skeleton& skeleton;
+  const TwoBoneLimb& limb;
+  Span<SoaTransform> local;
+  Span<Affine> scene_from_joint;
+  Affine from_above = inverse_of(map_above(skeleton, limb.start, scene_from_joint));
+  Affine from_frame = inverse_of(scene_from_joint[skeleton.parents[limb.mid]]);
+};
+
+// Seen through a map; false if the numbers are not finite.
+[[gnu::noinline]] bool solve_through(const UnevenLimb& u, const Affine& m, TwoBone& goal, Vector<One> target,
+                                     TwoBoneTurns& turns) {
+  Affine at[3];
+  multiply(m, u.scene_from_joint[u.limb.start], at[0]);
+  multiply(m, u.scene_from_joint[u.limb.mid], at[1]);
+  multiply(m, u.scene_from_joint[u.limb.end], at[2]);
+  float seen[4];
+  store(seen, through(m, target).v);
+  store(goal.target, vector3(seen));
+  return !solve_reach({at, at + 1, at + 2}, goal, turns);
+}
+
+// Bends the limb until it is as long as the way to the target, both seen from above: by secants, in the space where the
+// middle joint turns rigidly.
+void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
+  const Vector<One> start = wide_origin(u.scene_from_joint[u.limb.start]);
+  const auto length_through = [](const Affine& m, Vector<One> v) {
+    const Vector<One> seen = through(m, v);
+    return first_lane(sqrt(dot(seen, seen)).v);
+  };
+  const float want = length_through(u.from_above, wide(goal.target) - start);
+  TwoBone bent;
+  store(bent.bend_axis, vector3(goal.bend_axis));
+  float was_long = 0, was_seen = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Vector<One> now = wide_origin(u.scene_from_joint[u.limb.end]) - start;
+    const float is_long = length_through(u.from_frame, now), seen = length_through(u.from_above, now);
+    const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
+    if (absolute(off) <= 1e-6f * want) return;
+    const float by = off * (within(slope, 0.25f * even, 4 * even) ? slope : even);
+    TwoBoneTurns turns;
+    if (!solve_through(u, u.from_frame, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
+    turn_joint(u.local, u.limb.mid, turns.mid);
+    (void)local_to_model_below(u.skeleton, u.local, u.limb.mid, u.scene_from_joint);
+    was_long = is_long, was_seen = seen;
+  }
+}
+
+void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+  turn_joint(local, limb.start, turns.start);
+  turn_joint(local, limb.mid, turns.mid);
+}
+
+// From one rotation to another by a share.
+[[gnu::noinline]] void blend_back(Span<SoaTransform> local, std::size_t joint, Quaternion<One> from, float share) {
+  const Quaternion<One> to = wide_rotation(local, joint);
+  const One same = {sum_of_lanes(from.v * to.v)};
+  set_direction(local, joint, {from.v * splat(1 - share) + to.v * flip(all_lanes<One>(share), same).v});
+}
+
+// Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
+void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+  const Quaternion<One> start = wide_rotation(u.local, u.limb.start), mid = wide_rotation(u.local, u.limb.mid);
+  bend_uneven(u, goal);
+  TwoBone whole = goal;
+  whole.weight = 1;
+  float pole[4];
+  store(pole, through(u.from_above, wide(goal.pole)).v);
+  store(whole.pole, vector3(pole));
+  const bool seen = solve_through(u, u.from_above, whole, wide(goal.target), turns);
+  turn_limb(u.local, u.limb, turns);
+  if (!seen) return;  // what is above is flat: as if it were even
+  turns.reached = turns.reached && turns.mid[3] > kAsBent;
+  blend_back(u.local, u.limb.start, start, goal.weight);
+  blend_back(u.local, u.limb.mid, mid, goal.weight);
+  turns.stretch = 1 + (turns.stretch - 1) * goal.weight;
 }
 
 }  // namespace
@@ -77,18 +194,22 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
 
 BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
               Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
-  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
-  MARROW_CHECK(hangs_below(skeleton, limb.mid, limb.start) && hangs_below(skeleton, limb.end, limb.mid));
+  const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
+  if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, {chain, 3})) return bad;
   const Affine* const joints = scene_from_joint.data;
+  const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
-  if (const BadCall bad = solve_reach({joints + limb.start, joints + limb.mid, joints + limb.end}, goal, turns))
-    return bad;
+  if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
+  if (goal.weight != 0) {
+    const Span<const Affine> scene = scene_from_joint;
+    if (is_uneven(map_above(skeleton, limb.start, scene)) || is_uneven(joints[skeleton.parents[limb.mid]])) {
+      turn_uneven({skeleton, limb, local, scene_from_joint}, goal, turns);
+    } else {
+      turn_limb(local, limb, turns);
+    }
+  }
   if (reached != nullptr) *reached = turns.reached;
   if (goal.weight == 0) return {};
-  turn_joint(local, limb.start, turns.start);
-  turn_joint(local, limb.mid, turns.mid);
   if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
   (void)local_to_model_below(skeleton, local, limb.start, scene_from_joint);
   return {};

@@ -15,7 +15,7 @@ template <class F>
 struct LimbProblem {
   Vector<F> upper, lower, way;                 // scene: start to middle joint, middle to end joint, start to target
   Linear<F> scene_from_start, scene_from_mid;  // rows
-  Vector<F> bend_axis;
+  Vector<F> bend_axis;                         // its w may be anything finite
   About<F> about;
   F soft;
   bool stretched;  // some may be longer
@@ -28,12 +28,9 @@ template <class F>
 struct LimbSolution {
   Quaternion<F> start, mid;
   F stretch;
-  F miss;  // metres
-  F limb;  // length, metres
+  F miss_squared;
+  F limb;  // its length
 };
-
-// Sine of the bend below which the preferred bend axis has a say.
-inline constexpr float kStraight = 0x3p-6f;
 
 // The three lengths, and what the triangle of the bones and the way to the target is to be.
 template <class F>
@@ -41,30 +38,32 @@ struct Triangle {
   F upper, lower, way;
   F half_cos, half_sin;  // of half the bend at the middle joint, both times any length; 0 is straight
   F along, across;       // cosine and sine of the angle at the start joint
-  F stretch, limb, miss;
+  F stretch, limb, miss_squared;
 };
 
 template <class F>
 inline void shape_triangle(const LimbProblem<F>& in, F inverse_upper, Triangle<F>& t) {
-  const F one = all_lanes<F>(1), half = all_lanes<F>(0.5f);
-  const F sum = t.upper + t.lower, difference = t.upper - t.lower, least = absolute(difference);
+  const F one = number<F>(kNumbers.one), half = number<F>(kNumbers.half);
+  const F sum = t.upper + t.lower, difference = t.upper - t.lower;
   F reach = t.way;
   t.stretch = one;
   if (const F firm = in.soft * sum; any(firm < reach)) {
     // sum - e (1 + z / 4)⁻⁴ with e = sum - firm, z = (reach - firm) / e: slope 1, then ever less.
-    const F four = all_lanes<F>(4), e = sum - firm, over = greater(reach - firm, all_lanes<F>(0));
+    const F four = number<F>(kNumbers.four), e = sum - firm, over = greater(reach - firm, all_lanes<F>(0));
     const F g = four * e / (four * e + over), g2 = g * g;
     reach = select(firm < reach, sum - e * g2 * g2, reach);
     if (in.stretched) t.stretch = select(firm < t.way, greater(one, lesser(in.max_stretch, t.way / reach)), one);
   }
-  reach = lesser(greater(reach, greater(least, all_lanes<F>(0x1p-20f) * sum)), sum);
-  t.half_cos = sqrt((reach - least) * (reach + least));
+  const F least = greater(difference, t.lower - t.upper);
+  reach = lesser(greater(reach, greater(least, number<F>(kNumbers.least_reach) * sum)), sum);
+  t.half_cos = sqrt((reach - difference) * (reach + difference));
   t.half_sin = sqrt((sum - reach) * (sum + reach));
   const F inverse = one / reach, scale = half * inverse_upper;
   t.along = scale * (reach + difference * sum * inverse);
   t.across = scale * (t.half_cos * t.half_sin * inverse);
   t.limb = sum;
-  t.miss = absolute(reach * t.stretch - t.way);
+  const F miss = (in.stretched ? reach * t.stretch : reach) - t.way;
+  t.miss_squared = miss * miss;
 }
 
 // The bones' plane, and the middle joint's turn that bends them as the triangle says.
@@ -75,62 +74,68 @@ struct Bend {
   F agreed;                  // how far the bend is as preferred: not finite if the preference is not
 };
 
-// Where the limb is all but straight, or bent the other way than preferred: the normal is pulled to the preferred axis
-// until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
-// first, about the normal that it has, then bent about the new one.
+// A unit vector across `unit`, next to v; `otherwise` if v, times a number of that size, is none.
 template <class F>
-inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, const Vector<F>& upper,
-                              const Vector<F>& lower, const Triangle<F>& triangle) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1), straight = all_lanes<F>(kStraight);
-  const F tiny = all_lanes<F>(kTinySquare), little = all_lanes<F>(1e-6f);
-  const Vector<F> now = cross(upper, lower);
-  const auto free = dot(in.bend_axis, in.bend_axis) < tiny;
-  const Vector<F> wanted = select(free, cross(in.about.pole, upper), axis_to_scene(mid_axes, in.bend_axis));
-  const F enough = little * select(free, dot(in.about.pole, in.about.pole), dot(wanted, wanted));
-  Vector<F> axis = wanted - upper * dot(wanted, upper);
-  const F squared = dot(axis, axis);
-  const auto lost = squared < greater(enough, tiny);
-  axis = select(lost, any_across(upper), axis * (one / sqrt(select(lost, one, squared))));
-  axis = axis - upper * dot(axis, upper);  // again, for what is left if that was nearly all of it
-  // now is 2 sin(bend / 2) cos(bend / 2) long, w and u are 2 cos²(bend / 2) and 2 sin²(bend / 2).
-  const F cosine = dot(upper, lower), w = one + cosine, u = one - cosine;
-  const F agreed = select(free, sqrt(dot(now, now)), dot(now, axis));
-  Vector<F> normal = now + axis * greater(straight * w * all_lanes<F>(0.5f) - agreed, zero);
-  normal = normal - upper * dot(normal, upper);
-  const F normal_squared = dot(normal, normal);
-  const auto flat = normal_squared < all_lanes<F>(1e-14f);
-  normal = select(flat, axis, normal * (one / sqrt(select(flat, one, normal_squared))));
-  // Straightened about `now`, then bent about the normal; if folded, folded more, and opened about the normal.
-  const F c = triangle.half_cos, s = triangle.half_sin;
-  const Quaternion<F> opened =
-      quaternion(normal * (s * w) - now * c - cross(normal, now) * s, c * w + s * dot(normal, now));
-  const Quaternion<F> folded =
-      quaternion(normal * (c * u) - now * s + cross(normal, now) * c, zero - s * u - c * dot(normal, now));
-  const Quaternion<F> turn = select(cosine < zero, folded, opened);
-  return {normal, upper * triangle.along + cross(normal, upper) * triangle.across,
-          quaternion(axis_to_local(mid_axes, axis_part(turn)), w_of(turn)), agreed};
+inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
+  const Vector<F> part = across(v, unit);
+  const F squared = dot(part, part);
+  const auto lost = squared < enough;
+  return select(lost, otherwise, part * inverse_root(squared));
 }
 
-template <bool plain, class F>
-inline bool bend_limb(const LimbProblem<F>& in, const Vector<F>& upper, const Vector<F>& lower,
-                      const Triangle<F>& triangle, Bend<F>& bend) {
-  const F one = all_lanes<F>(1), straight = all_lanes<F>(kStraight);
-  const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
+// Where the limb is all but straight, or bent the other way than preferred: the normal is pulled to the preferred axis
+// until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
+// first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
+template <class F>
+MARROW_LARGE inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper,
+                                           Vector<F> lower, const Triangle<F>& triangle) {
+  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
+  const Vector<F> now = cross(upper, lower), bend_axis = without_w(in.bend_axis);
+  const auto free = dot(bend_axis, bend_axis) < tiny;
+  Vector<F> wanted = axis_to_scene(mid_axes, bend_axis);
+  set_where(free, wanted, cross(in.about.pole, upper));
+  const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
+  Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
+  axis = across(axis, upper);  // again, for what is left if that was nearly all of it
+  // now is 2 sin(bend / 2) cos(bend / 2) long, w is 2 cos²(bend / 2), or if folded -2 sin²(bend / 2).
   const F cosine = dot(upper, lower);
+  const F agreed = select(free, sqrt(dot(now, now)), dot(now, axis));
+  const F pull = greater(number<F>(kNumbers.straight) * number<F>(kNumbers.half) * (one + cosine) - agreed, zero);
+  const Vector<F> normal = unit_across(now + axis * pull, upper, all_lanes<F>(1e-14f), axis);
+  const auto folded = cosine < zero;
+  F c = triangle.half_cos, s = triangle.half_sin, w = cosine + one;
+  set_where(folded, c, triangle.half_sin);
+  set_where(folded, s, zero - triangle.half_cos);
+  set_where(folded, w, cosine - one);
+  const Quaternion<F> turn =
+      quaternion(normal * (s * w) - now * c - cross(normal, now) * s, c * w + s * dot(normal, now));
+  const F sign = flip(one, w_of(turn));
+  return {normal, upper * triangle.along + cross(normal, upper) * triangle.across,
+          quaternion(axis_to_local(mid_axes, axis_part(turn)), w_of(turn)) * sign, agreed};
+}
+
+// Leaves out what only some need if `plain`; false if it is needed.
+template <bool plain, class F>
+inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
+                      Bend<F>& bend) {
+  const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
+  const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
-  const F sine = sqrt(dot(normal, normal)), inverse = one / sine;
+  const F sine = sqrt(dot(normal, normal)), inverse = one / sine, cosine = dot(upper, lower);
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
-          quaternion(local * (s * w * inverse - c), c * w + s * sine), one};
-  F agreed = dot(local, in.bend_axis);
-  bend.agreed = agreed;
-  if (!all(straight < agreed)) {
-    agreed = select(dot(in.bend_axis, in.bend_axis) < all_lanes<F>(kTinySquare), sine, agreed);
-    if (const auto bent = straight < agreed; !all(bent)) {
+          quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in.bend_axis)};
+  if (!all(straight < bend.agreed)) {
+    bend.agreed =
+        select(dot(without_w(in.bend_axis), without_w(in.bend_axis)) < number<F>(kNumbers.tiny), sine, bend.agreed);
+    if (const auto bent = straight < bend.agreed; !all(bent)) {
       if constexpr (plain) return false;
-      const Bend<F> other = bend_preferred(in, mid_axes, upper, lower, triangle);
-      bend = {select(bent, bend.normal, other.normal), select(bent, bend.to_end, other.to_end),
-              select(bent, bend.mid, other.mid), agreed};
+      Bend<F> other = bend_preferred(in, mid_axes, upper, lower, triangle);
+      set_where(bent, other.normal, bend.normal);
+      set_where(bent, other.to_end, bend.to_end);
+      set_where(bent, other.mid, bend.mid);
+      other.agreed = bend.agreed;
+      bend = other;
     }
   }
   return true;
@@ -138,73 +143,53 @@ inline bool bend_limb(const LimbProblem<F>& in, const Vector<F>& upper, const Ve
 
 // Bones of no length, and a target at the start joint: something that has directions in their place.
 template <class F>
-inline LimbProblem<F> with_lengths(LimbProblem<F> in) {
-  const F zero = all_lanes<F>(0), one = all_lanes<F>(1), tiny = all_lanes<F>(kTinySquare);
-  const Vector<F> none = vector_of(zero, zero, zero);
+MARROW_LARGE inline void give_lengths(LimbProblem<F>& in) {
+  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
-  in.upper = select(no_upper, in.lower, in.upper);
-  in.lower = select(no_upper, none, in.lower);
+  set_where(no_upper, in.upper, in.lower);
+  set_where(no_upper, in.lower, vector_of(zero, zero, zero));
   const auto no_limb = dot(in.upper, in.upper) < tiny;  // nothing to turn
-  in.upper = select(no_limb, vector_of(one, zero, zero), in.upper);
-  in.weight = select(no_limb, zero, in.partial ? in.weight : one);
+  if (!in.partial) in.weight = one;
   in.partial = true;
-  const Vector<F> now = in.upper + in.lower;
-  const Vector<F> way = select(dot(now, now) < tiny, in.upper, now);
-  in.way = select(dot(in.way, in.way) < tiny, way, in.way);
-  return in;
-}
-
-template <bool plain, class F>
-inline bool solve_with(const LimbProblem<F>& in, Triangle<F>& t, F inverse_upper, F inverse_lower, F inverse_way,
-                       LimbSolution<F>& out) {
-  shape_triangle(in, inverse_upper, t);
-  Bend<F> bend;
-  if (!bend_limb<plain>(in, in.upper * inverse_upper, in.lower * inverse_lower, t, bend)) return false;
-  Quaternion<F> whole;
-  if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * inverse_way, in.about, whole)) return false;
-  const Quaternion<F> start =
-      quaternion(axis_to_local(axes_of<plain>(in.scene_from_start), axis_part(whole)), w_of(whole));
-  const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
-  const F most = start_squared + mid_squared + (t.miss + bend.agreed);
-  if (!all(most < all_lanes<F>(kHugeSquare))) return false;
-  if (plain && !all(all_lanes<F>(kTinySquare) < lesser(start_squared, mid_squared))) return false;
-  out = {unit_turn<plain>(start, start_squared), unit_turn<plain>(bend.mid, mid_squared), t.stretch, t.miss, t.limb};
-  if (in.partial) {
-    const F one = all_lanes<F>(1);
-    const auto some = in.weight < all_lanes<F>(1);
-    out.start = select(some, part_of(out.start, in.weight), out.start);
-    out.mid = select(some, part_of(out.mid, in.weight), out.mid);
-    out.stretch = one + (t.stretch - one) * in.weight;
-  }
-  return true;
+  set_where(no_limb, in.upper, vector_of(all_lanes<F>(0x1p-40f), zero, zero));
+  set_where(no_limb, in.weight, zero);
+  Vector<F> now = in.upper + in.lower;
+  set_where(dot(now, now) < tiny, now, in.upper);
+  set_where(dot(in.way, in.way) < tiny, in.way, now);
 }
 
 // False if the numbers are not finite. If `plain`, what only few limbs need is left out; false also if this one needs
 // it.
 template <bool plain, class F>
-inline bool solve_limb(const LimbProblem<F>& in, LimbSolution<F>& out) {
-  const F one = all_lanes<F>(1), tiny = all_lanes<F>(kTinySquare);
-  const F upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
-  Triangle<F> t;
-  t.upper = sqrt(upper);
-  t.lower = sqrt(lower);
-  t.way = sqrt(way);
-  if constexpr (plain) {
-    if (in.about.twisted) return false;
-  }
+inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
+  const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
+  F upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
+  if (plain && in.about.twisted) return false;
   if (any(lesser(lesser(upper, lower), way) < tiny)) {
     if constexpr (plain) return false;
-    const LimbProblem<F> other = with_lengths(in);
-    const F other_upper = dot(other.upper, other.upper), other_lower = dot(other.lower, other.lower);
-    t.upper = sqrt(other_upper);
-    t.lower = sqrt(other_lower);
-    const F other_way = dot(other.way, other.way);
-    if (!solve_with<false>(other, t, one / t.upper, inverse_root(other_lower), inverse_root(other_way), out))
-      return false;
-    out.limb = select(upper + lower < tiny, all_lanes<F>(0), out.limb);
-    return true;
+    give_lengths(in);
+    upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
   }
-  return solve_with<plain>(in, t, one / t.upper, one / t.lower, one / t.way, out);
+  Triangle<F> t = {sqrt(upper), sqrt(lower), sqrt(way), {}, {}, {}, {}, {}, {}, {}};
+  const F inverse_upper = one / t.upper, inverse_lower = plain ? one / t.lower : inverse_root(lower);
+  shape_triangle(in, inverse_upper, t);
+  Bend<F> bend;
+  if (!bend_limb<plain>(in, in.upper * inverse_upper, in.lower * inverse_lower, t, bend)) return false;
+  AnyTurn<F> whole;
+  if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * (one / t.way), in.about, whole)) return false;
+  const Quaternion<F> start = quaternion(axis_to_local(axes_of<plain>(in.scene_from_start), whole.axis), whole.w);
+  const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
+  if (!all(start_squared + mid_squared + (t.miss_squared + bend.agreed) < number<F>(kNumbers.huge))) return false;
+  if (plain && any(lesser(start_squared, mid_squared) < tiny)) return false;
+  out = {unit_turn<plain>(start, start_squared), unit_turn<plain>(bend.mid, mid_squared), t.stretch, t.miss_squared,
+         t.limb};
+  if (in.partial) {
+    const auto some = in.weight < one;
+    out.start = select(some, part_of(out.start, in.weight), out.start);
+    out.mid = select(some, part_of(out.mid, in.weight), out.mid);
+    out.stretch = one + (t.stretch - one) * in.weight;
+  }
+  return true;
 }
 
 }  // namespace marrow

@@ -1,5 +1,6 @@
 // Four limbs at once, a limb a lane.
 #include "core/check.h"
+#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/two_bone.h"
 #include "marrow/ik.h"
@@ -33,31 +34,28 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   const FourRows axis = load_rows(g[0].bend_axis, g[1].bend_axis, g[2].bend_axis, g[3].bend_axis);
   const f32x4 weight_off = target.origin - clamp_to_unit(target.origin),
               soft_off = axis.origin - clamp_to_unit(axis.origin);
-  if (!all(absolute(weight_off) + absolute(soft_off) < splat(kTinySquare))) return false;
+  if (!all(absolute(weight_off) + absolute(soft_off) < number<f32x4>(kNumbers.tiny))) return false;
   LimbProblem<f32x4> in = {origin(mid) - origin(start),
                            origin(end) - origin(mid),
                            target.linear - origin(start),
                            linear_rows(start),
                            linear_rows(mid),
                            axis.linear,
-                           {pole.linear, !all(absolute(pole.origin) < splat(kTinySquare)), pole.origin, pole.origin},
+                           {pole.linear, !all(absolute(pole.origin) < number<f32x4>(kNumbers.tiny)), pole.origin},
                            axis.origin,
                            stretched,
                            axis.origin,
                            any(target.origin < splat(1)),
                            target.origin};
   if (stretched) in.max_stretch = load_each(g, [](const TwoBone& goal) { return goal.max_stretch; });
-  if (!plain && in.about.twisted) {
-    in.about.cos = load_each(g, [](const TwoBone& goal) { return cos_sin(goal.twist_rad).cos; });
-    in.about.sin = load_each(g, [](const TwoBone& goal) { return cos_sin(goal.twist_rad).sin; });
-  }
   LimbSolution<f32x4> s;
   if (!solve_limb<plain>(in, s)) return false;
   store_turns(s.start, &TwoBoneTurns::start, out);
   store_turns(s.mid, &TwoBoneTurns::mid, out);
+  const f32x4 near = s.limb * number<f32x4>(kNumbers.near);
   float stretch[4], over[4];
   store(stretch, s.stretch);
-  store(over, s.miss - s.limb * splat(kNear));
+  store(over, s.miss_squared - near * near);
   for (int k = 0; k < 4; ++k) {
     out[k].stretch = stretch[k];
     out[k].reached = over[k] < 0;
@@ -67,7 +65,6 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
 
 [[gnu::noinline, gnu::cold]] BadCall solve_any_four(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
                                                     bool stretched, TwoBoneTurns (&out)[4]) {
-  for (const TwoBone& goal : goals) MARROW_CHECK(is_stretch(goal.max_stretch));
   MARROW_CHECK(solve_four<false>(joints, goals, stretched, out) && "shares 0 ... 1, finite, not too large");
   return {};
 }
@@ -77,9 +74,10 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
 [[gnu::flatten]] Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
                                     TwoBoneTurns (&out)[4]) {
   for (const TwoBoneJoints& j : joints) MARROW_REQUIRE(j.start != nullptr && j.mid != nullptr && j.end != nullptr);
+  for (const TwoBone& goal : goals) MARROW_REQUIRE(is_stretch(goal.max_stretch));
   const bool stretched = is_partial(goals[0].max_stretch) || is_partial(goals[1].max_stretch) ||
                          is_partial(goals[2].max_stretch) || is_partial(goals[3].max_stretch);
-  if (!stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
+  if (!kSmall && !stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
   MARROW_REQUIRE_GOOD(solve_any_four(joints, goals, stretched, out));
   return Status::ok;
 }

@@ -75,19 +75,19 @@ inline f32x4 squared_length(const Quaternion<f32x4>& q) {
 }
 
 // The same of one quaternion in one register.
-inline Quaternion<One> quaternion(const Vector<One>& axis, One w) {
+inline Quaternion<One> quaternion(Vector<One> axis, One w) {
   return {with_w(axis.v, w.v)};
 }
-inline Vector<One> axis_part(const Quaternion<One>& q) {
+inline Vector<One> axis_part(Quaternion<One> q) {
   return {without_w(q.v)};
 }
-inline One w_of(const Quaternion<One>& q) {
+inline One w_of(Quaternion<One> q) {
   return {splat_lane<3>(q.v)};
 }
-inline Quaternion<One> operator*(const Quaternion<One>& q, One s) {
+inline Quaternion<One> operator*(Quaternion<One> q, One s) {
   return {q.v * s.v};
 }
-inline One squared_length(const Quaternion<One>& q) {
+inline One squared_length(Quaternion<One> q) {
   return {sum_of_lanes(q.v * q.v)};
 }
 

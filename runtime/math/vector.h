@@ -118,28 +118,28 @@ inline Vector<f32x4> without_w(const Vector<f32x4>& a) {
 }
 
 // The same of one vector in one register.
-inline Vector<One> operator+(const Vector<One>& a, const Vector<One>& b) {
+inline Vector<One> operator+(Vector<One> a, Vector<One> b) {
   return {a.v + b.v};
 }
-inline Vector<One> operator-(const Vector<One>& a, const Vector<One>& b) {
+inline Vector<One> operator-(Vector<One> a, Vector<One> b) {
   return {a.v - b.v};
 }
-inline Vector<One> operator*(const Vector<One>& a, One s) {
+inline Vector<One> operator*(Vector<One> a, One s) {
   return {a.v * s.v};
 }
-inline Vector<One> by_component(const Vector<One>& a, const Vector<One>& b) {
+inline Vector<One> by_component(Vector<One> a, Vector<One> b) {
   return {a.v * b.v};
 }
-inline One dot(const Vector<One>& a, const Vector<One>& b) {
+inline One dot(Vector<One> a, Vector<One> b) {
   return {sum_of_lanes(a.v * b.v)};
 }
-inline Vector<One> cross(const Vector<One>& a, const Vector<One>& b) {
+inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
 }
-inline Vector<One> flip(const Vector<One>& a, One by) {
+inline Vector<One> flip(Vector<One> a, One by) {
   return {flip(a.v, by.v)};
 }
-inline Vector<One> roots(const Vector<One>& squared) {
+inline Vector<One> roots(Vector<One> squared) {
   return {sqrt(squared.v)};
 }
 template <bool plain>
@@ -147,16 +147,16 @@ inline One inverse_root(One squared) {
   return {inverse_root<plain>(squared.v)};
 }
 template <bool plain>
-inline Vector<One> inverse_roots(const Vector<One>& squared) {
+inline Vector<One> inverse_roots(Vector<One> squared) {
   return {inverse_root<plain>(squared.v)};
 }
-inline One x_of(const Vector<One>& a) {
+inline One x_of(Vector<One> a) {
   return {splat_lane<0>(a.v)};
 }
-inline One y_of(const Vector<One>& a) {
+inline One y_of(Vector<One> a) {
   return {splat_lane<1>(a.v)};
 }
-inline One z_of(const Vector<One>& a) {
+inline One z_of(Vector<One> a) {
   return {splat_lane<2>(a.v)};
 }
 inline Vector<One> vector_of(One x, One y, One z) {
@@ -164,7 +164,7 @@ inline Vector<One> vector_of(One x, One y, One z) {
   transpose(a, b, c, d);
   return {a};
 }
-inline Vector<One> without_w(const Vector<One>& a) {
+inline Vector<One> without_w(Vector<One> a) {
   return {without_w(a.v)};
 }
 

@@ -160,6 +160,10 @@ TEST(AimTest, OppositeTargetsAreReached) {
       ASSERT_EQ(solve_aim(c.skeleton, 0, goal, c.local, c.scene, &reached), Status::ok);
       EXPECT_TRUE(reached);
       EXPECT_LT(aim_error(c.maps()[0], goal), 1e-6);
+      // Without a pole over the back, about what is across forward and up.
+      if (length(pole) == 0) {
+        EXPECT_NEAR(c.maps()[0].rows[1][1], -1, 1e-6);
+      }
       ++cases;
     }
   }
