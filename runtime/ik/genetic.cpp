@@ -30,12 +30,10 @@ class Chance {
   float unit() { return static_cast<float>(bits() >> 8) * (1.0f / 16777216.0f); }
   std::size_t below(std::size_t n) { return bits() % n; }
   // About any axis; size 1 is up to 90°, more is farther.
-  Rotation turn(float size) {
-    Vector3 v;
-    v.x = unit() * 2.0f - 1.0f;
-    v.y = unit() * 2.0f - 1.0f;
-    v.z = unit() * 2.0f - 1.0f;
-    return normalised(quaternion(v * size, 1.0f));
+  WideRotation turn(float size) {
+    float v[3];
+    for (float& x : v) x = unit() * 2.0f - 1.0f;
+    return normalised(quaternion(to_f32x4(vector3(v)) * size, 1.0f));
   }
 
  private:
@@ -43,7 +41,7 @@ class Chance {
 };
 
 struct Pose {
-  Rotation* rotations;  // one a node
+  WideRotation* rotations;  // one a node
   float error;
 };
 
@@ -84,7 +82,7 @@ void cross(Population& p, Pose& child) {
   const Pose &a = parent(p), &b = parent(p);
   const float wide = p.chance.unit(), size = wide * wide * wide, share = p.chance.unit();
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
-    const Rotation between =
+    const WideRotation between =
         part_of(conjugate(a.rotations[i]) * b.rotations[i], p.chance.bits() % 2 == 0 ? 0.0f : share);
     const bool changes = p.chance.bits() % 2 == 0;
     set_turned(tree.nodes[i], a.rotations[i] * between * p.chance.turn(changes ? size : 0.0f));
@@ -126,8 +124,8 @@ void next_generation(Population& p, float tolerance) {
 IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, Memory& scratch) {
   Population p{set_up(tree, scratch), Chance(options.seed), {}, {}};
   for (std::size_t i = 0; i < kPoses; ++i) {
-    p.poses[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
-    p.next[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
+    p.poses[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
+    p.next[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
   }
   take(tree, p.poses[0]);
   IkReport report;
@@ -149,7 +147,7 @@ std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& 
   IkOptions options;
   options.method = IkMethod::ccd;
   Memory poses;
-  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<Rotation>(problem.joints.size);
+  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<WideRotation>(problem.joints.size);
   const std::size_t tree = ik_scratch_bytes(skeleton, problem, options);
   return tree > 0 ? tree + poses.whole() : 0;
 }

@@ -43,8 +43,9 @@ f32x4 linear_effect(const IkSystem& s, std::size_t t) {
 // What a fixed part of the step does to task t need not be answered.
 void take_off(IkSystem& s, std::size_t t, f32x4 done) {
   float* const rest = s.rest + 3 * t;
-  const Vector3 left = to_vector3(load(rest) - done);
-  store(rest, left);
+  const float next = rest[3];  // another's, or padding
+  store(rest, load(rest) - done);
+  rest[3] = next;
 }
 
 // Gauss-Newton's pull back to where the pose began.
@@ -55,7 +56,7 @@ void pull_back(IkSystem& s, float share) {
     if (!(node.ease_root > 0)) continue;
     s.moves[i].fixed = turn_of(conjugate(node.start) * node.rotation) * splat(-share / node.ease_root);
   }
-  if (s.travel_ease > 0) s.moves[tree.nodes.size].fixed = to_f32x4(tree.travel) * splat(-share / s.travel_ease);
+  if (s.travel_ease > 0) s.moves[tree.nodes.size].fixed = tree.travel * splat(-share / s.travel_ease);
   for (std::size_t t = 0; t < s.tasks.size; ++t) take_off(s, t, effect(s.tasks[t], s.moves, &IkMove::fixed));
 }
 
@@ -108,14 +109,13 @@ bool set_next(IkSystem& s, float factor) {
     const IkNode& node = tree.nodes[i];
     IkMove& move = s.moves[i];
     const f32x4 step = move.fixed + move.answer;
-    const Rotation next = normalised(node.rotation * exp_rotation(to_vector3(step * splat(factor * node.ease_root))));
+    const WideRotation next = normalised(node.rotation * exp_rotation(step * splat(factor * node.ease_root)));
     move.next = next;
     move.stopped = false;
     if (node.limit == nullptr || !(node.ease_root > 0)) continue;
     move.next = clamped(*node.limit, next);
-    const Rotation& in = move.next;
-    if (in.x == next.x && in.y == next.y && in.z == next.z && in.w == next.w) continue;
-    const f32x4 turn = turn_of(conjugate(node.rotation) * in) * splat(1.0f / node.ease_root), over = step - turn;
+    if (same(move.next, next)) continue;
+    const f32x4 turn = turn_of(conjugate(node.rotation) * move.next) * splat(1.0f / node.ease_root), over = step - turn;
     const float squared = dot3(over, over);
     move.beyond = over * splat(squared > 1e-30f ? 1.0f / sqrt(squared) : 0.0f);
     move.most = dot3(move.beyond, turn - move.fixed);
@@ -194,7 +194,7 @@ bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axi
     if (tree.nodes[i].ease_root > 0) tree.nodes[i].rotation = s.moves[i].next;
   }
   const IkMove& travel = s.moves[tree.nodes.size];
-  tree.travel = tree.travel + to_vector3((travel.fixed + travel.answer) * splat(factor * s.travel_ease));
+  tree.travel = tree.travel + (travel.fixed + travel.answer) * splat(factor * s.travel_ease);
   update_frames(tree);
   return true;
 }

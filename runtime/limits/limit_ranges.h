@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "marrow/limits.h"
-#include "math/quaternion.h"
+#include "math/wide.h"
 
 namespace marrow::ranges {
 
@@ -48,6 +48,13 @@ struct Twist {
   float share;  // 1; where the rest turns by almost 180°, and the twist is about to be lost, down to 0
 };
 Twist twist_of(float v, float w);
+template <int Axis>
+inline Twist twist_about(WideRotation q) {
+  return twist_of(first_lane(splat_lane<Axis>(q.v)), w_lane(q));
+}
+inline HalfAngle nearest_in(const AngleRange& range, const Twist& twist) {
+  return nearest_in(range, twist.angle, twist.share);
+}
 
 // The point of the ellipse |(y / ry, z / rz)| = 1 that is nearest to (y, z), a point outside. Both radii are above 0.
 struct Swing {
