@@ -81,7 +81,7 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
     for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
-      const f32x4 arm = end - node.frame.origin, about = across(node.frame.axis, axis);
+      const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
       const float inward = -dot3(arm, e), size = l * sqrt(dot3(arm, arm) * dot3(about, about));
       if (!(inward > 0 && size > 0)) continue;
       s.moves[n].answer = s.moves[n].answer + about * splat(bend * node.ease_root * (inward / size));

@@ -202,7 +202,7 @@ void set_answers(IkSystem& s) {
     const f32x4 v = load(x);
     for (std::uint32_t i = 0; i < task.length; ++i) {
       f32x4& answer = s.moves[task.path[i].node].answer;
-      answer = answer + across(task.path[i].column, v);
+      answer = answer + products(task.path[i].column, v);
     }
     x += 3;
   }

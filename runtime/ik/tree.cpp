@@ -175,12 +175,6 @@ f32x4 turn_of(WideRotation rotation) {
   return to_f32x4(log_of_shorter(marrow::rotation(f)));
 }
 
-f32x4 across(const f32x4 (&column)[3], f32x4 v) {
-  f32x4 row0 = column[0] * v, row1 = column[1] * v, row2 = column[2] * v, none = splat(0.0f);
-  transpose(row0, row1, row2, none);
-  return row0 + row1 + row2;
-}
-
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
                   Span<Affine> scene_from_joint) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {

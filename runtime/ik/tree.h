@@ -73,9 +73,6 @@ float total_error(const IkTree& tree);
 // Axis times angle, the angle at most π.
 f32x4 turn_of(WideRotation q);
 
-// Of three columns, each times v: their transpose, times v.
-f32x4 across(const f32x4 (&column)[3], f32x4 v);
-
 // Writes what changed into the pose, blended by `weight`, and brings the matrices below up to date.
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
                   Span<Affine> scene_from_joint);

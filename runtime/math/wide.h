@@ -38,6 +38,12 @@ inline float length3(f32x4 v) {
 inline f32x4 cross3(f32x4 a, f32x4 b) {
   return rotated_xyz(a * rotated_xyz(b) - rotated_xyz(a) * b);
 }
+// dot3() of three vectors, each with v.
+inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
+  f32x4 x = of[0] * v, y = of[1] * v, z = of[2] * v, none = splat(0.0f);
+  transpose(x, y, z, none);
+  return x + y + z;
+}
 // The part of v across a unit vector.
 inline f32x4 across3(f32x4 v, f32x4 unit) {
   return v - unit * dot3(v, unit);
@@ -49,7 +55,7 @@ inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
 }
 // As any_across().
 inline f32x4 any_across3(f32x4 v) {
-  alignas(16) constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   float s[4];
   store(s, v * v);
   const int axis = lesser(s[1], s[2]) < s[0] ? (s[2] < s[1] ? 2 : 1) : 0;
