@@ -4,7 +4,6 @@
 #include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
-#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -21,6 +20,17 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
+// As rotation_of() of a map.
+WideRotation rotation_in(const Affine& a) {
+  const Columns map = columns(a);
+  const f32x4 x = unit3_or(map.axis[0], lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  const WideRotation first = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
+  const f32x4 from = rotate(first, lanes(0.0f, 1.0f, 0.0f, 0.0f)), to = unit3_or(across3(map.axis[1], x), from);
+  const float cosine = dot3(from, to), sine = dot3(x, cross3(from, to));
+  const bool apart = cosine > -0.9999999f;
+  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
+}
+
 // What is above a node, up to the node that it hangs on, or to the scene.
 void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
                const std::uint16_t* node_of, IkNode& node) {
@@ -34,7 +44,7 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
   if (on == kNoParent) {
     above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]) * above;
     for (; next != kNoParent; joint = next, next = skeleton.parents[joint]) turned = wide_rotation_of(local, next) * turned;
-    turned = to_wide(rotation_of(skeleton.scene_from_root[joint])) * turned;
+    turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
     for (; next != on; next = skeleton.parents[next]) {
       above = local_frame(local, next) * above;
@@ -170,9 +180,7 @@ float total_error(const IkTree& tree) {
 }
 
 f32x4 turn_of(WideRotation rotation) {
-  float f[4];
-  store(f, normalised(rotation).v);
-  return to_f32x4(log_of_shorter(marrow::rotation(f)));
+  return log_of_shorter(normalised(rotation));
 }
 
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,

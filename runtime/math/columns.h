@@ -23,7 +23,9 @@ inline Columns operator*(const Columns& a, const Columns& b) {
 }
 
 inline Columns columns(const Affine& a) {
-  return {{to_f32x4(column(a, 0)), to_f32x4(column(a, 1)), to_f32x4(column(a, 2))}, to_f32x4(origin(a))};
+  f32x4 x = load_aligned(a.rows[0]), y = load_aligned(a.rows[1]), z = load_aligned(a.rows[2]), w = splat(0.0f);
+  transpose(x, y, z, w);
+  return {{x, y, z}, w};
 }
 // The axes of a rotation.
 inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {

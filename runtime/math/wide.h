@@ -19,6 +19,13 @@ inline Vector3 narrow(f32x4 v) {
   store(f, v);
   return {f[0], f[1], f[2]};
 }
+// Three numbers that have something behind them in memory.
+inline f32x4 load3(const float* p) {
+  return without_w(load(p));
+}
+inline void store3(float* to, f32x4 v) {
+  store(to, narrow(v));
+}
 
 // v.x, v.y, z, 0
 inline f32x4 with_z(f32x4 v, float z) {
@@ -64,9 +71,6 @@ inline f32x4 any_across3(f32x4 v) {
   return squared < kTinySquare ? load_aligned(kAxes[0]) : across * (1.0f / sqrt(squared));
 }
 
-inline WideRotation to_wide(const Rotation& q) {
-  return {lanes(q.x, q.y, q.z, q.w)};
-}
 inline WideRotation no_turn() {
   return {lanes(0.0f, 0.0f, 0.0f, 1.0f)};
 }
@@ -119,6 +123,13 @@ inline WideRotation share_of(WideRotation q, float share) {
   return normalised(WideRotation{with_w(part, part + splat(1.0f - share))});
 }
 
+// As of Rotation: axis times angle, of the shorter of the two turns that q and its negative are.
+inline f32x4 log_of_shorter(WideRotation q) {
+  const f32x4 v = flip(q.v, splat_lane<3>(q.v));
+  const float w = w_lane({v}), sine_squared = dot3(v, v);
+  if (sine_squared < 0.5f) return without_w(v) * (2.0f * asinc_of_root(sine_squared));
+  return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
+}
 // As of Vector3: the rotation by |v| about v.
 inline WideRotation exp_rotation(f32x4 v) {
   const f32x4 half = v * 0.5f;

@@ -88,15 +88,8 @@ void place_colliders(SpringCall& call) {
   }
 }
 
-f32x4 wide_at(const float* p) {  // three numbers with something behind them
-  return without_w(load(p));
-}
-void store3(float* to, f32x4 v) {
-  store(to, narrow(v));
-}
-
 f32x4 turned(const SpringRoot& root, f32x4 v) {
-  const f32x4 rows[3] = {wide_at(root.turn[0]), wide_at(root.turn[1]), wide_at(root.turn[2])};
+  const f32x4 rows[3] = {load3(root.turn[0]), load3(root.turn[1]), load3(root.turn[2])};
   return products(rows, v);
 }
 
@@ -128,14 +121,14 @@ f32x4 held_within(f32x4 v, f32x4 most) {
 // whose velocity at the end is that of the parabola through the last three places.
 void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
-  const f32x4 mean = (position - wide_at(root.position)) * (1.0f / dt);
-  f32x4 begin = wide_at(root.velocity), end = mean;
+  const f32x4 mean = (position - load3(root.position)) * (1.0f / dt);
+  f32x4 begin = load3(root.velocity), end = mean;
   if (root.moved != 0 || root.frames == 0) {
     end = begin;
   } else if (root.frames == 1) {
     begin = mean;
   } else {
-    end = mean + (mean - wide_at(root.mean_velocity)) * (dt / (dt + root.frame_s));
+    end = mean + (mean - load3(root.mean_velocity)) * (dt / (dt + root.frame_s));
   }
   f32x4 first = splat(0.0f), last = first;
   if (root.moved == 0 && root.frames == 2) {
@@ -161,13 +154,13 @@ f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
 void prepare_root(SpringCall& call, SpringRoot& root) {
   const Affine& parent = above(call, root.first);
   const f32x4 position = place_of(call, root.first) + call.world.origin;
-  const f32x4 way = position - wide_at(root.position);
+  const f32x4 way = position - load3(root.position);
   const float most = call.frame.teleport_m;
   root.moved = root.frames > 0 && (call.frame.teleported || !(dot3(way, way) <= most * most)) ? 1 : 0;
   if (root.moved != 0) {
     call.moved = true;
     find_turn(root, call.world, parent);
-    store3(root.velocity, turned(root, wide_at(root.velocity)));
+    store3(root.velocity, turned(root, load3(root.velocity)));
   }
   const bool begins = root.frames == 0;
   if (call.steps > 0) follow(call, position, root);
@@ -212,7 +205,7 @@ Bones gather(const SpringCall& call, const Place& place, std::uint16_t& chain) {
     if (joint == kNoBone) continue;
     const Affine& from = call.scene_from_joint[joint];
     in_scene[i] = end != kNoBone ? to_f32x4(origin(call.scene_from_joint[end])) - to_f32x4(origin(from))
-                                 : turn(columns(from), wide_at(call.springs.roots[root].tip));
+                                 : turn(columns(from), load3(call.springs.roots[root].tip));
     out.begins[i] = root != chain;
     chain = root;
   }
@@ -269,7 +262,7 @@ Vector<Number> of_roots(const SpringCall& call, const Place& place, const Row& r
 SpringPull pull_of(const SpringCall& call, const Place& place, const Bones& bones) {
   const SpringGroup& group = place.group;
   const Vector<Number> was = place.vector(group.animated);
-  const Vector<Number> weight = Lanes::same(wide_at(call.frame.gravity)) * place.number(group.gravity);
+  const Vector<Number> weight = Lanes::same(load3(call.frame.gravity)) * place.number(group.gravity);
   const Number drag = place.number(group.drag);
   // At one end of the frame.
   const auto field = [&](int end) {
