@@ -17,7 +17,7 @@ float smooth_step(float x) {
 // The shortest turn from one direction to another; if they are opposite, about `axis`.
 WideRotation arc(f32x4 from, f32x4 to, f32x4 axis) {
   const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, a), sum = a + b;
-  if (dot3(sum, sum) > 3e-8f || dot3(a, a) == 0) return shortest_arc(a, b);
+  if (squared3(sum) > 3e-8f || !(squared3(a) > 0)) return shortest_arc(a, b);
   return {unit3_or(across3(axis, a), any_across3(a))};
 }
 
@@ -52,8 +52,7 @@ void stretch(IkHeuristic& h, float distance, float least, float most, float limi
   if (distance < least) factor = std::max(distance / least, 1.0f / limit);
   if (factor == 1) return;
   tree.stretch = factor;
-  for (std::size_t i = 1; i < tree.nodes.size; ++i)
-    tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
+  for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
   tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);
   update_frames(tree);
   update_parts(h);
@@ -152,7 +151,7 @@ void face_pole(IkHeuristic& h, const IkProblem& problem) {
   const f32x4 root = h.parts[0].at, none = splat(0.0f), line = unit3_or(h.end(0).at - root, none);
   float off;
   const f32x4 side = unit3_or(side_of_joints(h, line, off), none);
-  if (dot3(line, line) == 0 || dot3(side, side) == 0) return;
+  if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
   const f32x4 wanted = across3(unit3_or(to_f32x4(vector3(problem.pole)) - root, none), line);
   // Within 6 degrees of the line the pole has less and less to say.
   const float weight = problem.pole_weight * smooth_step(10.0f * length3(wanted));

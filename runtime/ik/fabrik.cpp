@@ -83,12 +83,12 @@ void pull(IkHeuristic& h) {
     axes[2] = axes[2] + (lanes(0, 0, length, 0) - w * splat_lane<2>(d));
   }
   axes[1] = with_z(axes[1], first_lane(splat_lane<1>(axes[2])));  // symmetric to the last bit
-  const float least = 1e-4f * h.size_m, s = h.per_size;  // a straight chain is not moved along itself
+  const float least = 1e-4f * h.size_m, s = h.per_size;           // a straight chain is not moved along itself
   axes[0] = (axes[0] + lanes(least, 0, 0, 0)) * s;
   axes[1] = (axes[1] + lanes(0, least, 0, 0)) * s;
   axes[2] = (axes[2] + lanes(0, 0, least, 0)) * s;
   f32x4 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
-  v = v * (1.0f / sqrt(1.0f + dot3(v, v) * 1.2f));  // shorter than d, which never turns round
+  v = v * (1.0f / sqrt(1.0f + squared3(v) * 1.2f));  // shorter than d, which never turns round
   f32x4 from = h.parts[0].at, before = from;
   for (std::size_t i = 1; i <= end; ++i) {
     IkPart& part = h.parts[i];

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "limits/joint_limit.h"
+#include "core/mark.h"
 
 namespace marrow {
 namespace {
@@ -54,10 +54,10 @@ float error_of(const IkHeuristic& h) {
   for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
     const IkEnd& end = h.tree->ends[k];
     const f32x4 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
-    sum += dot3(p, p);
+    sum += squared3(p);
     if (!(h.aims[k].turn > 0)) continue;
     const f32x4 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
-    sum += dot3(r, r);
+    sum += squared3(r);
   }
   return sqrt(sum);
 }
@@ -73,7 +73,7 @@ void keep_pose(IkHeuristic& h) {
 bool points_rest(const IkHeuristic& h) {
   for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) {
     const f32x4 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
-    if (dot3(d, d) > 1e-13f) return false;
+    if (squared3(d) > 1e-13f) return false;
   }
   return true;
 }
@@ -163,11 +163,13 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 
 }  // namespace
 
-std::size_t heuristic_scratch_bytes(const IkProblem& problem) {
+std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
+  if (tree == 0) return 0;
   Memory count;
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return count.whole();
+  return tree + count.whole();
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
@@ -208,6 +210,15 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
   return report;
 }
 
+Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                      const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
+  MARROW_REQUIRE(options.method <= IkMethod::ccd);
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, skeleton, local, scene_from_joint, problem, options, scratch,
+                                  heuristic_scratch_bytes(skeleton, problem), report));
+  return Status::ok;
+}
+
 void TurnSum::add(WideRotation q, float w) {
   sum = sum + q.v * (dot4(sum, q.v) < 0 ? -w : w);
   weight += w;
@@ -215,15 +226,15 @@ void TurnSum::add(WideRotation q, float w) {
 
 void TurnSum::add_arc(f32x4 from, f32x4 to, float w) {
   const f32x4 a = along(from, 1.0f), b = along(to, 1.0f);
-  if (dot3(a, a) == 0 || dot3(b, b) == 0) return;
+  if (!(squared3(a) > 0) || !(squared3(b) > 0)) return;
   const f32x4 both = a + b;
-  add(quaternion(cross3(a, b), 0.5f * dot3(both, both)), w);
-  if (dot3(across, across) == 0) across = any_across3(a);
+  add(quaternion(cross3(a, b), 0.5f * squared3(both)), w);
+  if (!(squared3(across) > 0)) across = any_across3(a);
 }
 
 void TurnSum::add_arc_about(f32x4 hinge, f32x4 from, f32x4 to, float w) {
   add_arc(across3(from, hinge), across3(to, hinge), w);
-  if (dot3(hinge, hinge) > 0) across = hinge;
+  if (squared3(hinge) > 0) across = hinge;
 }
 
 WideRotation TurnSum::turn() const {
@@ -243,14 +254,6 @@ WideRotation part_of(WideRotation any, float share) {
   if (share == 1.0f) return any;
   const WideRotation q = normalised(any);
   return share_of(WideRotation{w_lane(q) < 0 ? q.v * -1.0f : q.v}, share);
-}
-
-void set_turned(IkNode& node, WideRotation rotation) {
-  if (!(node.ease_root > 0)) return;
-  const float squared = dot4(rotation.v, rotation.v), k = sqrt(squared) * (1.0f / squared);
-  if (!has_direction(squared)) return;
-  node.rotation.v = rotation.v * k;
-  if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
 }
 
 void update_parts(IkHeuristic& h) {

@@ -9,12 +9,12 @@ inline constexpr std::uint16_t kNoPart = 0xFFFF;
 
 // One a node and, after those, one an end. What hangs on a node is a list of parts.
 struct IkPart {
-  f32x4 at;             // where its point is, or where it is wanted: scene space
-  f32x4 was;            // `at`, an iteration earlier
-  WideRotation before;  // of a node: its rotation an iteration earlier; of an end: its node's in the scene
-  float length = 0;     // from the node that it hangs on to there
-  float weight = 0;     // of the positions to be reached by it and what hangs on it
-  float share = 0;      // of all weight that hangs on the same node
+  f32x4 at;                       // where its point is, or where it is wanted: scene space
+  f32x4 was;                      // `at`, an iteration earlier
+  WideRotation before;            // of a node: its rotation an iteration earlier; of an end: its node's in the scene
+  float length = 0;               // from the node that it hangs on to there
+  float weight = 0;               // of the positions to be reached by it and what hangs on it
+  float share = 0;                // of all weight that hangs on the same node
   std::uint16_t next = kNoPart;   // on the same node
   std::uint16_t first = kNoPart;  // what hangs on it, if it is a node
 };
@@ -30,19 +30,19 @@ struct IkHeuristic {
   IkTree* tree;
   IkPart* parts;
   IkAim* aims;
-  float size_m = 0;                  // sum of all lengths
-  float per_size = 0;                // 1 / size_m; 0 for no size
-  bool free = true;                  // neither limits nor stiffness
-  bool chain = false;                // one end, with a position to reach
-  bool plain = false;                // nothing but that: points move alone, and joints turn when they are there
-  WideRotation turned = no_turn();   // of a plain chain, as a whole, in the scene
+  float size_m = 0;                 // sum of all lengths
+  float per_size = 0;               // 1 / size_m; 0 for no size
+  bool free = true;                 // neither limits nor stiffness
+  bool chain = false;               // one end, with a position to reach
+  bool plain = false;               // nothing but that: points move alone, and joints turn when they are there
+  WideRotation turned = no_turn();  // of a plain chain, as a whole, in the scene
 
   IkPart& end(std::size_t k) const { return parts[tree->nodes.size + k]; }
 };
 
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
 inline f32x4 along(f32x4 v, float length) {
-  const float squared = dot3(v, v);
+  const float squared = squared3(v);
   return v * (has_direction(squared) ? length * (sqrt(squared) * (1.0f / squared)) : 0.0f);
 }
 
@@ -76,8 +76,6 @@ struct InverseAxes {
 
 // `share` of the turn q, of any length, the shorter way round; q itself if that is all of it.
 WideRotation part_of(WideRotation any, float share);
-// Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
-void set_turned(IkNode& node, WideRotation rotation);
 // Positions and lengths of all parts, from the frames.
 void update_parts(IkHeuristic& h);
 

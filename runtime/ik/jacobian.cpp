@@ -8,6 +8,7 @@
 // Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
 // 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
+#include "core/mark.h"
 #include "ik/dense.h"
 #include "ik/system.h"
 #include "limits/joint_limit.h"
@@ -74,7 +75,7 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
       felt += e3[r] * dot3(load(block + r * stride), e);
       all += kStuck * block[r * stride + r];
     }
-    const float squared = dot3(e, e);
+    const float squared = squared3(e);
     if (task.turn || !(felt < all * squared)) continue;
     const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
     const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
@@ -82,7 +83,7 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
       const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
-      const float inward = -dot3(arm, e), size = l * sqrt(dot3(arm, arm) * dot3(about, about));
+      const float inward = -dot3(arm, e), size = l * sqrt(squared3(arm) * squared3(about));
       if (!(inward > 0 && size > 0)) continue;
       s.moves[n].answer = s.moves[n].answer + about * splat(bend * node.ease_root * (inward / size));
     }
@@ -94,7 +95,7 @@ float longest_turn(const IkSystem& s) {
   float most = 0;
   for (std::size_t i = 0; i < s.tree->nodes.size; ++i) {
     const f32x4 v = (s.moves[i].fixed + s.moves[i].answer) * splat(s.tree->nodes[i].ease_root);
-    const float squared = dot3(v, v);
+    const float squared = squared3(v);
     if (!(squared <= most)) most = squared;
   }
   return sqrt(most);
@@ -116,7 +117,7 @@ bool set_next(IkSystem& s, float factor) {
     move.next = clamped(*node.limit, next);
     if (same(move.next, next)) continue;
     const f32x4 turn = turn_of(conjugate(node.rotation) * move.next) * splat(1.0f / node.ease_root), over = step - turn;
-    const float squared = dot3(over, over);
+    const float squared = squared3(over);
     move.beyond = over * splat(squared > 1e-30f ? 1.0f / sqrt(squared) : 0.0f);
     move.most = dot3(move.beyond, turn - move.fixed);
     move.fixed = move.fixed + move.beyond * splat(move.most);
@@ -161,9 +162,9 @@ void set_promise(const IkSystem& s, float factor, Progress& p) {
   for (std::size_t t = 0; t < s.tasks.size; ++t) {
     const f32x4 e = load(s.error + 3 * t), step = linear_effect(s, t) * splat(factor);
     const float along = dot3(step, e);
-    p.promised += 2 * s.tasks[t].cut * along - dot3(step, step);
+    p.promised += 2 * s.tasks[t].cut * along - squared3(step);
     mended += along;
-    all += dot3(e, e);
+    all += squared3(e);
   }
   p.mended = mended > 0 ? (mended < all ? mended / all : 1.0f) : 0.0f;
 }
@@ -201,12 +202,6 @@ bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axi
 
 }  // namespace
 
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory count;
-  place_system(skeleton, problem, count);
-  return count.whole();
-}
-
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
                         Memory& scratch) {
   IkSystem s = place_system(skeleton, problem, scratch);
@@ -229,6 +224,15 @@ IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem&
     report.why = IkStop::stalled;
     if (!take_step(s, options, pull, load(kBendAxes[report.iterations % 2]), p)) return report;
   }
+}
+
+Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
+  MARROW_REQUIRE(options.method > IkMethod::ccd);
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, skeleton, local, scene_from_joint, problem, options, scratch,
+                                  jacobian_scratch_bytes(skeleton, problem), report));
+  return Status::ok;
 }
 
 }  // namespace marrow

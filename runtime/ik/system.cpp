@@ -60,7 +60,7 @@ void set_entries(const IkSystem& s, const IkTask& task) {
       entry->column[2] = axis[1] * x - axis[0] * y;
       point = transform(node.parent_from_frame, point);
     }
-    if (dot3(node.hinge, node.hinge) > 0) {
+    if (squared3(node.hinge) > 0) {
       const f32x4 about = times(*entry, node.hinge);
       entry->column[0] = about * splat_lane<0>(node.hinge);
       entry->column[1] = about * splat_lane<1>(node.hinge);
@@ -117,6 +117,14 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   return s;
 }
 
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
+  if (tree == 0) return 0;
+  Memory count;
+  place_system(skeleton, problem, count);
+  return tree + count.whole();
+}
+
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
   s.tree = &tree;
   s.travel_ease = travel_ease(tree, problem.root_travel_m);
@@ -140,12 +148,12 @@ float set_errors(IkSystem& s) {
   for (IkTask& task : s.tasks) {
     f32x4 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
     e = e * task.weight;
-    const float squared = dot3(e, e), l = sqrt(squared);
+    const float squared = squared3(e), l = sqrt(squared);
     total += squared;
     task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
     if (l > task.longest) e = e * (task.longest / l);
     task.size = length3(e) * (task.turn ? length3(e) : task.longest);  // how a turn's error bends depends on its size
-    store(to, e);  // the fourth lane is the next one's, or padding
+    store(to, e);                                                      // the fourth lane is the next one's, or padding
     to += 3;
   }
   return sqrt(total);

@@ -43,7 +43,8 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
   std::uint16_t joint = node.joint, next = skeleton.parents[joint];
   if (on == kNoParent) {
     above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]) * above;
-    for (; next != kNoParent; joint = next, next = skeleton.parents[joint]) turned = wide_rotation_of(local, next) * turned;
+    for (; next != kNoParent; joint = next, next = skeleton.parents[joint])
+      turned = wide_rotation_of(local, next) * turned;
     turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
     for (; next != on; next = skeleton.parents[next]) {
@@ -171,12 +172,20 @@ float total_error(const IkTree& tree) {
   for (const IkEnd& end : tree.ends) {
     const float p = end.goal->position_weight, r = end.goal->rotation_weight;
     const f32x4 at = position_error(tree, end) * p;
-    sum += dot3(at, at);
+    sum += squared3(at);
     if (!(r > 0)) continue;
     const f32x4 turn = rotation_error(tree, end) * r;
-    sum += dot3(turn, turn);
+    sum += squared3(turn);
   }
   return sqrt(sum);
+}
+
+void set_turned(IkNode& node, WideRotation rotation) {
+  if (!(node.ease_root > 0)) return;
+  const float squared = dot4(rotation.v, rotation.v), k = sqrt(squared) * (1.0f / squared);
+  if (!has_direction(squared)) return;
+  node.rotation.v = rotation.v * k;
+  if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
 }
 
 f32x4 turn_of(WideRotation rotation) {
@@ -196,7 +205,7 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
     }
     set_rotation(local, node.joint, q);
   }
-  if (dot3(tree.travel, tree.travel) > 0) {
+  if (squared3(tree.travel) > 0) {
     const std::uint16_t joint = tree.nodes[0].joint;
     float by[4];
     store(by, tree.travel * weight);

@@ -18,6 +18,7 @@ struct IkNode {
   Columns frame;              // scene_from_frame
   WideRotation rotation;      // the joint's local rotation
   WideRotation start;         // the same, as it was in the pose
+  WideRotation best;          // of all starts so far
   WideRotation above_turned;  // the rotation in `above`, or of what is above it in the scene
   WideRotation turned;        // of the frame in the scene; where goals ask for rotations only
   f32x4 hinge;                // the only axis that it turns about, in its own axes; 0: any
@@ -38,8 +39,8 @@ struct IkEnd {
 };
 
 struct IkTree {
-  Span<IkNode> nodes;  // ascending: parents first
-  Span<IkEnd> ends;    // as IkProblem::goals
+  Span<IkNode> nodes;          // ascending: parents first
+  Span<IkEnd> ends;            // as IkProblem::goals
   bool turns = false;          // some goal asks for a rotation
   f32x4 travel = splat(0.0f);  // of node 0, in its parent joint's space; see IkProblem::root_travel_m
   float stretch = 1;           // of the bones below node 0, of a tree with one end
@@ -70,6 +71,9 @@ f32x4 rotation_error(const IkTree& tree, const IkEnd& end);
 // See IkReport.
 float total_error(const IkTree& tree);
 
+// Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
+void set_turned(IkNode& node, WideRotation rotation);
+
 // Axis times angle, the angle at most π.
 f32x4 turn_of(WideRotation q);
 
@@ -80,14 +84,17 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
 // A method: changes rotations and frames of the tree. It takes what memory it needs of `scratch`.
 using IkSolver = IkReport (*)(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
                               const IkOptions& options, Memory& scratch);
-IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        Memory& scratch);
 IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         Memory& scratch);
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-std::size_t heuristic_scratch_bytes(const IkProblem& problem);
+                         Memory& scratch);  // FABRIK and CCD
+IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                        Memory& scratch);  // the others
 
-// What is the same for all methods: checks, the tree, the method, the pose written.
+// What calls need, the tree and all; 0 of a problem that cannot be read.
+std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+
+// What is the same for all methods: checks, the tree, the method, other starts, the pose written.
 BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                     std::size_t scratch_bytes, IkReport* report);

@@ -42,6 +42,14 @@ inline HalfAngle nearest_in(const AngleRange& range, const HalfAngle& angle, flo
   return half_angle(t * share) + middle;
 }
 
+// What may be beyond a limit, as a tangent of a quarter: what rounding leaves on it, and still within its tolerance.
+inline constexpr float kSlack = 1e-6f;
+// Whether an angle, as what is so many times longer than 1, is in the range.
+inline bool contains(const AngleRange& range, const HalfAngle& angle, float length) {
+  const HalfAngle d = angle + -half_angle(range.middle);
+  return range.half_width >= 1.0f || absolute(d.sin) <= (range.half_width + kSlack) * (length + absolute(d.cos));
+}
+
 // A turn about one axis out of a rotation: the part v of its vector along that axis, and its w.
 struct Twist {
   HalfAngle angle;

@@ -29,7 +29,7 @@ struct Motion {
 };
 
 f32x4 no_longer(f32x4 v, float most) {
-  const float squared = dot3(v, v);
+  const float squared = squared3(v);
   return squared > most * most ? v * (most / sqrt(squared)) : v;
 }
 
@@ -61,7 +61,7 @@ void follow_origin(Motion& m, f32x4 from, float time_s, const RateLimit& limit) 
 }
 
 bool is_longer(f32x4 v, float most) {
-  return dot3(v, v) > most * most;
+  return squared3(v) > most * most;
 }
 
 // One frame of a follower: `m` relative to where the target now is, `from` where the target was. Whether it is on the
@@ -74,7 +74,7 @@ bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, c
   bool arrived = (on_target && slow && soft) || (limit.speed == 0 && limit.acceleration == 0);
   if (!arrived) {
     follow_origin(m, from, time_s, limit);
-    arrived = dot3(m.at, m.at) <= kArrived * kArrived &&
+    arrived = squared3(m.at) <= kArrived * kArrived &&
               (limit.acceleration == 0 || !is_longer(target_velocity - m.velocity, kArrivedSpeed));
     arrived = arrived || !all_finite(m.at) || !all_finite(m.velocity);  // lost
   }
@@ -114,7 +114,7 @@ struct Jacobian {
   f32x4 p;
   float sinc, cos, squared;  // of half the angle; its whole square
 
-  explicit Jacobian(f32x4 at) : p(at), squared(dot3(at, at)) {
+  explicit Jacobian(f32x4 at) : p(at), squared(squared3(at)) {
     sinc = sinc_of_root(0.25f * squared);
     cos = cos_of_root(0.25f * squared);
   }
@@ -143,12 +143,12 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   if (dt_s == 0) return {};
   const float time_s = frame_time(dt_s);
   // As rotation vectors from where the target now is.
-  const auto from_target = [&](const float (&q)[4]) {
+  const auto from_target = [&](const float(&q)[4]) {
     return log_of_shorter(normalised(WideRotation{load(q)}) * conjugate(unit));
   };
   const bool was_on_target = state.mode == kOnTarget;
   const f32x4 from = from_target(state.target);
-  Motion m = {was_on_target ? from : from_target(state.rotation), load3(state.velocity)};
+  Motion m = {was_on_target ? from : from_target(state.rotation), load_wide(state.velocity)};
   m.velocity = Jacobian(m.at).change_of(m.velocity);
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
   if (!on_target) {
@@ -157,7 +157,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   }
   store(state.rotation, on_target ? to.v : normalised(exp_rotation(m.at) * unit).v);
   store(state.target, to.v);
-  store3(state.velocity, m.velocity);
+  store_wide(state.velocity, m.velocity);
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return {};
@@ -169,22 +169,22 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
   MARROW_REQUIRE(is_time(dt_s));
   MARROW_REQUIRE(is_limit(limit));
   const f32x4 to = to_f32x4(vector3(target));
-  MARROW_REQUIRE(dot3(to, to) < 1e30f);
+  MARROW_REQUIRE(squared3(to) < 1e30f);
   if (state.mode == kNotBegun || !is_sound(state)) {
     state = {};
-    store3(state.point, to);
-    store3(state.target, to);
+    store_wide(state.point, to);
+    store_wide(state.target, to);
     state.mode = kOnTarget;
     return Status::ok;
   }
   if (dt_s == 0) return Status::ok;
   const float time_s = frame_time(dt_s);
-  Motion m = {load3(state.point) - to, load3(state.velocity)};
-  const f32x4 from = load3(state.target) - to;
+  Motion m = {load_wide(state.point) - to, load_wide(state.velocity)};
+  const f32x4 from = load_wide(state.target) - to;
   const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
-  store3(state.point, on_target ? to : m.at + to);
-  store3(state.target, to);
-  store3(state.velocity, m.velocity);
+  store_wide(state.point, on_target ? to : m.at + to);
+  store_wide(state.target, to);
+  store_wide(state.velocity, m.velocity);
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return Status::ok;

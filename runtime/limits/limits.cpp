@@ -1,6 +1,7 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "core/mark.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
@@ -24,10 +25,19 @@ WideRotation nearest_in_hinge(const JointLimit& limit, WideRotation t) {
   return about_x(nearest_in(limit.angles[0], twist));
 }
 
+// Whether a rotation is inside, by what costs least; false is no answer.
+bool is_in_cone(float ry, float rz, const AngleRange& twist, WideRotation t) {
+  float q[4];
+  store(q, t.v);
+  const float n = sqrt(q[0] * q[0] + q[3] * q[3]), border = n * (1.0f + n) * (ry * rz + kSlack * lesser(ry, rz));
+  const float y = (q[1] * q[3] - q[2] * q[0]) * rz, z = (q[2] * q[3] + q[1] * q[0]) * ry;
+  return n > 1e-3f && y * y + z * z <= border * border && contains(twist, {q[0], q[3]}, n);
+}
+
 WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   constexpr float kLeast = 1e-6f;  // a cone may be flat
-  const float ry = limit.angles[1].half_width > kLeast ? limit.angles[1].half_width : kLeast;
-  const float rz = limit.angles[2].half_width > kLeast ? limit.angles[2].half_width : kLeast;
+  const float ry = greater(limit.angles[1].half_width, kLeast), rz = greater(limit.angles[2].half_width, kLeast);
+  if (!kSmall && is_in_cone(ry, rz, limit.angles[0], t)) return t;
   float swing[4];
   store(swing, (t * conjugate(about_x(twist_about<0>(t).angle))).v);
   const float k = 1.0f / (1.0f + (swing[3] > 0 ? swing[3] : 0.0f));
@@ -64,14 +74,19 @@ WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   store(q, t.v);
   const float x = q[0], y = q[1], z = q[2], w = q[3];
   const float sin_z = 2.0f * (w * z - x * y), cos_z = w * w + x * x - y * y - z * z;
-  const HalfAngle second = half_of(2.0f * (w * y + x * z), sqrt(sin_z * sin_z + cos_z * cos_z));
+  const float cos_y = sqrt(sin_z * sin_z + cos_z * cos_z);
+  const HalfAngle second = half_of(2.0f * (w * y + x * z), cos_y), third = half_of(sin_z, cos_z);
+  // Away from 90° the first angle is read off, too; what is inside stays as it is.
+  if (!kSmall && cos_y > 0.1f && contains(angles[1], second, 1.0f) && contains(angles[2], third, 1.0f) &&
+      contains(angles[0], half_of(2.0f * (w * x - y * z), w * w - x * x - y * y + z * z), 1.0f))
+    return t;
   constexpr float kQuarterTurn = 0.41421356f;  // as the tangent of a quarter
   const float most = absolute(angles[1].middle), half = angles[1].half_width;
   const float widest = (most + half) / (1.0f - most * half);
   const float share =
       widest < kQuarterTurn - 1e-5f ? fade_out(absolute(second.sin) / (1.0f + second.cos), widest, kQuarterTurn) : 1.0f;
   const WideRotation y0 = about_y(nearest_in(angles[1], second, 1.0f));
-  const WideRotation z0 = about_z(nearest_in(angles[2], half_of(sin_z, cos_z), share));
+  const WideRotation z0 = about_z(nearest_in(angles[2], third, share));
   const WideRotation x1 = about_x(nearest_in(angles[0], twist_about<0>(t * conjugate(y0 * z0))));
   const WideRotation z1 = about_z(nearest_in(angles[2], twist_about<2>(conjugate(x1 * y0) * t)));
   return x1 * about_y(nearest_in(angles[1], twist_about<1>(conjugate(x1) * t * conjugate(z1)))) * z1;
@@ -108,7 +123,7 @@ namespace marrow {
 
 float angle_between(WideRotation a, WideRotation b) {
   const WideRotation d = conjugate(a) * b;
-  const float sine_squared = dot3(d.v, d.v), w = absolute(w_lane(d));
+  const float sine_squared = squared3(d.v), w = absolute(w_lane(d));
   if (sine_squared < 0.5f) return 2.0f * sqrt(sine_squared) * asinc_for_slerp(sine_squared);
   return 3.14159265f - 2.0f * w * asinc_for_slerp(w * w);
 }
@@ -124,7 +139,7 @@ WideRotation clamped(const JointLimit& limit, WideRotation q) {
   const WideRotation in = ranges::nearest(limit, t);
   const f32x4 d = (conjugate(t) * in).v;  // sin of half the angle between them
   constexpr float kLeast = 0.25f * kLimitTolerance_rad * kLimitTolerance_rad;
-  if (!(dot3(d, d) > kLeast)) return q;
+  if (!(squared3(d) > kLeast)) return q;
   const WideRotation out = normalised(conjugate(limit_from_parent) * in * conjugate(joint_from_limit));
   return {flip(out.v, splat(dot4(out.v, unit.v)))};
 }

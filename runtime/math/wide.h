@@ -20,10 +20,10 @@ inline Vector3 narrow(f32x4 v) {
   return {f[0], f[1], f[2]};
 }
 // Three numbers that have something behind them in memory.
-inline f32x4 load3(const float* p) {
+inline f32x4 load_wide(const float* p) {
   return without_w(load(p));
 }
-inline void store3(float* to, f32x4 v) {
+inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }
 
@@ -39,8 +39,11 @@ inline float dot3(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
 }
+inline float squared3(f32x4 v) {
+  return dot3(v, v);
+}
 inline float length3(f32x4 v) {
-  return sqrt(dot3(v, v));
+  return sqrt(squared3(v));
 }
 inline f32x4 cross3(f32x4 a, f32x4 b) {
   return rotated_xyz(a * rotated_xyz(b) - rotated_xyz(a) * b);
@@ -57,7 +60,7 @@ inline f32x4 across3(f32x4 v, f32x4 unit) {
 }
 // Of unit length; `otherwise` if it is too short to have a direction, or not finite.
 inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
-  const float squared = dot3(v, v);
+  const float squared = squared3(v);
   return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
 }
 // As any_across().
@@ -67,7 +70,7 @@ inline f32x4 any_across3(f32x4 v) {
   store(s, v * v);
   const int axis = lesser(s[1], s[2]) < s[0] ? (s[2] < s[1] ? 2 : 1) : 0;
   const f32x4 across = cross3(v, load_aligned(kAxes[axis]));
-  const float squared = dot3(across, across);
+  const float squared = squared3(across);
   return squared < kTinySquare ? load_aligned(kAxes[0]) : across * (1.0f / sqrt(squared));
 }
 
@@ -113,8 +116,8 @@ inline f32x4 rotate(WideRotation q, f32x4 v) {
 // As of Vector3.
 inline WideRotation shortest_arc(f32x4 from, f32x4 to) {
   const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, splat(0.0f)), sum = a + b;
-  const float w = 0.5f * dot3(sum, sum);
-  if (w < 1e-8f) return dot3(a, a) == 0 ? no_turn() : WideRotation{any_across3(a)};
+  const float w = 0.5f * squared3(sum);
+  if (w < 1e-8f) return !(squared3(a) > 0) ? no_turn() : WideRotation{any_across3(a)};
   return normalised(quaternion(cross3(a, b), w));
 }
 // As share_of() of Rotation.
@@ -126,14 +129,14 @@ inline WideRotation share_of(WideRotation q, float share) {
 // As of Rotation: axis times angle, of the shorter of the two turns that q and its negative are.
 inline f32x4 log_of_shorter(WideRotation q) {
   const f32x4 v = flip(q.v, splat_lane<3>(q.v));
-  const float w = w_lane({v}), sine_squared = dot3(v, v);
+  const float w = w_lane({v}), sine_squared = squared3(v);
   if (sine_squared < 0.5f) return without_w(v) * (2.0f * asinc_of_root(sine_squared));
   return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
 }
 // As of Vector3: the rotation by |v| about v.
 inline WideRotation exp_rotation(f32x4 v) {
   const f32x4 half = v * 0.5f;
-  const float y = dot3(half, half);
+  const float y = squared3(half);
   return quaternion(half * sinc_of_root(y), cos_of_root(y));
 }
 

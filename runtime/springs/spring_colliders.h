@@ -37,7 +37,7 @@ inline void collide(const PlacedCollider& collider, f32x4 joint, float bone, flo
   bool touches = false;
   for (int i = 0; i < 3; ++i) {  // the nearest point of a capsule moves with the end
     const f32x4 end = joint + direction * bone, point = nearest_on(collider, end), out = end - point;
-    if (!(dot3(out, out) < clear * clear)) break;
+    if (!(squared3(out) < clear * clear)) break;
     to_point = point - joint;
     direction = out_of_sphere(direction, bone, to_point, clear);
     touches = true;

@@ -1,5 +1,5 @@
-// How many spring bones go at once, and where they lie: four of a SpringGroup, a lane each, or one of them in a register
-// where code is to be small. The bits are the same.
+// How many spring bones go at once, and where they lie: four of a SpringGroup, a lane each, or one of them in a
+// register where code is to be small. The bits are the same.
 #pragma once
 
 #include <type_traits>

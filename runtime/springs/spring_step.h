@@ -63,7 +63,7 @@ inline Vector<Number> no_harder(const Vector<Number>& spring, const Vector<Numbe
 
 // The whole field on bones that point in `direction`, the bones above being bent as they are.
 inline Vector<Number> field_at(const SpringPull& pull, const Vector<Number>& animated, Number u,
-                              const Quaternion<Number>& bent, const Vector<Number>& direction) {
+                               const Quaternion<Number>& bent, const Vector<Number>& direction) {
   const Vector<Number> spring = rotate_by_any(bent, two_over_squared(bent), animated * pull.stiffness + pull.dragged);
   return no_harder(spring, direction, pull.most_pull) + pull.field + pull.field_change * u;
 }
@@ -107,7 +107,7 @@ inline Number twice_work(const SpringForce& begin, const SpringForce& end, const
 
 // The same between any two directions: where a collider has cut the way short.
 inline Number twice_work(const SpringForce& begin, const SpringForce& end, const Vector<Number>& from,
-                        const Vector<Number>& to) {
+                         const Vector<Number>& to) {
   return dot(begin.across + from * begin.along + end.across + to * end.along, to - from);
 }
 
@@ -135,7 +135,7 @@ inline void nearest_rotation(const Vector<f32x4>& from, const Vector<f32x4>& to,
 }
 inline void nearest_rotation(Vector<One> from, Vector<One> to, f32x4 (&out)[1][4]) {
   const f32x4 t = to.v * splat(0.5f), squares = t * from.v;
-  const float one = dot3(from.v, from.v) > 0 ? 0.500001f : 1.0f;
+  const float one = squared3(from.v) > 0 ? 0.500001f : 1.0f;
   float d[4], mixed[4], z[4];  // mixed: xy, yz, xz
   store(d, splat(one) + (squares - reordered<1, 0, 0, 3>(squares) - reordered<2, 2, 1, 3>(squares)));
   store(mixed, t * rotated_xyz(from.v) + rotated_xyz(t) * from.v);

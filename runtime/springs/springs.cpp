@@ -80,7 +80,7 @@ void place_colliders(SpringCall& call) {
     PlacedCollider& out = call.colliders[i];
     out.from = turn(call.world, transform(joint, from));
     out.along = turn(call.world, turn(joint, to_f32x4(vector3(c.to)) - from));
-    const float squared = dot3(out.along, out.along);
+    const float squared = squared3(out.along);
     out.over_squared = squared > 1e-20f ? 1.0f / squared : 0.0f;
     float scale = 0.0f;
     for (const f32x4 axis : joint.axis) scale = greater(scale, length3(turn(call.world, axis)));
@@ -89,7 +89,7 @@ void place_colliders(SpringCall& call) {
 }
 
 f32x4 turned(const SpringRoot& root, f32x4 v) {
-  const f32x4 rows[3] = {load3(root.turn[0]), load3(root.turn[1]), load3(root.turn[2])};
+  const f32x4 rows[3] = {load_wide(root.turn[0]), load_wide(root.turn[1]), load_wide(root.turn[2])};
   return products(rows, v);
 }
 
@@ -107,8 +107,8 @@ void find_turn(SpringRoot& root, const Columns& world, const Affine& parent) {
   right_axes(world, parent, is);
   transpose(is[0], is[1], is[2], none);
   for (int i = 0; i < 3; ++i)
-    store3(root.turn[i],
-           was[0] * splat_lane<0>(is[i]) + was[1] * splat_lane<1>(is[i]) + was[2] * splat_lane<2>(is[i]));
+    store_wide(root.turn[i],
+               was[0] * splat_lane<0>(is[i]) + was[1] * splat_lane<1>(is[i]) + was[2] * splat_lane<2>(is[i]));
 }
 
 // Component by component.
@@ -121,14 +121,14 @@ f32x4 held_within(f32x4 v, f32x4 most) {
 // whose velocity at the end is that of the parabola through the last three places.
 void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
-  const f32x4 mean = (position - load3(root.position)) * (1.0f / dt);
-  f32x4 begin = load3(root.velocity), end = mean;
+  const f32x4 mean = (position - load_wide(root.position)) * (1.0f / dt);
+  f32x4 begin = load_wide(root.velocity), end = mean;
   if (root.moved != 0 || root.frames == 0) {
     end = begin;
   } else if (root.frames == 1) {
     begin = mean;
   } else {
-    end = mean + (mean - load3(root.mean_velocity)) * (dt / (dt + root.frame_s));
+    end = mean + (mean - load_wide(root.mean_velocity)) * (dt / (dt + root.frame_s));
   }
   f32x4 first = splat(0.0f), last = first;
   if (root.moved == 0 && root.frames == 2) {
@@ -141,8 +141,8 @@ void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   store(root.acceleration[1], last);
   store(root.air[0], wind - begin);
   store(root.air[1], wind - end);
-  store3(root.velocity, end);
-  store3(root.mean_velocity, root.moved != 0 ? end : mean);
+  store_wide(root.velocity, end);
+  store_wide(root.mean_velocity, root.moved != 0 ? end : mean);
   root.frame_s = dt;
   if (root.frames < 2) ++root.frames;
 }
@@ -154,25 +154,25 @@ f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
 void prepare_root(SpringCall& call, SpringRoot& root) {
   const Affine& parent = above(call, root.first);
   const f32x4 position = place_of(call, root.first) + call.world.origin;
-  const f32x4 way = position - load3(root.position);
+  const f32x4 way = position - load_wide(root.position);
   const float most = call.frame.teleport_m;
-  root.moved = root.frames > 0 && (call.frame.teleported || !(dot3(way, way) <= most * most)) ? 1 : 0;
+  root.moved = root.frames > 0 && (call.frame.teleported || !(squared3(way) <= most * most)) ? 1 : 0;
   if (root.moved != 0) {
     call.moved = true;
     find_turn(root, call.world, parent);
-    store3(root.velocity, turned(root, load3(root.velocity)));
+    store_wide(root.velocity, turned(root, load_wide(root.velocity)));
   }
   const bool begins = root.frames == 0;
   if (call.steps > 0) follow(call, position, root);
   if (call.steps == 0 && root.moved == 0 && !begins) return;
   if (begins) root.frames = 1;
-  store3(root.position, position);
+  store_wide(root.position, position);
   root.parent = parent;
   root.world = call.frame.world_from_scene;
 }
 
 // The bones that go now: those of a group from `lane` on.
-struct Place {
+struct SpringPlace {
   SpringGroup& group;
   int lane;
 
@@ -183,7 +183,7 @@ struct Place {
 };
 
 // They, in the animated pose, in the world.
-struct Bones {
+struct SpringBones {
   Vector<Number> animated;  // unit, or 0
   Number length, over_length;
   bool begins[Lanes::kCount];  // a chain
@@ -194,9 +194,9 @@ Vector<Number> in_world(const SpringCall& call, const Vector<Number>& v) {
   return Linear<Number>{Lanes::same(axis[0]), Lanes::same(axis[1]), Lanes::same(axis[2])} * v;
 }
 
-Bones gather(const SpringCall& call, const Place& place, std::uint16_t& chain) {
+SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16_t& chain) {
   f32x4 in_scene[Lanes::kCount];
-  Bones out;
+  SpringBones out;
   for (int i = 0; i < Lanes::kCount; ++i) {
     const std::uint16_t joint = place.joint(i), end = place.group.end[place.lane + i],
                         root = place.group.root[place.lane + i];
@@ -205,7 +205,7 @@ Bones gather(const SpringCall& call, const Place& place, std::uint16_t& chain) {
     if (joint == kNoBone) continue;
     const Affine& from = call.scene_from_joint[joint];
     in_scene[i] = end != kNoBone ? to_f32x4(origin(call.scene_from_joint[end])) - to_f32x4(origin(from))
-                                 : turn(columns(from), load3(call.springs.roots[root].tip));
+                                 : turn(columns(from), load_wide(call.springs.roots[root].tip));
     out.begins[i] = root != chain;
     chain = root;
   }
@@ -221,7 +221,7 @@ Bones gather(const SpringCall& call, const Place& place, std::uint16_t& chain) {
 }
 
 // Lanes that have not begun, or whose bone had no length, stand as animated.
-void begin(const Bones& bones, const Place& place) {
+void begin(const SpringBones& bones, const SpringPlace& place) {
   SpringGroup& group = place.group;
   const Vector<Number> d = place.vector(group.direction), none = Lanes::same(splat(0.0f));
   const auto has_motion = number(0.25f) < dot(d, d), has_length = number(0.0f) < bones.over_length;
@@ -231,8 +231,8 @@ void begin(const Bones& bones, const Place& place) {
   Lanes::store(group.animated, place.lane, select(has_motion, place.vector(group.animated), bones.animated));
 }
 
-// Bones of chains that are moved along: as if the animation stood still meanwhile.
-void move_along(const SpringCall& call, const Bones& bones, const Place& place) {
+// SpringBones of chains that are moved along: as if the animation stood still meanwhile.
+void move_along(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
   SpringGroup& group = place.group;
   f32x4 animated[Lanes::kCount];
   Lanes::split(bones.animated, animated);
@@ -253,16 +253,16 @@ void move_along(const SpringCall& call, const Bones& bones, const Place& place) 
 
 // One row of each one's chain, turned into vectors.
 template <class Row>
-Vector<Number> of_roots(const SpringCall& call, const Place& place, const Row& row) {
+Vector<Number> of_roots(const SpringCall& call, const SpringPlace& place, const Row& row) {
   const float* rows[Lanes::kCount];
   for (int i = 0; i < Lanes::kCount; ++i) rows[i] = row(place.root(call, i));
   return Lanes::rows(rows);
 }
 
-SpringPull pull_of(const SpringCall& call, const Place& place, const Bones& bones) {
+SpringPull pull_of(const SpringCall& call, const SpringPlace& place, const SpringBones& bones) {
   const SpringGroup& group = place.group;
   const Vector<Number> was = place.vector(group.animated);
-  const Vector<Number> weight = Lanes::same(load3(call.frame.gravity)) * place.number(group.gravity);
+  const Vector<Number> weight = Lanes::same(load_wide(call.frame.gravity)) * place.number(group.gravity);
   const Number drag = place.number(group.drag);
   // At one end of the frame.
   const auto field = [&](int end) {
@@ -289,8 +289,8 @@ struct Descent {
 };
 
 // outwards: across the direction, away from what it touches; 0 where it touches nothing.
-void collide_bones(const SpringCall& call, const Place& place, const Bones& bones, SpringMotion& m, f32x4& at,
-                   Vector<Number>& outwards) {
+void collide_bones(const SpringCall& call, const SpringPlace& place, const SpringBones& bones, SpringMotion& m,
+                   f32x4& at, Vector<Number>& outwards) {
   f32x4 d[Lanes::kCount], v[Lanes::kCount], o[Lanes::kCount];
   float lengths[Lanes::kCount];
   Lanes::split(m.direction, d);
@@ -312,7 +312,7 @@ void collide_bones(const SpringCall& call, const Place& place, const Bones& bone
   outwards = Lanes::vector(o);
 }
 
-void step_bones(const SpringCall& call, const Bones& bones, const Place& place, Descent* descents) {
+void step_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place, Descent* descents) {
   SpringGroup& group = place.group;
   const SpringPull pull = pull_of(call, place, bones);
   SpringMotion m = {place.vector(group.direction), place.vector(group.velocity)};
@@ -352,7 +352,7 @@ void step_bones(const SpringCall& call, const Bones& bones, const Place& place, 
 // A direction in the world as the joints above the bones see it; transposed matrices will do, since lengths are ignored
 // and the animated direction goes the same way.
 struct IntoParents {
-  IntoParents(const SpringCall& call, const Place& place) {
+  IntoParents(const SpringCall& call, const SpringPlace& place) {
     const Affine* parents[Lanes::kCount];
     for (int i = 0; i < Lanes::kCount; ++i)
       parents[i] = place.joint(i) == kNoBone ? &kIdentity : &above(call, place.joint(i));
@@ -360,7 +360,9 @@ struct IntoParents {
     for (int i = 0; i < 3; ++i) world[i] = call.world.axis[i];
   }
   Vector<Number> operator()(const Vector<Number>& v) const {
-    return normalised(rows * transposed_times(Linear<Number>{Lanes::same(world[0]), Lanes::same(world[1]), Lanes::same(world[2])}, v));
+    return normalised(
+        rows *
+        transposed_times(Linear<Number>{Lanes::same(world[0]), Lanes::same(world[1]), Lanes::same(world[2])}, v));
   }
 
   Linear<Number> rows;
@@ -377,15 +379,14 @@ Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>&
   if (const auto opposite = squared < number(1e-10f); any(opposite)) {
     const Number x = x_of(from), y = y_of(from), l = inverse_length(x * x + y * y);
     const auto upright = number(1e3f) < l;
-    const Vector<Number> axis =
-        select(upright, vector_of(one, zero, zero), vector_of((zero - y) * l, x * l, zero));
+    const Vector<Number> axis = select(upright, vector_of(one, zero, zero), vector_of((zero - y) * l, x * l, zero));
     q = select(opposite, quaternion(axis, zero), q);
   }
   const Quaternion<Number> part = straight_share(q, weight);
   return part * inverse_length(dot(part, part));
 }
 
-void show_bones(const SpringCall& call, const Bones& bones, const Place& place) {
+void show_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
   const Quaternion<Number> above_it = Lanes::rotation(place.group.bent, place.lane);
   const Vector<Number> seen =
       rotate_by_any(conjugate(above_it), two_over_squared(above_it), place.vector(place.group.direction));
@@ -432,9 +433,9 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   for (int s = 0; s < call.steps; ++s) descents[s] = {splat(0.0f), splat(0.0f)};
   std::uint16_t chain = kNoBone;
   for (std::uint32_t b = 0; b < 4 * springs.group_count; b += Lanes::kCount) {
-    const Place place = {springs.groups[b / 4], static_cast<int>(b % 4)};
+    const SpringPlace place = {springs.groups[b / 4], static_cast<int>(b % 4)};
     if (place.joint(0) == kNoBone) continue;
-    const Bones bones = gather(call, place, chain);
+    const SpringBones bones = gather(call, place, chain);
     begin(bones, place);
     if (call.moved) move_along(call, bones, place);
     if (call.steps > 0) step_bones(call, bones, place, descents);
