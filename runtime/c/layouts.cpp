@@ -549,6 +549,7 @@ SAME_MEMBER(mrw_ik_problem, IkProblem, pole_weight, pole_weight);
 SAME_MEMBER(mrw_ik_problem, IkProblem, root_travel_m, root_travel_m);
 SAME(mrw_ik_options, IkOptions);
 SAME_MEMBER(mrw_ik_options, IkOptions, method, method);
+SAME_MEMBER(mrw_ik_options, IkOptions, starts, starts);
 SAME_MEMBER(mrw_ik_options, IkOptions, max_iterations, max_iterations);
 SAME_MEMBER(mrw_ik_options, IkOptions, tolerance_m, tolerance_m);
 SAME_MEMBER(mrw_ik_options, IkOptions, damping, damping);

@@ -813,6 +813,20 @@ mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, 
   return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
+mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_chain(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+}
+
+mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_body(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+}
+
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem) {
   MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<IkProblem>(problem), 0);
   return marrow::ik_genetic_scratch_bytes(of<Skeleton>(skeleton), of<IkProblem>(problem));

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "ik/heuristic.h"
-#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -16,14 +15,14 @@ float smooth_step(float x) {
 }
 
 // The shortest turn from one direction to another; if they are opposite, about `axis`.
-Rotation arc(const Vector3& from, const Vector3& to, const Vector3& axis) {
-  const Vector3 a = normalised_or(from, {}), b = normalised_or(to, a), sum = a + b;
-  if (dot(sum, sum) > 3e-8f || dot(a, a) == 0) return shortest_arc(a, b);
-  return quaternion(normalised_or(across(axis, a), any_across(a)), 0.0f);
+WideRotation arc(f32x4 from, f32x4 to, f32x4 axis) {
+  const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, a), sum = a + b;
+  if (squared3(sum) > 3e-8f || !(squared3(a) > 0)) return shortest_arc(a, b);
+  return {unit3_or(across3(axis, a), any_across3(a))};
 }
 
 // Turns the first node, and the chain with it, by `share` of that.
-void turn_all(IkHeuristic& h, const Vector3& from, const Vector3& to, const Vector3& axis, float share) {
+void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   IkNode& node = h.tree->nodes[0];
   if (h.plain) {  // by its points alone
     h.turned = part_of(arc(from, to, axis), share);
@@ -53,9 +52,8 @@ void stretch(IkHeuristic& h, float distance, float least, float most, float limi
   if (distance < least) factor = std::max(distance / least, 1.0f / limit);
   if (factor == 1) return;
   tree.stretch = factor;
-  for (std::size_t i = 1; i < tree.nodes.size; ++i)
-    tree.nodes[i].above.origin = tree.nodes[i].above.origin * splat(factor);
-  tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * splat(factor - 1.0f);
+  for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
+  tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);
   update_frames(tree);
   update_parts(h);
 }
@@ -68,46 +66,55 @@ float into_reach(float distance, float least, float most, float margin) {
   return distance;
 }
 
+// Of what has no direction: up.
+f32x4 up() {
+  return lanes(0.0f, 1.0f, 0.0f, 0.0f);
+}
+
 // A side of the chain that is fixed to its first joint, across the first bone: the same as it moves.
-Vector3 own_side(const IkHeuristic& h) {
+f32x4 own_side(const IkHeuristic& h) {
   const IkTree& tree = *h.tree;
   const f32x4 bone = tree.nodes.size > 1 ? tree.nodes[1].above.origin : tree.ends[0].point;
-  const Vector3 side = any_across(normalised_or(to_vector3(bone), {0, 1, 0}));
-  return to_vector3(turn(tree.nodes[0].frame, side));
+  return turn(tree.nodes[0].frame, any_across3(unit3_or(bone, up())));
 }
 
 // To which side of a line through the root the joints are, each by how far it is; and the farthest of them.
-Vector3 side_of_joints(const IkHeuristic& h, const Vector3& line, float& farthest) {
-  Vector3 sum;
+f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, float& farthest) {
+  f32x4 sum = splat(0.0f);
   farthest = 0;
   for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
-    const Vector3 off = across(h.parts[i].at - h.parts[0].at, line);
-    farthest = std::max(farthest, length(off));
+    const f32x4 off = across3(h.parts[i].at - h.parts[0].at, line);
+    farthest = std::max(farthest, length3(off));
     sum = sum + off;
   }
   return sum;
+}
+
+// From the root to the goal; if that is there, to where the end is.
+f32x4 line_to_goal(const IkHeuristic& h) {
+  const f32x4 root = h.parts[0].at;
+  return unit3_or(h.aims[0].goal - root, unit3_or(h.end(0).at - root, up()));
 }
 
 // Joints of a chain that is all on the line to its goal have no side to go to, and those of one that is nearly so move
 // aside slowly. So the nearer they are to it, the more of an arc from the root to the goal they are wanted on: on the
 // side that they are on, else on the chain's own.
 void bow(IkHeuristic& h) {
-  const Vector3 root = h.parts[0].at, to = h.aims[0].goal - root;
-  const Vector3 line = normalised_or(to, normalised_or(h.end(0).at - root, {0, 1, 0}));
+  const f32x4 root = h.parts[0].at, line = line_to_goal(h);
   float off;
-  const Vector3 sides = side_of_joints(h, line, off) * h.per_size + own_side(h) * 1e-3f;
+  const f32x4 sides = side_of_joints(h, line, off) * h.per_size + own_side(h) * 1e-3f;
   const float straight = 1.0f - off * h.per_size * (1.0f / kNearlyALine);
-  const float slack = 1.0f - length(to) * h.per_size;
+  const float slack = 1.0f - length3(h.aims[0].goal - root) * h.per_size;
   if (!(straight > 0 && slack > 0)) return;
   const float share = straight * straight;
   // A parabola that is as long as the chain, nearly; and a little more where it would be flat.
   const float sag = sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
-  const Vector3 side = normalised_or(across(sides, line), any_across(line)) * (4.0f * sag * h.size_m * share);
+  const f32x4 side = unit3_or(across3(sides, line), any_across3(line)) * (4.0f * sag * h.size_m * share);
   float so_far = 0;
   for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
-    Vector3& at = h.parts[i].at;
+    f32x4& at = h.parts[i].at;
     so_far += h.parts[i].length * h.per_size;
-    at = at - line * (slack * share * dot(at - root, line)) + side * (so_far * (1.0f - so_far));
+    at = at - line * (slack * share * dot3(at - root, line)) + side * (so_far * (1.0f - so_far));
   }
 }
 
@@ -115,9 +122,8 @@ void bow(IkHeuristic& h) {
 
 float approach(IkHeuristic& h, const IkOptions& options) {
   IkAim& aim = h.aims[0];
-  IkPart& end = h.end(0);
-  const Vector3 root = h.parts[0].at;
-  const float distance = length(aim.goal - root);
+  const f32x4 root = h.parts[0].at;
+  const float distance = length3(aim.goal - root);
   const float beyond = h.free ? smooth_step(0.5f + (distance * h.per_size - 1.0f) * (0.5f / kNearlyStraight)) : 0.0f;
   float longest = 0;
   for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) longest = std::max(longest, h.parts[i].length);
@@ -125,36 +131,35 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   stretch(h, distance, folded * h.size_m, h.size_m, options.stretch);
   h.size_m = total_length(h);
   h.per_size = 1.0f / h.size_m;
-  const Vector3 line = normalised_or(aim.goal - root, normalised_or(end.at - root, {0, 1, 0}));
+  const f32x4 line = line_to_goal(h);
   const float near = into_reach(distance, folded * h.size_m, h.size_m, kNearlyStraight * h.size_m);
   aim.goal = root + line * near;
   return beyond;
 }
 
 void set_out(IkHeuristic& h) {
-  const Vector3 root = h.parts[0].at, from = h.end(0).at - root, to = h.aims[0].goal - root;
-  const float near = 4.0f * (length(from) * h.per_size) * (length(to) * h.per_size);
-  const Vector3 line = normalised_or(from, {0, 1, 0});
+  const f32x4 root = h.parts[0].at, from = h.end(0).at - root, to = h.aims[0].goal - root;
+  const float near = 4.0f * (length3(from) * h.per_size) * (length3(to) * h.per_size);
+  const f32x4 line = unit3_or(from, up());
   float off;
-  const Vector3 side = normalised_or(side_of_joints(h, line, off), own_side(h));
-  turn_all(h, from, to, cross(line, side), std::min(near, 1.0f));
+  const f32x4 side = unit3_or(side_of_joints(h, line, off), own_side(h));
+  turn_all(h, from, to, cross3(line, side), std::min(near, 1.0f));
   bow(h);
 }
 
 void face_pole(IkHeuristic& h, const IkProblem& problem) {
-  const Vector3 root = h.parts[0].at, to_pole = vector3(problem.pole) - root;
-  const Vector3 line = normalised_or(h.end(0).at - root, {});
+  const f32x4 root = h.parts[0].at, none = splat(0.0f), line = unit3_or(h.end(0).at - root, none);
   float off;
-  const Vector3 side = normalised_or(side_of_joints(h, line, off), {});
-  if (dot(line, line) == 0 || dot(side, side) == 0) return;
-  const Vector3 wanted = across(normalised_or(to_pole, {}), line);
+  const f32x4 side = unit3_or(side_of_joints(h, line, off), none);
+  if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
+  const f32x4 wanted = across3(unit3_or(to_f32x4(vector3(problem.pole)) - root, none), line);
   // Within 6 degrees of the line the pole has less and less to say.
-  const float weight = problem.pole_weight * smooth_step(10.0f * length(wanted));
-  turn_all(h, side, side * (1.0f - weight) + normalised_or(wanted, {}) * weight, line, 1.0f);
+  const float weight = problem.pole_weight * smooth_step(10.0f * length3(wanted));
+  turn_all(h, side, side * (1.0f - weight) + unit3_or(wanted, none) * weight, line, 1.0f);
 }
 
 void straighten(IkHeuristic& h, float beyond) {
-  const Vector3 root = h.parts[0].at, line = normalised_or(h.aims[0].goal - root, {});
+  const f32x4 root = h.parts[0].at, line = unit3_or(h.aims[0].goal - root, splat(0.0f));
   float so_far = 0;
   for (std::size_t i = 1; i <= h.tree->nodes.size; ++i) {
     so_far += h.parts[i].length;

@@ -5,17 +5,16 @@ namespace marrow {
 namespace {
 
 // What turns node i, of its own axes, so that the ends that it moves come nearest to their goals.
-Rotation best_turn(const IkHeuristic& h, std::size_t i, const InverseAxes& inverse) {
-  const Vector3 origin = h.parts[i].at;
-  const Rotation& turned = h.tree->nodes[i].turned;
-  const Vector3 hinge = h.tree->nodes[i].hinge;
+WideRotation best_turn(const IkHeuristic& h, std::size_t i, const InverseAxes& inverse) {
+  const f32x4 origin = h.parts[i].at, hinge = h.tree->nodes[i].hinge;
+  const WideRotation turned = h.tree->nodes[i].turned;
   TurnSum turns;
   for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
     const IkPart& end = h.end(k);
     if (end.first != i) continue;
     const IkAim& aim = h.aims[k];
-    const Vector3 from = end.at - origin, to = aim.goal - origin;
-    const float lever = length(from) * h.per_size * (length(to) * h.per_size);
+    const f32x4 from = end.at - origin, to = aim.goal - origin;
+    const float lever = length3(from) * h.per_size * (length3(to) * h.per_size);
     turns.add_arc_about(hinge, inverse * from, inverse * to, aim.position * lever);
     if (aim.turn > 0) turns.add(conjugate(turned) * aim.rotation * conjugate(end.before) * turned, aim.turn);
   }
@@ -23,15 +22,15 @@ Rotation best_turn(const IkHeuristic& h, std::size_t i, const InverseAxes& inver
 }
 
 // Takes the ends that node i moves along as it turns by `by`; then they hang on the node above.
-void carry_ends(IkHeuristic& h, std::size_t i, const InverseAxes& inverse, const Rotation& by) {
+void carry_ends(IkHeuristic& h, std::size_t i, const InverseAxes& inverse, WideRotation by) {
   const IkNode& node = h.tree->nodes[i];
-  const Vector3 origin = h.parts[i].at;
+  const f32x4 origin = h.parts[i].at;
   for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
     IkPart& end = h.end(k);
     if (end.first != i) continue;
     end.first = node.parent;
     if (!inverse.exists) continue;
-    end.at = origin + to_vector3(turn(node.frame, rotate(by, inverse * (end.at - origin))));
+    end.at = origin + turn(node.frame, rotate(by, inverse * (end.at - origin)));
     if (h.tree->turns) end.before = node.turned * by * conjugate(node.turned) * end.before;
   }
 }
@@ -47,7 +46,7 @@ void descend_once(IkHeuristic& h) {
   for (std::size_t i = tree.nodes.size; i-- > 0;) {
     IkNode& node = tree.nodes[i];
     const InverseAxes inverse(node.frame.axis);
-    const Rotation was = node.rotation;
+    const WideRotation was = node.rotation;
     if (inverse.exists) set_turned(node, was * part_of(best_turn(h, i, inverse), node.ease_root * node.ease_root));
     carry_ends(h, i, inverse, conjugate(was) * node.rotation);
   }

@@ -5,26 +5,25 @@ namespace marrow {
 namespace {
 
 // From an end back to its node: as the end lies, and, as far as the goal's rotation counts, as it shall be turned.
-Vector3 back_from_end(const IkHeuristic& h, std::size_t k, const Vector3& as_it_lies) {
+f32x4 back_from_end(const IkHeuristic& h, std::size_t k, f32x4 as_it_lies) {
   const IkAim& aim = h.aims[k];
   if (aim.turn == 0) return as_it_lies;
   const float length = h.end(k).length, lever = length * h.per_size;
-  const Vector3 turned = normalised_or(rotate(aim.rotation, to_vector3(h.tree->ends[k].point)), {}) * -length;
+  const f32x4 turned = unit3_or(rotate(aim.rotation, h.tree->ends[k].point), splat(0.0f)) * -length;
   return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
 }
 
 // Scene rotation of a node's axes before they turn.
-Rotation above_turned(const IkTree& tree, const IkNode& node) {
+WideRotation above_turned(const IkTree& tree, const IkNode& node) {
   return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
 }
 
 // What turns node i, whose axes before they turn are `above`, to where its parts are wanted.
-Rotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above) {
+WideRotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above) {
   const IkTree& tree = *h.tree;
   const IkNode& node = tree.nodes[i];
   const InverseAxes inverse(above.axis);
-  const Vector3 origin = to_vector3(above.origin);
-  const Vector3 hinge = rotate(node.rotation, node.hinge);
+  const f32x4 hinge = rotate(node.rotation, node.hinge);
   TurnSum turns;
   for (std::uint16_t c = h.parts[i].first; c != kNoPart; c = h.parts[c].next) {
     const IkPart& part = h.parts[c];
@@ -32,7 +31,7 @@ Rotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above)
     const std::size_t k = c - tree.nodes.size;
     const f32x4 bone = is_node ? tree.nodes[c].above.origin : tree.ends[k].point;
     const float lever = part.length * h.per_size;
-    turns.add_arc_about(hinge, rotate(node.rotation, to_vector3(bone)), inverse.direction(part.at - origin),
+    turns.add_arc_about(hinge, rotate(node.rotation, bone), inverse.direction(part.at - above.origin),
                         part.weight * lever * lever);
     if (is_node || h.aims[k].turn == 0) continue;
     turns.add(conjugate(above_turned(tree, node)) * h.aims[k].rotation * conjugate(node.rotation), h.aims[k].turn);
@@ -43,7 +42,7 @@ Rotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above)
 }  // namespace
 
 void reach_forward_by_points(IkHeuristic& h) {
-  Vector3 from = h.parts[0].at;
+  f32x4 from = h.parts[0].at;
   for (std::size_t i = 1; i <= h.tree->nodes.size; ++i) {
     IkPart& part = h.parts[i];
     from = part.at = from + along(part.at - from, part.length);
@@ -54,18 +53,18 @@ void reach_forward_by_points(IkHeuristic& h) {
 // that it lacks is found in the scene as it was, where no frame has to wait for the one above it.
 void turn_to_points(IkHeuristic& h) {
   IkTree& tree = *h.tree;
-  Rotation turned = h.turned;
+  WideRotation turned = h.turned;
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     IkNode& node = tree.nodes[i];
     const f32x4 bone = i + 1 < tree.nodes.size ? tree.nodes[i + 1].above.origin : tree.ends[0].point;
     TurnSum arc;
-    arc.add_arc(to_vector3(turn(node.frame, bone)), rotate(conjugate(turned), h.parts[i + 1].at - h.parts[i].at), 1.0f);
-    const Rotation by = normalised(arc.turn()), in_scene = i == 0 ? turned * by : by;
+    arc.add_arc(turn(node.frame, bone), rotate(conjugate(turned), h.parts[i + 1].at - h.parts[i].at), 1.0f);
+    const WideRotation by = normalised(arc.turn()), in_scene = i == 0 ? turned * by : by;
     turned = turned * by;
     const InverseAxes inverse(node.frame.axis);
-    const Vector3 axis = axis_part(in_scene);
-    const Vector3 in_frame = along(inverse.direction(axis), inverse.sign * sqrt(dot(axis, axis)));
-    set_turned(node, node.rotation * quaternion(in_frame, in_scene.w));
+    const f32x4 axis = without_w(in_scene.v);
+    const f32x4 in_frame = along(inverse.direction(axis), inverse.sign * length3(axis));
+    set_turned(node, node.rotation * quaternion(in_frame, w_lane(in_scene)));
   }
   update_frames(tree);
   update_parts(h);
@@ -75,28 +74,25 @@ void pull(IkHeuristic& h) {
   // The end is at Σ length · d, d the bones' directions; with d + v instead, of unit length, it moves by
   // Σ length (I - d dᵀ) v, to first order in v.
   const std::size_t end = h.tree->nodes.size;
-  float xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  f32x4 axes[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
   for (std::size_t i = 1; i <= end; ++i) {
     const float length = h.parts[i].length;
-    const Vector3 d = along(h.parts[i].at - h.parts[i - 1].at, 1.0f), w = d * length;
-    xx += length - w.x * d.x;
-    yy += length - w.y * d.y;
-    zz += length - w.z * d.z;
-    xy -= w.x * d.y;
-    xz -= w.x * d.z;
-    yz -= w.y * d.z;
+    const f32x4 d = along(h.parts[i].at - h.parts[i - 1].at, 1.0f), w = d * length;
+    axes[0] = axes[0] + (lanes(length, 0, 0, 0) - splat_lane<0>(w) * d);
+    axes[1] = axes[1] + (lanes(0, length, 0, 0) - w * splat_lane<1>(d));
+    axes[2] = axes[2] + (lanes(0, 0, length, 0) - w * splat_lane<2>(d));
   }
-  const float least = 1e-4f * h.size_m;  // a straight chain is not moved along itself
-  xx += least, yy += least, zz += least;
-  const float s = h.per_size;
-  const f32x4 axes[3] = {lanes(xx * s, xy * s, xz * s, 0.0f), lanes(xy * s, yy * s, yz * s, 0.0f),
-                         lanes(xz * s, yz * s, zz * s, 0.0f)};
-  Vector3 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
-  v = v * (1.0f / sqrt(1.0f + dot(v, v) * 1.2f));  // shorter than d, which never turns round
-  Vector3 from = h.parts[0].at, before = from;
+  axes[1] = with_z(axes[1], first_lane(splat_lane<1>(axes[2])));  // symmetric to the last bit
+  const float least = 1e-4f * h.size_m, s = h.per_size;           // a straight chain is not moved along itself
+  axes[0] = (axes[0] + lanes(least, 0, 0, 0)) * s;
+  axes[1] = (axes[1] + lanes(0, least, 0, 0)) * s;
+  axes[2] = (axes[2] + lanes(0, 0, least, 0)) * s;
+  f32x4 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
+  v = v * (1.0f / sqrt(1.0f + squared3(v) * 1.2f));  // shorter than d, which never turns round
+  f32x4 from = h.parts[0].at, before = from;
   for (std::size_t i = 1; i <= end; ++i) {
     IkPart& part = h.parts[i];
-    const Vector3 d = along(part.at - before, 1.0f);
+    const f32x4 d = along(part.at - before, 1.0f);
     before = part.at;
     from = part.at = from + along(d + v, part.length);
   }
@@ -106,10 +102,10 @@ void reach_backward(IkHeuristic& h) {
   for (std::size_t i = h.tree->nodes.size; i-- > 0;) {
     IkPart& node = h.parts[i];
     if (h.tree->nodes[i].parent == kNoParent || node.weight == 0) continue;
-    Vector3 wanted;
+    f32x4 wanted = splat(0.0f);
     for (std::uint16_t c = node.first; c != kNoPart; c = h.parts[c].next) {
       const IkPart& part = h.parts[c];
-      Vector3 back = along(node.at - part.at, part.length);
+      f32x4 back = along(node.at - part.at, part.length);
       if (c >= h.tree->nodes.size) back = back_from_end(h, c - h.tree->nodes.size, back);
       wanted = wanted + (part.at + back) * part.share;
     }
@@ -128,7 +124,7 @@ void reach_forward(IkHeuristic& h) {
       for (f32x4& axis : above.axis) axis = turn(parent, axis);
       above.origin = transform(parent, above.origin);
     }
-    const Rotation by = forward_turn(h, i, above);
+    const WideRotation by = forward_turn(h, i, above);
     const float ease = node.ease_root * node.ease_root;
     set_turned(node, part_of(by, ease) * node.rotation);
     f32x4 axes[3];

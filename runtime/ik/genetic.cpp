@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/mark.h"
+#include "ik/chance.h"
 #include "ik/heuristic.h"
 
 namespace marrow {
@@ -15,35 +16,8 @@ constexpr std::size_t kElites = 6;  // of those, that learn and live on
 constexpr int kLessons = 4;         // for each elite, a generation
 constexpr float kProgress = 0.9f;   // of an elite's error, what must be left at most, or else it makes room
 
-// PCG-XSH-RR (O'Neill 2014): the same numbers everywhere.
-class Chance {
- public:
-  explicit Chance(std::uint32_t seed) : state_(seed + 0x9E3779B97F4A7C15u) { bits(); }
-  std::uint32_t bits() {
-    const std::uint64_t old = state_;
-    state_ = old * 6364136223846793005u + 1442695040888963407u;
-    const std::uint32_t x = static_cast<std::uint32_t>(((old >> 18) ^ old) >> 27),
-                        turn = static_cast<std::uint32_t>(old >> 59);
-    return (x >> turn) | (x << ((32 - turn) & 31));
-  }
-  // 0 … 1, in steps of 2⁻²⁴.
-  float unit() { return static_cast<float>(bits() >> 8) * (1.0f / 16777216.0f); }
-  std::size_t below(std::size_t n) { return bits() % n; }
-  // About any axis; size 1 is up to 90°, more is farther.
-  Rotation turn(float size) {
-    Vector3 v;
-    v.x = unit() * 2.0f - 1.0f;
-    v.y = unit() * 2.0f - 1.0f;
-    v.z = unit() * 2.0f - 1.0f;
-    return normalised(quaternion(v * size, 1.0f));
-  }
-
- private:
-  std::uint64_t state_;
-};
-
 struct Pose {
-  Rotation* rotations;  // one a node
+  WideRotation* rotations;  // one a node
   float error;
 };
 
@@ -84,7 +58,7 @@ void cross(Population& p, Pose& child) {
   const Pose &a = parent(p), &b = parent(p);
   const float wide = p.chance.unit(), size = wide * wide * wide, share = p.chance.unit();
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
-    const Rotation between =
+    const WideRotation between =
         part_of(conjugate(a.rotations[i]) * b.rotations[i], p.chance.bits() % 2 == 0 ? 0.0f : share);
     const bool changes = p.chance.bits() % 2 == 0;
     set_turned(tree.nodes[i], a.rotations[i] * between * p.chance.turn(changes ? size : 0.0f));
@@ -126,8 +100,8 @@ void next_generation(Population& p, float tolerance) {
 IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, Memory& scratch) {
   Population p{set_up(tree, scratch), Chance(options.seed), {}, {}};
   for (std::size_t i = 0; i < kPoses; ++i) {
-    p.poses[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
-    p.next[i].rotations = scratch.take<Rotation>(tree.nodes.size).data;
+    p.poses[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
+    p.next[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
   }
   take(tree, p.poses[0]);
   IkReport report;
@@ -146,12 +120,10 @@ IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const Ik
 }  // namespace
 
 std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  IkOptions options;
-  options.method = IkMethod::ccd;
   Memory poses;
-  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<Rotation>(problem.joints.size);
-  const std::size_t tree = ik_scratch_bytes(skeleton, problem, options);
-  return tree > 0 ? tree + poses.whole() : 0;
+  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<WideRotation>(problem.joints.size);
+  const std::size_t rest = heuristic_scratch_bytes(skeleton, problem);
+  return rest > 0 ? rest + poses.whole() : 0;
 }
 
 Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "limits/joint_limit.h"
+#include "core/mark.h"
 
 namespace marrow {
 namespace {
@@ -27,8 +27,8 @@ void set_aims(IkHeuristic& h) {
     const IkEnd& end = tree.ends[k];
     IkAim& aim = h.aims[k];
     const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
-    aim.goal = vector3(end.goal->position);
-    aim.rotation = normalised(rotation(end.goal->rotation)) * conjugate(end.rotation);
+    aim.goal = to_f32x4(vector3(end.goal->position));
+    aim.rotation = normalised(WideRotation{load(end.goal->rotation)}) * conjugate(end.rotation);
     aim.position = position * position;
     aim.turn = turn * turn;
   }
@@ -53,11 +53,11 @@ float error_of(const IkHeuristic& h) {
   float sum = 0;
   for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
     const IkEnd& end = h.tree->ends[k];
-    const Vector3 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
-    sum += dot(p, p);
+    const f32x4 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
+    sum += squared3(p);
     if (!(h.aims[k].turn > 0)) continue;
-    const Vector3 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
-    sum += dot(r, r);
+    const f32x4 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
+    sum += squared3(r);
   }
   return sqrt(sum);
 }
@@ -72,17 +72,16 @@ void keep_pose(IkHeuristic& h) {
 
 bool points_rest(const IkHeuristic& h) {
   for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) {
-    const Vector3 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
-    if (dot(d, d) > 1e-13f) return false;
+    const f32x4 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
+    if (squared3(d) > 1e-13f) return false;
   }
   return true;
 }
 
 bool joints_rest(const IkHeuristic& h) {
   for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
-    const Rotation &a = h.parts[i].before, &b = h.tree->nodes[i].rotation;
-    const Rotation d = {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
-    if (dot(d, d) > 1e-13f) return false;
+    const f32x4 d = h.parts[i].before.v - h.tree->nodes[i].rotation.v;
+    if (dot4(d, d) > 1e-13f) return false;
   }
   return true;
 }
@@ -164,11 +163,13 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 
 }  // namespace
 
-std::size_t heuristic_scratch_bytes(const IkProblem& problem) {
+std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
+  if (tree == 0) return 0;
   Memory count;
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return count.whole();
+  return tree + count.whole();
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
@@ -176,7 +177,7 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   h.tree = &tree;
   h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size).data;
   h.aims = scratch.take<IkAim>(tree.ends.size).data;
-  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = {};
+  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = IkPart{};
   update_parts(h);
   for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.size_m += h.parts[i].length;
   h.per_size = h.size_m > 0 && h.size_m < 1e15f ? 1.0f / h.size_m : 0.0f;
@@ -209,66 +210,65 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
   return report;
 }
 
-void TurnSum::add(const Rotation& q, float w) {
-  const float s = dot(sum, q) < 0 ? -w : w;
-  sum = sum + q * s;
+Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                      const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
+  MARROW_REQUIRE(options.method <= IkMethod::ccd);
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, skeleton, local, scene_from_joint, problem, options, scratch,
+                                  heuristic_scratch_bytes(skeleton, problem), report));
+  return Status::ok;
+}
+
+void TurnSum::add(WideRotation q, float w) {
+  sum = sum + q.v * (dot4(sum, q.v) < 0 ? -w : w);
   weight += w;
 }
 
-void TurnSum::add_arc(const Vector3& from, const Vector3& to, float w) {
-  const Vector3 a = along(from, 1.0f), b = along(to, 1.0f);
-  if (dot(a, a) == 0 || dot(b, b) == 0) return;
-  const Vector3 v = cross(a, b), sum_ab = a + b;
-  add(quaternion(v, 0.5f * dot(sum_ab, sum_ab)), w);
-  if (dot(across, across) == 0) across = any_across(a);
+void TurnSum::add_arc(f32x4 from, f32x4 to, float w) {
+  const f32x4 a = along(from, 1.0f), b = along(to, 1.0f);
+  if (!(squared3(a) > 0) || !(squared3(b) > 0)) return;
+  const f32x4 both = a + b;
+  add(quaternion(cross3(a, b), 0.5f * squared3(both)), w);
+  if (!(squared3(across) > 0)) across = any_across3(a);
 }
 
-void TurnSum::add_arc_about(const Vector3& hinge, const Vector3& from, const Vector3& to, float w) {
-  add_arc(marrow::across(from, hinge), marrow::across(to, hinge), w);
-  if (dot(hinge, hinge) > 0) across = hinge;
+void TurnSum::add_arc_about(f32x4 hinge, f32x4 from, f32x4 to, float w) {
+  add_arc(across3(from, hinge), across3(to, hinge), w);
+  if (squared3(hinge) > 0) across = hinge;
 }
 
-Rotation TurnSum::turn() const {
-  if (dot(sum, sum) > 1e-8f * weight * weight) return sum;
-  return weight > 0 ? quaternion(across, 0.0f) : Rotation{};
+WideRotation TurnSum::turn() const {
+  if (dot4(sum, sum) > 1e-8f * weight * weight) return {sum};
+  return weight > 0 ? WideRotation{across} : no_turn();
 }
 
-InverseAxes::InverseAxes(const f32x4 (&axis)[3]) {
-  const Linear<float> m = {to_vector3(axis[0]), to_vector3(axis[1]), to_vector3(axis[2])};
-  cofactor = cofactors(m);
-  const float volume = dot(m.x, cofactor.x), size = absolute(volume);
+InverseAxes::InverseAxes(const f32x4 (&axis)[3])
+    : cofactor{cross3(axis[1], axis[2]), cross3(axis[2], axis[0]), cross3(axis[0], axis[1])} {
+  const float volume = dot3(axis[0], cofactor[0]), size = absolute(volume);
   exists = size > 1e-30f && size < 1e30f;
   sign = volume < 0 ? -1.0f : 1.0f;
   scale = exists ? 1.0f / size : 0.0f;
 }
 
-Rotation part_of(const Rotation& any, float share) {
+WideRotation part_of(WideRotation any, float share) {
   if (share == 1.0f) return any;
-  const Rotation q = normalised(any);
-  return share_of(q.w < 0 ? q * -1.0f : q, share);
-}
-
-void set_turned(IkNode& node, const Rotation& rotation) {
-  if (!(node.ease_root > 0)) return;
-  const float squared = dot(rotation, rotation), k = sqrt(squared) * (1.0f / squared);
-  if (!has_direction(squared)) return;
-  node.rotation = rotation * k;
-  if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
+  const WideRotation q = normalised(any);
+  return share_of(WideRotation{w_lane(q) < 0 ? q.v * -1.0f : q.v}, share);
 }
 
 void update_parts(IkHeuristic& h) {
   const IkTree& tree = *h.tree;
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     IkPart& part = h.parts[i];
-    part.at = to_vector3(tree.nodes[i].frame.origin);
+    part.at = tree.nodes[i].frame.origin;
     const std::uint16_t parent = tree.nodes[i].parent;
-    part.length = parent == kNoParent ? 0.0f : length(part.at - h.parts[parent].at);
+    part.length = parent == kNoParent ? 0.0f : length3(part.at - h.parts[parent].at);
   }
   for (std::size_t k = 0; k < tree.ends.size; ++k) {
     const IkEnd& end = tree.ends[k];
     IkPart& part = h.end(k);
-    part.at = to_vector3(transform(tree.nodes[end.node].frame, end.point));
-    part.length = length(part.at - h.parts[end.node].at);
+    part.at = transform(tree.nodes[end.node].frame, end.point);
+    part.length = length3(part.at - h.parts[end.node].at);
   }
 }
 

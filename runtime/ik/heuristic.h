@@ -9,40 +9,40 @@ inline constexpr std::uint16_t kNoPart = 0xFFFF;
 
 // One a node and, after those, one an end. What hangs on a node is a list of parts.
 struct IkPart {
-  Vector3 at;                     // where its point is, or where it is wanted: scene space
+  f32x4 at;                       // where its point is, or where it is wanted: scene space
+  f32x4 was;                      // `at`, an iteration earlier
+  WideRotation before;            // of a node: its rotation an iteration earlier; of an end: its node's in the scene
   float length = 0;               // from the node that it hangs on to there
   float weight = 0;               // of the positions to be reached by it and what hangs on it
   float share = 0;                // of all weight that hangs on the same node
   std::uint16_t next = kNoPart;   // on the same node
   std::uint16_t first = kNoPart;  // what hangs on it, if it is a node
-  Vector3 was;                    // `at`, an iteration earlier
-  Rotation before;                // of a node: its rotation an iteration earlier; of an end: its node's in the scene
 };
 
 struct IkAim {
-  Vector3 goal;        // the position to reach; where that is out of reach, the nearest that is not
-  Rotation rotation;   // the goal's, for the node: in the scene
-  float position = 0;  // the weights, squared, relative to the greatest; a radian is as long as the tree
-  float turn = 0;
+  f32x4 goal;             // the position to reach; where that is out of reach, the nearest that is not
+  WideRotation rotation;  // the goal's, for the node: in the scene
+  float position;         // the weights, squared, relative to the greatest; a radian is as long as the tree
+  float turn;
 };
 
 struct IkHeuristic {
   IkTree* tree;
   IkPart* parts;
   IkAim* aims;
-  float size_m = 0;    // sum of all lengths
-  float per_size = 0;  // 1 / size_m; 0 for no size
-  bool free = true;    // neither limits nor stiffness
-  bool chain = false;  // one end, with a position to reach
-  bool plain = false;  // nothing but that: FABRIK goes by points alone, and joints turn when they are there
-  Rotation turned;     // of a plain chain, as a whole, in the scene
+  float size_m = 0;                 // sum of all lengths
+  float per_size = 0;               // 1 / size_m; 0 for no size
+  bool free = true;                 // neither limits nor stiffness
+  bool chain = false;               // one end, with a position to reach
+  bool plain = false;               // nothing but that: points move alone, and joints turn when they are there
+  WideRotation turned = no_turn();  // of a plain chain, as a whole, in the scene
 
   IkPart& end(std::size_t k) const { return parts[tree->nodes.size + k]; }
 };
 
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
-inline Vector3 along(const Vector3& v, float length) {
-  const float squared = dot(v, v);
+inline f32x4 along(f32x4 v, float length) {
+  const float squared = squared3(v);
   return v * (has_direction(squared) ? length * (sqrt(squared) * (1.0f / squared)) : 0.0f);
 }
 
@@ -51,33 +51,31 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch);
 
 // A sum of turns: quaternions that are not of unit length weigh as they are long.
 struct TurnSum {
-  void add(const Rotation& q, float w);
+  void add(WideRotation q, float w);
   // The shortest that takes a direction to another; none if one of them is none.
-  void add_arc(const Vector3& from, const Vector3& to, float w);
+  void add_arc(f32x4 from, f32x4 to, float w);
   // The one about a hinge that takes a direction nearest to another; of no hinge, the shortest.
-  void add_arc_about(const Vector3& hinge, const Vector3& from, const Vector3& to, float w);
-  Rotation turn() const;  // not of unit length
+  void add_arc_about(f32x4 hinge, f32x4 from, f32x4 to, float w);
+  WideRotation turn() const;  // not of unit length
 
-  Rotation sum = {0, 0, 0, 0};
+  f32x4 sum = splat(0.0f);
+  f32x4 across = splat(0.0f);  // about what to turn if the turns cancel each other
   float weight = 0;
-  Vector3 across;  // about what to turn if the turns cancel each other
 };
 
 // The inverse of the linear part of a frame.
 struct InverseAxes {
   explicit InverseAxes(const f32x4 (&axis)[3]);
   // Of the length that it has, but for a factor above 0: not to wait for a division.
-  Vector3 direction(const Vector3& v) const { return transposed_times(cofactor, v) * sign; }
-  Vector3 operator*(const Vector3& v) const { return direction(v) * scale; }
-  Linear<float> cofactor;
+  f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
+  f32x4 operator*(f32x4 v) const { return direction(v) * scale; }
+  f32x4 cofactor[3];
   float sign, scale;
   bool exists;
 };
 
 // `share` of the turn q, of any length, the shorter way round; q itself if that is all of it.
-Rotation part_of(const Rotation& any, float share);
-// Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
-void set_turned(IkNode& node, const Rotation& rotation);
+WideRotation part_of(WideRotation any, float share);
 // Positions and lengths of all parts, from the frames.
 void update_parts(IkHeuristic& h);
 

@@ -8,6 +8,7 @@
 // Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
 // 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
+#include "core/mark.h"
 #include "ik/dense.h"
 #include "ik/system.h"
 #include "limits/joint_limit.h"
@@ -43,8 +44,9 @@ f32x4 linear_effect(const IkSystem& s, std::size_t t) {
 // What a fixed part of the step does to task t need not be answered.
 void take_off(IkSystem& s, std::size_t t, f32x4 done) {
   float* const rest = s.rest + 3 * t;
-  const Vector3 left = to_vector3(load(rest) - done);
-  store(rest, left);
+  const float next = rest[3];  // another's, or padding
+  store(rest, load(rest) - done);
+  rest[3] = next;
 }
 
 // Gauss-Newton's pull back to where the pose began.
@@ -55,7 +57,7 @@ void pull_back(IkSystem& s, float share) {
     if (!(node.ease_root > 0)) continue;
     s.moves[i].fixed = turn_of(conjugate(node.start) * node.rotation) * splat(-share / node.ease_root);
   }
-  if (s.travel_ease > 0) s.moves[tree.nodes.size].fixed = to_f32x4(tree.travel) * splat(-share / s.travel_ease);
+  if (s.travel_ease > 0) s.moves[tree.nodes.size].fixed = tree.travel * splat(-share / s.travel_ease);
   for (std::size_t t = 0; t < s.tasks.size; ++t) take_off(s, t, effect(s.tasks[t], s.moves, &IkMove::fixed));
 }
 
@@ -73,15 +75,15 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
       felt += e3[r] * dot3(load(block + r * stride), e);
       all += kStuck * block[r * stride + r];
     }
-    const float squared = dot3(e, e);
+    const float squared = squared3(e);
     if (task.turn || !(felt < all * squared)) continue;
     const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
     const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
     const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
     for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
-      const f32x4 arm = end - node.frame.origin, about = across(node.frame.axis, axis);
-      const float inward = -dot3(arm, e), size = l * sqrt(dot3(arm, arm) * dot3(about, about));
+      const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
+      const float inward = -dot3(arm, e), size = l * sqrt(squared3(arm) * squared3(about));
       if (!(inward > 0 && size > 0)) continue;
       s.moves[n].answer = s.moves[n].answer + about * splat(bend * node.ease_root * (inward / size));
     }
@@ -93,7 +95,7 @@ float longest_turn(const IkSystem& s) {
   float most = 0;
   for (std::size_t i = 0; i < s.tree->nodes.size; ++i) {
     const f32x4 v = (s.moves[i].fixed + s.moves[i].answer) * splat(s.tree->nodes[i].ease_root);
-    const float squared = dot3(v, v);
+    const float squared = squared3(v);
     if (!(squared <= most)) most = squared;
   }
   return sqrt(most);
@@ -108,15 +110,14 @@ bool set_next(IkSystem& s, float factor) {
     const IkNode& node = tree.nodes[i];
     IkMove& move = s.moves[i];
     const f32x4 step = move.fixed + move.answer;
-    const Rotation next = normalised(node.rotation * exp_rotation(to_vector3(step * splat(factor * node.ease_root))));
+    const WideRotation next = normalised(node.rotation * exp_rotation(step * splat(factor * node.ease_root)));
     move.next = next;
     move.stopped = false;
     if (node.limit == nullptr || !(node.ease_root > 0)) continue;
     move.next = clamped(*node.limit, next);
-    const Rotation& in = move.next;
-    if (in.x == next.x && in.y == next.y && in.z == next.z && in.w == next.w) continue;
-    const f32x4 turn = turn_of(conjugate(node.rotation) * in) * splat(1.0f / node.ease_root), over = step - turn;
-    const float squared = dot3(over, over);
+    if (same(move.next, next)) continue;
+    const f32x4 turn = turn_of(conjugate(node.rotation) * move.next) * splat(1.0f / node.ease_root), over = step - turn;
+    const float squared = squared3(over);
     move.beyond = over * splat(squared > 1e-30f ? 1.0f / sqrt(squared) : 0.0f);
     move.most = dot3(move.beyond, turn - move.fixed);
     move.fixed = move.fixed + move.beyond * splat(move.most);
@@ -161,9 +162,9 @@ void set_promise(const IkSystem& s, float factor, Progress& p) {
   for (std::size_t t = 0; t < s.tasks.size; ++t) {
     const f32x4 e = load(s.error + 3 * t), step = linear_effect(s, t) * splat(factor);
     const float along = dot3(step, e);
-    p.promised += 2 * s.tasks[t].cut * along - dot3(step, step);
+    p.promised += 2 * s.tasks[t].cut * along - squared3(step);
     mended += along;
-    all += dot3(e, e);
+    all += squared3(e);
   }
   p.mended = mended > 0 ? (mended < all ? mended / all : 1.0f) : 0.0f;
 }
@@ -194,18 +195,12 @@ bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axi
     if (tree.nodes[i].ease_root > 0) tree.nodes[i].rotation = s.moves[i].next;
   }
   const IkMove& travel = s.moves[tree.nodes.size];
-  tree.travel = tree.travel + to_vector3((travel.fixed + travel.answer) * splat(factor * s.travel_ease));
+  tree.travel = tree.travel + (travel.fixed + travel.answer) * splat(factor * s.travel_ease);
   update_frames(tree);
   return true;
 }
 
 }  // namespace
-
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory count;
-  place_system(skeleton, problem, count);
-  return count.whole();
-}
 
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
                         Memory& scratch) {
@@ -229,6 +224,15 @@ IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem&
     report.why = IkStop::stalled;
     if (!take_step(s, options, pull, load(kBendAxes[report.iterations % 2]), p)) return report;
   }
+}
+
+Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+  MARROW_MARK;
+  MARROW_REQUIRE(options.method > IkMethod::ccd);
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, skeleton, local, scene_from_joint, problem, options, scratch,
+                                  jacobian_scratch_bytes(skeleton, problem), report));
+  return Status::ok;
 }
 
 }  // namespace marrow

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "core/mark.h"
+#include "ik/chance.h"
 #include "ik/tree.h"
 #include "marrow/block.h"
 #include "math/finite.h"
@@ -45,34 +46,60 @@ BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
 }
 
 BadCall check_options(const IkOptions& options) {
-  MARROW_CHECK(options.method <= IkMethod::gauss_newton);
+  MARROW_CHECK(options.method <= IkMethod::gauss_newton && options.starts > 0);
   MARROW_CHECK(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
   MARROW_CHECK(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
   return {};
 }
 
-bool is_jacobian(IkMethod method) {
-  return method == IkMethod::damped_least_squares || method == IkMethod::gauss_newton;
+// Joints turned at random from where the pose has them.
+void begin_anew(IkTree& tree, Chance& chance) {
+  for (IkNode& node : tree.nodes) set_turned(node, node.start * chance.turn(1.0f));
+  tree.travel = splat(0.0f);
+  update_frames(tree);
 }
 
+// From the pose; where that ends short of the goals, from others too, as many as there may be. The tree keeps the best.
+IkReport solve_from_starts(IkSolver solve, const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
+                           const IkOptions& options, const Memory& memory) {
+  Memory rest = memory;
+  IkReport best = solve(skeleton, tree, problem, options, rest);
+  Chance chance(options.seed);
+  for (int start = 1; start < options.starts && best.why != IkStop::reached; ++start) {
+    const f32x4 travel = tree.travel;
+    for (IkNode& node : tree.nodes) node.best = node.rotation;
+    begin_anew(tree, chance);
+    rest = memory;
+    IkReport next = solve(skeleton, tree, problem, options, rest);
+    next.iterations += best.iterations;
+    if (next.error_m < best.error_m) {
+      best = next;
+      continue;
+    }
+    best.iterations = next.iterations;
+    for (IkNode& node : tree.nodes) node.rotation = node.best;
+    tree.travel = travel;
+  }
+  return best;
+}
+
+}  // namespace
+
 std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return 0;
   Memory count;
   place_tree(skeleton, problem, count);
   return count.whole() + 15;
 }
 
-}  // namespace
-
 std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options) {
-  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return 0;
-  return tree_scratch_bytes(skeleton, problem) +
-         (is_jacobian(options.method) ? jacobian_scratch_bytes(skeleton, problem) : heuristic_scratch_bytes(problem));
+  return (options.method <= IkMethod::ccd ? heuristic_scratch_bytes : jacobian_scratch_bytes)(skeleton, problem);
 }
 
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
-  const IkSolver solver = is_jacobian(options.method) ? solve_jacobian : solve_heuristic;
+  const IkSolver solver = options.method <= IkMethod::ccd ? solve_heuristic : solve_jacobian;
   MARROW_REQUIRE_GOOD(solve_ik_by(solver, skeleton, local, scene_from_joint, problem, options, scratch,
                                   ik_scratch_bytes(skeleton, problem, options), report));
   return Status::ok;
@@ -90,7 +117,7 @@ BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform
   IkTree tree;
   const IkTreeMemory placed = place_tree(skeleton, problem, memory);
   if (const BadCall bad = build_tree(skeleton, local, scene_from_joint, problem, placed, tree)) return bad;
-  const IkReport done = solver(skeleton, tree, problem, options, memory);
+  const IkReport done = solve_from_starts(solver, skeleton, tree, problem, options, memory);
   if (report != nullptr) *report = done;
   if (options.weight != 0) (void)store_tree(skeleton, tree, options.weight, local, scene_from_joint);
   return {};

@@ -60,11 +60,11 @@ void set_entries(const IkSystem& s, const IkTask& task) {
       entry->column[2] = axis[1] * x - axis[0] * y;
       point = transform(node.parent_from_frame, point);
     }
-    if (dot(node.hinge, node.hinge) > 0) {
-      const f32x4 about = times(*entry, to_f32x4(node.hinge));
-      entry->column[0] = about * splat(node.hinge.x);
-      entry->column[1] = about * splat(node.hinge.y);
-      entry->column[2] = about * splat(node.hinge.z);
+    if (squared3(node.hinge) > 0) {
+      const f32x4 about = times(*entry, node.hinge);
+      entry->column[0] = about * splat_lane<0>(node.hinge);
+      entry->column[1] = about * splat_lane<1>(node.hinge);
+      entry->column[2] = about * splat_lane<2>(node.hinge);
     }
     n = node.parent;
   }
@@ -117,6 +117,14 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   return s;
 }
 
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
+  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
+  if (tree == 0) return 0;
+  Memory count;
+  place_system(skeleton, problem, count);
+  return tree + count.whole();
+}
+
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
   s.tree = &tree;
   s.travel_ease = travel_ease(tree, problem.root_travel_m);
@@ -138,14 +146,14 @@ void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
 float set_errors(IkSystem& s) {
   float total = 0, *to = s.error;
   for (IkTask& task : s.tasks) {
-    Vector3 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
+    f32x4 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
     e = e * task.weight;
-    const float squared = dot(e, e), l = sqrt(squared);
+    const float squared = squared3(e), l = sqrt(squared);
     total += squared;
     task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
     if (l > task.longest) e = e * (task.longest / l);
-    task.size = length(e) * (task.turn ? length(e) : task.longest);  // how a turn's error bends depends on its size
-    store(to, e);
+    task.size = length3(e) * (task.turn ? length3(e) : task.longest);  // how a turn's error bends depends on its size
+    store(to, e);                                                      // the fourth lane is the next one's, or padding
     to += 3;
   }
   return sqrt(total);
@@ -202,7 +210,7 @@ void set_answers(IkSystem& s) {
     const f32x4 v = load(x);
     for (std::uint32_t i = 0; i < task.length; ++i) {
       f32x4& answer = s.moves[task.path[i].node].answer;
-      answer = answer + across(task.path[i].column, v);
+      answer = answer + products(task.path[i].column, v);
     }
     x += 3;
   }
@@ -210,12 +218,6 @@ void set_answers(IkSystem& s) {
 
 f32x4 times(const IkEntry& entry, f32x4 v) {
   return entry.column[0] * splat_lane<0>(v) + entry.column[1] * splat_lane<1>(v) + entry.column[2] * splat_lane<2>(v);
-}
-
-f32x4 across(const f32x4 (&column)[3], f32x4 v) {
-  f32x4 row0 = column[0] * v, row1 = column[1] * v, row2 = column[2] * v, none = splat(0.0f);
-  transpose(row0, row1, row2, none);
-  return row0 + row1 + row2;
 }
 
 f32x4 effect(const IkTask& task, Span<const IkMove> moves, f32x4 IkMove::*part) {

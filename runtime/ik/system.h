@@ -31,11 +31,11 @@ struct IkTask {
 
 // The step of a node is fixed + answer.
 struct IkMove {
-  f32x4 fixed;    // what does not answer the goals: the pull back, and what limits leave of the step
-  f32x4 answer;   // Jᵀ x
-  Rotation next;  // where it leads
-  f32x4 beyond;   // the direction in which a limit stopped it
-  float most;     // how far it still went that way
+  f32x4 fixed;        // what does not answer the goals: the pull back, and what limits leave of the step
+  f32x4 answer;       // Jᵀ x
+  WideRotation next;  // where it leads
+  f32x4 beyond;       // the direction in which a limit stopped it
+  float most;         // how far it still went that way
   bool stopped;
 };
 
@@ -75,9 +75,6 @@ void solve_rows(IkSystem& system, float error_share, float size_share);
 
 // The moves' answers, from `sum`.
 void set_answers(IkSystem& system);
-
-// Of three columns, each times v: their transpose, times v.
-f32x4 across(const f32x4 (&column)[3], f32x4 v);
 
 // By how much a part of the step changes the rows of a task.
 f32x4 effect(const IkTask& task, Span<const IkMove> moves, f32x4 IkMove::*part);

@@ -4,7 +4,6 @@
 #include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
-#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -13,12 +12,23 @@ namespace {
 Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   const Vector3 s = scale_of(local, joint);
   Columns f;
-  set_axes(rotation_of(local, joint), f.axis);
-  f.axis[0] = f.axis[0] * splat(s.x);
-  f.axis[1] = f.axis[1] * splat(s.y);
-  f.axis[2] = f.axis[2] * splat(s.z);
+  set_axes(wide_rotation_of(local, joint), f.axis);
+  f.axis[0] = f.axis[0] * s.x;
+  f.axis[1] = f.axis[1] * s.y;
+  f.axis[2] = f.axis[2] * s.z;
   f.origin = to_f32x4(translation_of(local, joint));
   return f;
+}
+
+// As rotation_of() of a map.
+WideRotation rotation_in(const Affine& a) {
+  const Columns map = columns(a);
+  const f32x4 x = unit3_or(map.axis[0], lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  const WideRotation first = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
+  const f32x4 from = rotate(first, lanes(0.0f, 1.0f, 0.0f, 0.0f)), to = unit3_or(across3(map.axis[1], x), from);
+  const float cosine = dot3(from, to), sine = dot3(x, cross3(from, to));
+  const bool apart = cosine > -0.9999999f;
+  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
@@ -28,17 +38,18 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   node.parent = on == kNoParent ? kNoParent : node_of[on];
   Columns above = {{}, to_f32x4(translation_of(local, node.joint))};
-  set_axes({}, above.axis);
-  Rotation turned;
+  set_axes(no_turn(), above.axis);
+  WideRotation turned = no_turn();
   std::uint16_t joint = node.joint, next = skeleton.parents[joint];
   if (on == kNoParent) {
     above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]) * above;
-    for (; next != kNoParent; joint = next, next = skeleton.parents[joint]) turned = rotation_of(local, next) * turned;
-    turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
+    for (; next != kNoParent; joint = next, next = skeleton.parents[joint])
+      turned = wide_rotation_of(local, next) * turned;
+    turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
     for (; next != on; next = skeleton.parents[next]) {
       above = local_frame(local, next) * above;
-      turned = rotation_of(local, next) * turned;
+      turned = wide_rotation_of(local, next) * turned;
     }
     const f32x4 scale = to_f32x4(scale_of(local, on));
     for (f32x4& axis : above.axis) axis = axis * scale;
@@ -50,13 +61,13 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
 
 void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std::uint16_t* node_of, IkEnd& end) {
   std::uint16_t joint = end.goal->joint;
-  f32x4 point = to_f32x4(vector3(end.goal->offset)), bone{};
-  Rotation rotation;
+  f32x4 point = to_f32x4(vector3(end.goal->offset)), bone = splat(0.0f);
+  WideRotation rotation = no_turn();
   for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
     const Columns frame = local_frame(local, joint);
     point = transform(frame, point);
     bone = transform(frame, bone);
-    rotation = rotation_of(local, joint) * rotation;
+    rotation = wide_rotation_of(local, joint) * rotation;
   }
   end.node = node_of[joint];
   const f32x4 scale = to_f32x4(scale_of(local, joint));
@@ -108,13 +119,11 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
     node.joint = joint;
     node.place = static_cast<std::uint16_t>(i);
     node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[i]);
-    node.rotation = node.start = rotation_of(local, joint);
+    node.rotation = node.start = wide_rotation_of(local, joint);
     node.limit = find_limit(problem.limits, joint);
-    node.hinge = {};
-    if (node.limit != nullptr && node.limit->kind == LimitKind::hinge) {
-      const float* const q = node.limit->joint_from_limit;
-      node.hinge = rotate({q[0], q[1], q[2], q[3]}, {1, 0, 0});
-    }
+    node.hinge = splat(0.0f);
+    if (node.limit != nullptr && node.limit->kind == LimitKind::hinge)
+      node.hinge = rotate({load(node.limit->joint_from_limit)}, lanes(1.0f, 0.0f, 0.0f, 0.0f));
     set_above(skeleton, local, scene_from_joint, node_of, node);
     if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
     node_of[joint] = count++;
@@ -124,13 +133,13 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
   update_frames(tree);
   f32x4 sum = splat(0.0f);
   for (const IkNode& node : tree.nodes) {
-    sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + load(&node.above_turned.x);
+    sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + node.above_turned.v;
   }
   for (std::size_t i = 0; i < problem.goals.size; ++i) {
     IkEnd& end = memory.ends[i];
     end.goal = &problem.goals[i];
     set_end(skeleton, local, node_of, end);
-    sum = sum + transform(tree.nodes[end.node].frame, end.point) + load(&end.rotation.x);
+    sum = sum + transform(tree.nodes[end.node].frame, end.point) + end.rotation.v;
   }
   MARROW_CHECK(all_finite(sum) && "the pose and the goals");
   return {};
@@ -144,58 +153,63 @@ void update_frames(IkTree& tree, std::size_t first) {
     Columns& local = node.parent_from_frame;
     for (int a = 0; a < 3; ++a) local.axis[a] = turn(node.above, axes[a]);
     local.origin = node.above.origin;
-    if (i == 0) local.origin = local.origin + turn(node.above, to_f32x4(tree.travel));
+    if (i == 0) local.origin = local.origin + turn(node.above, tree.travel);
     const bool top = node.parent == kNoParent;
     node.frame = top ? local : tree.nodes[node.parent].frame * local;
     if (!tree.turns) continue;
-    const Rotation above = top ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
+    const WideRotation above = top ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
     node.turned = above * node.rotation;
   }
 }
 
-Vector3 rotation_error(const IkTree& tree, const IkEnd& end) {
-  const float* const to = end.goal->rotation;
-  return to_vector3(
-      turn_of(Rotation{to[0], to[1], to[2], to[3]} * conjugate(tree.nodes[end.node].turned * end.rotation)));
+f32x4 rotation_error(const IkTree& tree, const IkEnd& end) {
+  const WideRotation to = {load(end.goal->rotation)};
+  return turn_of(to * conjugate(tree.nodes[end.node].turned * end.rotation));
 }
 
 float total_error(const IkTree& tree) {
   float sum = 0;
   for (const IkEnd& end : tree.ends) {
     const float p = end.goal->position_weight, r = end.goal->rotation_weight;
-    const Vector3 at = position_error(tree, end) * p;
-    sum += dot(at, at);
+    const f32x4 at = position_error(tree, end) * p;
+    sum += squared3(at);
     if (!(r > 0)) continue;
-    const Vector3 turn = rotation_error(tree, end) * r;
-    sum += dot(turn, turn);
+    const f32x4 turn = rotation_error(tree, end) * r;
+    sum += squared3(turn);
   }
   return sqrt(sum);
 }
 
-f32x4 turn_of(const Rotation& rotation) {
-  return to_f32x4(log_of_shorter(normalised(rotation)));
+void set_turned(IkNode& node, WideRotation rotation) {
+  if (!(node.ease_root > 0)) return;
+  const float squared = dot4(rotation.v, rotation.v), k = sqrt(squared) * (1.0f / squared);
+  if (!has_direction(squared)) return;
+  node.rotation.v = rotation.v * k;
+  if (node.limit != nullptr) node.rotation = clamped(*node.limit, node.rotation);
+}
+
+f32x4 turn_of(WideRotation rotation) {
+  return log_of_shorter(normalised(rotation));
 }
 
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
                   Span<Affine> scene_from_joint) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     const IkNode& node = tree.nodes[i];
-    const Rotation &from = node.start, &to = node.rotation;
-    if (from.x == to.x && from.y == to.y && from.z == to.z && from.w == to.w) continue;
-    Rotation q = to;
+    const WideRotation from = node.start, to = node.rotation;
+    if (same(from, to)) continue;
+    WideRotation q = to;
     if (weight < 1) {
-      const float other = dot(from, to) < 0 ? weight - 1 : 1 - weight;
-      store(&q.x, load(&from.x) * splat(other) + load(&to.x) * splat(weight));
-      q = normalised(q);
+      const float other = dot4(from.v, to.v) < 0 ? weight - 1 : 1 - weight;
+      q = normalised(WideRotation{from.v * other + to.v * weight});
     }
     set_rotation(local, node.joint, q);
   }
-  if (dot(tree.travel, tree.travel) > 0) {
+  if (squared3(tree.travel) > 0) {
     const std::uint16_t joint = tree.nodes[0].joint;
-    float(&t)[3][4] = local[joint / 4].translation;
-    t[0][joint % 4] += tree.travel.x * weight;
-    t[1][joint % 4] += tree.travel.y * weight;
-    t[2][joint % 4] += tree.travel.z * weight;
+    float by[4];
+    store(by, tree.travel * weight);
+    for (std::size_t i = 0; i < 3; ++i) local[joint / 4].translation[i][joint % 4] += by[i];
   }
   if (tree.stretch != 1) stretch_bones(skeleton, tree, 1.0f + (tree.stretch - 1.0f) * weight, local);
   for (const IkNode& node : tree.nodes) {

@@ -16,12 +16,13 @@ struct IkNode {
   Columns above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
   Columns parent_from_frame;  // above · rotation
   Columns frame;              // scene_from_frame
-  Rotation rotation;          // the joint's local rotation
-  Rotation start;             // the same, as it was in the pose
-  Rotation above_turned;      // the rotation in `above`, or of what is above it in the scene
-  Rotation turned;            // of the frame in the scene; where goals ask for rotations only
+  WideRotation rotation;      // the joint's local rotation
+  WideRotation start;         // the same, as it was in the pose
+  WideRotation best;          // of all starts so far
+  WideRotation above_turned;  // the rotation in `above`, or of what is above it in the scene
+  WideRotation turned;        // of the frame in the scene; where goals ask for rotations only
+  f32x4 hinge;                // the only axis that it turns about, in its own axes; 0: any
   const JointLimit* limit;    // or null
-  Vector3 hinge;              // the only axis that it turns about, in its own axes; 0: any
   float ease_root;            // √(1 - stiffness)
   std::uint16_t joint;
   std::uint16_t parent;  // a node, before this one; kNoParent: what is above never moves
@@ -31,18 +32,18 @@ struct IkNode {
 // The end of a chain: one a goal.
 struct IkEnd {
   const IkGoal* goal;
-  f32x4 point;        // that shall reach the goal, in the node's frame
-  f32x4 bone;         // of `point` the part that is translations of joints, and not the goal's offset
-  Rotation rotation;  // from the goal's joint to the node's axes
+  f32x4 point;            // that shall reach the goal, in the node's frame
+  f32x4 bone;             // of `point` the part that is translations of joints, and not the goal's offset
+  WideRotation rotation;  // from the goal's joint to the node's axes
   std::uint16_t node;
 };
 
 struct IkTree {
-  Span<IkNode> nodes;  // ascending: parents first
-  Span<IkEnd> ends;    // as IkProblem::goals
-  bool turns = false;  // some goal asks for a rotation
-  Vector3 travel;      // of node 0, in its parent joint's space; see IkProblem::root_travel_m
-  float stretch = 1;   // of the bones below node 0, of a tree with one end
+  Span<IkNode> nodes;          // ascending: parents first
+  Span<IkEnd> ends;            // as IkProblem::goals
+  bool turns = false;          // some goal asks for a rotation
+  f32x4 travel = splat(0.0f);  // of node 0, in its parent joint's space; see IkProblem::root_travel_m
+  float stretch = 1;           // of the bones below node 0, of a tree with one end
 };
 
 // Room for the tree; the same calls with and without memory.
@@ -61,17 +62,20 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
 void update_frames(IkTree& tree, std::size_t first = 0);
 
 // From where an end is to where it shall be: scene space, metres.
-inline Vector3 position_error(const IkTree& tree, const IkEnd& end) {
-  return vector3(end.goal->position) - to_vector3(transform(tree.nodes[end.node].frame, end.point));
+inline f32x4 position_error(const IkTree& tree, const IkEnd& end) {
+  return to_f32x4(vector3(end.goal->position)) - transform(tree.nodes[end.node].frame, end.point);
 }
 // The turn that is missing, as a rotation vector (axis times angle ≤ π) in scene space.
-Vector3 rotation_error(const IkTree& tree, const IkEnd& end);
+f32x4 rotation_error(const IkTree& tree, const IkEnd& end);
 
 // See IkReport.
 float total_error(const IkTree& tree);
 
+// Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
+void set_turned(IkNode& node, WideRotation rotation);
+
 // Axis times angle, the angle at most π.
-f32x4 turn_of(const Rotation& q);
+f32x4 turn_of(WideRotation q);
 
 // Writes what changed into the pose, blended by `weight`, and brings the matrices below up to date.
 Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
@@ -80,14 +84,17 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
 // A method: changes rotations and frames of the tree. It takes what memory it needs of `scratch`.
 using IkSolver = IkReport (*)(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
                               const IkOptions& options, Memory& scratch);
-IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        Memory& scratch);
 IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         Memory& scratch);
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-std::size_t heuristic_scratch_bytes(const IkProblem& problem);
+                         Memory& scratch);  // FABRIK and CCD
+IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
+                        Memory& scratch);  // the others
 
-// What is the same for all methods: checks, the tree, the method, the pose written.
+// What calls need, the tree and all; 0 of a problem that cannot be read.
+std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+
+// What is the same for all methods: checks, the tree, the method, other starts, the pose written.
 BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                     std::size_t scratch_bytes, IkReport* report);

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "marrow/limits.h"
-#include "math/quaternion.h"
+#include "math/wide.h"
 
 namespace marrow {
 
 // clamp_rotation(): q itself, bit for bit, if it is inside, has no length or is not finite.
-Rotation clamped(const JointLimit& limit, const Rotation& q);
+WideRotation clamped(const JointLimit& limit, WideRotation q);
 
 // The angle of the turn between two unit quaternions, 0 … π, within 1e-6.
-float angle_between(const Rotation& a, const Rotation& b);
+float angle_between(WideRotation a, WideRotation b);
 
 }  // namespace marrow

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "marrow/limits.h"
-#include "math/quaternion.h"
+#include "math/wide.h"
 
 namespace marrow::ranges {
 
@@ -42,12 +42,27 @@ inline HalfAngle nearest_in(const AngleRange& range, const HalfAngle& angle, flo
   return half_angle(t * share) + middle;
 }
 
+// What may be beyond a limit, as a tangent of a quarter: what rounding leaves on it, and still within its tolerance.
+inline constexpr float kSlack = 1e-6f;
+// Whether an angle, as what is so many times longer than 1, is in the range.
+inline bool contains(const AngleRange& range, const HalfAngle& angle, float length) {
+  const HalfAngle d = angle + -half_angle(range.middle);
+  return range.half_width >= 1.0f || absolute(d.sin) <= (range.half_width + kSlack) * (length + absolute(d.cos));
+}
+
 // A turn about one axis out of a rotation: the part v of its vector along that axis, and its w.
 struct Twist {
   HalfAngle angle;
   float share;  // 1; where the rest turns by almost 180°, and the twist is about to be lost, down to 0
 };
 Twist twist_of(float v, float w);
+template <int Axis>
+inline Twist twist_about(WideRotation q) {
+  return twist_of(first_lane(splat_lane<Axis>(q.v)), w_lane(q));
+}
+inline HalfAngle nearest_in(const AngleRange& range, const Twist& twist) {
+  return nearest_in(range, twist.angle, twist.share);
+}
 
 // The point of the ellipse |(y / ry, z / rz)| = 1 that is nearest to (y, z), a point outside. Both radii are above 0.
 struct Swing {

@@ -25,27 +25,32 @@ float speed_on_curve(float d, float now, float brake, float gain, float h) {
 }
 
 struct Motion {
-  Vector3 at, velocity;
+  f32x4 at, velocity;
 };
 
+f32x4 no_longer(f32x4 v, float most) {
+  const float squared = squared3(v);
+  return squared > most * most ? v * (most / sqrt(squared)) : v;
+}
+
 // Follows a target that moves from `from` to the origin, evenly, in `time_s`.
-void follow_origin(Motion& m, const Vector3& from, float time_s, const RateLimit& limit) {
+void follow_origin(Motion& m, f32x4 from, float time_s, const RateLimit& limit) {
   const int steps = static_cast<int>(time_s * kStepsPerSecond + 0.99f);
   const int count = steps > 0 ? steps : 1;
   const float h = time_s / static_cast<float>(count);
-  const Vector3 target_velocity = from * (-1.0f / time_s);
+  const f32x4 target_velocity = from * (-1.0f / time_s);
   const float gain = limit.acceleration > 0 ? 120.0f : 1.0f / h;
   const float most = limit.speed > 0 ? limit.speed : 3e18f;
   for (int i = 0; i < count; ++i) {
-    const Vector3 target = from * (static_cast<float>(count - i) / static_cast<float>(count));
-    const Vector3 way = target - m.at;
-    const float d = length(way);
-    const Vector3 direction = way * (d > 1e-12f ? 1.0f / d : 0.0f);
+    const f32x4 target = from * (static_cast<float>(count - i) / static_cast<float>(count));
+    const f32x4 way = target - m.at;
+    const float d = length3(way);
+    const f32x4 direction = way * (d > 1e-12f ? 1.0f / d : 0.0f);
     if (limit.acceleration > 0) {
-      const float now = dot(m.velocity - target_velocity, direction);
+      const float now = dot3(m.velocity - target_velocity, direction);
       const float speed = speed_on_curve(d, now, 0.9f * limit.acceleration, gain, h);
-      const Vector3 wanted = no_longer(target_velocity + direction * speed, most);
-      const Vector3 next = m.velocity + no_longer(wanted - m.velocity, limit.acceleration * h);
+      const f32x4 wanted = no_longer(target_velocity + direction * speed, most);
+      const f32x4 next = m.velocity + no_longer(wanted - m.velocity, limit.acceleration * h);
       m.at = m.at + (m.velocity + next) * (0.5f * h);
       m.velocity = next;
     } else {
@@ -55,30 +60,26 @@ void follow_origin(Motion& m, const Vector3& from, float time_s, const RateLimit
   }
 }
 
-// One frame of a follower: `m` relative to where the target now is, `from` where the target was. Whether it is on the
-// target at the end; then its velocity is the target's.
-bool follow(Motion& m, const Vector3& from, bool on_target, float time_s, float last_s, const RateLimit& limit) {
-  const Vector3 target_velocity = from * (-1.0f / time_s);
-  const Vector3 change = target_velocity - m.velocity;
-  const float between_s = 0.5f * (time_s + last_s), gain = limit.acceleration * between_s;
-  const bool slow = limit.speed == 0 || !(dot(target_velocity, target_velocity) > limit.speed * limit.speed);
-  const bool soft = limit.acceleration == 0 || !(dot(change, change) > gain * gain);
-  if ((on_target && slow && soft) || (limit.speed == 0 && limit.acceleration == 0)) {
-    m.velocity = target_velocity;
-    return true;
-  }
-  follow_origin(m, from, time_s, limit);
-  const Vector3 left = target_velocity - m.velocity;
-  const bool arrived = dot(m.at, m.at) <= kArrived * kArrived &&
-                       (limit.acceleration == 0 || dot(left, left) <= kArrivedSpeed * kArrivedSpeed);
-  const bool lost = !is_finite(m.at) || !is_finite(m.velocity);
-  if (arrived || lost) m.velocity = target_velocity;
-  return arrived || lost;
+bool is_longer(f32x4 v, float most) {
+  return squared3(v) > most * most;
 }
 
-// Of a follower that is far too fast.
-Vector3 finite_or_none(const Vector3& velocity) {
-  return is_finite(velocity) ? velocity : Vector3{};
+// One frame of a follower: `m` relative to where the target now is, `from` where the target was. Whether it is on the
+// target at the end; then its velocity is the target's.
+bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, const RateLimit& limit) {
+  const f32x4 target_velocity = from * (-1.0f / time_s);
+  const float between_s = 0.5f * (time_s + last_s), gain = limit.acceleration * between_s;
+  const bool slow = limit.speed == 0 || !is_longer(target_velocity, limit.speed);
+  const bool soft = limit.acceleration == 0 || !is_longer(target_velocity - m.velocity, gain);
+  bool arrived = (on_target && slow && soft) || (limit.speed == 0 && limit.acceleration == 0);
+  if (!arrived) {
+    follow_origin(m, from, time_s, limit);
+    arrived = squared3(m.at) <= kArrived * kArrived &&
+              (limit.acceleration == 0 || !is_longer(target_velocity - m.velocity, kArrivedSpeed));
+    arrived = arrived || !all_finite(m.at) || !all_finite(m.velocity);  // lost
+  }
+  if (arrived) m.velocity = target_velocity;
+  return arrived;
 }
 
 // Whether a follower is one that has been here: its velocity may be that of the farthest target in the shortest frame.
@@ -89,9 +90,11 @@ bool is_sound(const PointFollower& f) {
   return all_within(f.point, 3, -1e18f, 1e18f) && all_within(f.target, 3, -1e18f, 1e18f) &&
          is_sound(f.velocity, f.frame_s, f.mode);
 }
+bool is_rotation(const float (&q)[4]) {
+  return has_direction(dot4(load(q), load(q)));
+}
 bool is_sound(const RotationFollower& f) {
-  const Rotation at = rotation(f.rotation), target = rotation(f.target);
-  return has_direction(dot(at, at)) && has_direction(dot(target, target)) && is_sound(f.velocity, f.frame_s, f.mode);
+  return is_rotation(f.rotation) && is_rotation(f.target) && is_sound(f.velocity, f.frame_s, f.mode);
 }
 
 float frame_time(float dt_s) {
@@ -108,19 +111,19 @@ bool is_limit(const RateLimit& limit) {
 // As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left
 // Jacobian of the exponential (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", 2011, 10.86).
 struct Jacobian {
-  Vector3 p;
+  f32x4 p;
   float sinc, cos, squared;  // of half the angle; its whole square
 
-  explicit Jacobian(const Vector3& at) : p(at), squared(dot(at, at)) {
+  explicit Jacobian(f32x4 at) : p(at), squared(squared3(at)) {
     sinc = sinc_of_root(0.25f * squared);
     cos = cos_of_root(0.25f * squared);
   }
-  Vector3 turn_of(const Vector3& v) const {
-    const Vector3 a = cross(p, v), b = cross(p, a);
+  f32x4 turn_of(f32x4 v) const {
+    const f32x4 a = cross3(p, v), b = cross3(p, a);
     return v + a * (0.5f * sinc * sinc) + b * (squared > 1e-4f ? (1.0f - sinc * cos) / squared : 1.0f / 6.0f);
   }
-  Vector3 change_of(const Vector3& turn) const {
-    const Vector3 a = cross(p, turn), b = cross(p, a);
+  f32x4 change_of(f32x4 turn) const {
+    const f32x4 a = cross3(p, turn), b = cross3(p, a);
     return turn - a * 0.5f + b * (squared > 1e-4f ? (1.0f - cos / sinc) / squared : 1.0f / 12.0f);
   }
 };
@@ -128,26 +131,33 @@ struct Jacobian {
 BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit) {
   MARROW_CHECK(is_time(dt_s));
   MARROW_CHECK(is_limit(limit));
-  const Rotation to = rotation(target), unit = normalised(to);
-  MARROW_CHECK(has_direction(dot(to, to)));
+  MARROW_CHECK(is_rotation(target));
+  const WideRotation to = {load(target)}, unit = normalised(to);
   if (state.mode == kNotBegun || !is_sound(state)) {
     state = {};
-    store(state.rotation, to);
-    store(state.target, to);
+    store(state.rotation, to.v);
+    store(state.target, to.v);
     state.mode = kOnTarget;
     return {};
   }
   if (dt_s == 0) return {};
   const float time_s = frame_time(dt_s);
   // As rotation vectors from where the target now is.
+  const auto from_target = [&](const float(&q)[4]) {
+    return log_of_shorter(normalised(WideRotation{load(q)}) * conjugate(unit));
+  };
   const bool was_on_target = state.mode == kOnTarget;
-  const Vector3 from = log_of_shorter(normalised(rotation(state.target)) * conjugate(unit));
-  Motion m = {was_on_target ? from : log_of_shorter(normalised(rotation(state.rotation)) * conjugate(unit)), {}};
-  m.velocity = Jacobian(m.at).change_of(vector3(state.velocity));
+  const f32x4 from = from_target(state.target);
+  Motion m = {was_on_target ? from : from_target(state.rotation), load_wide(state.velocity)};
+  m.velocity = Jacobian(m.at).change_of(m.velocity);
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
-  store(state.rotation, on_target ? to : normalised(exp_rotation(m.at) * unit));
-  store(state.target, to);
-  store(state.velocity, on_target ? m.velocity : finite_or_none(Jacobian(m.at).turn_of(m.velocity)));
+  if (!on_target) {
+    m.velocity = Jacobian(m.at).turn_of(m.velocity);
+    if (!all_finite(m.velocity)) m.velocity = splat(0.0f);  // far too fast
+  }
+  store(state.rotation, on_target ? to.v : normalised(exp_rotation(m.at) * unit).v);
+  store(state.target, to.v);
+  store_wide(state.velocity, m.velocity);
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return {};
@@ -158,23 +168,23 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
 Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit) {
   MARROW_REQUIRE(is_time(dt_s));
   MARROW_REQUIRE(is_limit(limit));
-  const Vector3 to = vector3(target);
-  MARROW_REQUIRE(dot(to, to) < 1e30f);
+  const f32x4 to = to_f32x4(vector3(target));
+  MARROW_REQUIRE(squared3(to) < 1e30f);
   if (state.mode == kNotBegun || !is_sound(state)) {
     state = {};
-    store(state.point, to);
-    store(state.target, to);
+    store_wide(state.point, to);
+    store_wide(state.target, to);
     state.mode = kOnTarget;
     return Status::ok;
   }
   if (dt_s == 0) return Status::ok;
   const float time_s = frame_time(dt_s);
-  Motion m = {vector3(state.point) - to, vector3(state.velocity)};
-  const Vector3 from = vector3(state.target) - to;
+  Motion m = {load_wide(state.point) - to, load_wide(state.velocity)};
+  const f32x4 from = load_wide(state.target) - to;
   const bool on_target = follow(m, from, state.mode == kOnTarget, time_s, state.frame_s, limit);
-  store(state.point, on_target ? to : m.at + to);
-  store(state.target, to);
-  store(state.velocity, m.velocity);
+  store_wide(state.point, on_target ? to : m.at + to);
+  store_wide(state.target, to);
+  store_wide(state.velocity, m.velocity);
   state.frame_s = time_s;
   state.mode = on_target ? kOnTarget : kUnderWay;
   return Status::ok;
@@ -195,9 +205,9 @@ Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states,
     const RateLimit& rate = limits[i].rate;
     if (rate.speed == 0 && rate.acceleration == 0) continue;
     float target[4];
-    store(target, rotation_of(local, limits[i].joint));
+    store(target, wide_rotation_of(local, limits[i].joint).v);
     if (turn_towards(states[i], target, dt_s, rate)) continue;
-    set_rotation(local, limits[i].joint, rotation(states[i].rotation));
+    set_rotation(local, limits[i].joint, WideRotation{load(states[i].rotation)});
   }
   return Status::ok;
 }

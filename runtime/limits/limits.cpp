@@ -1,6 +1,7 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "core/mark.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
@@ -9,28 +10,38 @@
 namespace marrow::ranges {
 namespace {
 
-Rotation about_x(const HalfAngle& a) {
-  return {a.sin, 0, 0, a.cos};
+WideRotation about_x(const HalfAngle& a) {
+  return {lanes(a.sin, 0, 0, a.cos)};
 }
-Rotation about_y(const HalfAngle& a) {
-  return {0, a.sin, 0, a.cos};
+WideRotation about_y(const HalfAngle& a) {
+  return {lanes(0, a.sin, 0, a.cos)};
 }
-Rotation about_z(const HalfAngle& a) {
-  return {0, 0, a.sin, a.cos};
-}
-
-Rotation nearest_in_hinge(const JointLimit& limit, const Rotation& t) {
-  const Twist twist = twist_of(t.x, t.w);
-  return about_x(nearest_in(limit.angles[0], twist.angle, twist.share));
+WideRotation about_z(const HalfAngle& a) {
+  return {lanes(0, 0, a.sin, a.cos)};
 }
 
-Rotation nearest_in_cone(const JointLimit& limit, const Rotation& t) {
+WideRotation nearest_in_hinge(const JointLimit& limit, WideRotation t) {
+  const Twist twist = twist_about<0>(t);
+  return about_x(nearest_in(limit.angles[0], twist));
+}
+
+// Whether a rotation is inside, by what costs least; false is no answer.
+bool is_in_cone(float ry, float rz, const AngleRange& twist, WideRotation t) {
+  float q[4];
+  store(q, t.v);
+  const float n = sqrt(q[0] * q[0] + q[3] * q[3]), border = n * (1.0f + n) * (ry * rz + kSlack * lesser(ry, rz));
+  const float y = (q[1] * q[3] - q[2] * q[0]) * rz, z = (q[2] * q[3] + q[1] * q[0]) * ry;
+  return n > 1e-3f && y * y + z * z <= border * border && contains(twist, {q[0], q[3]}, n);
+}
+
+WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   constexpr float kLeast = 1e-6f;  // a cone may be flat
-  const float ry = limit.angles[1].half_width > kLeast ? limit.angles[1].half_width : kLeast;
-  const float rz = limit.angles[2].half_width > kLeast ? limit.angles[2].half_width : kLeast;
-  const Rotation swing = t * conjugate(about_x(twist_of(t.x, t.w).angle));
-  const float k = 1.0f / (1.0f + (swing.w > 0 ? swing.w : 0.0f));
-  Swing s = {swing.y * k, swing.z * k};
+  const float ry = greater(limit.angles[1].half_width, kLeast), rz = greater(limit.angles[2].half_width, kLeast);
+  if (!kSmall && is_in_cone(ry, rz, limit.angles[0], t)) return t;
+  float swing[4];
+  store(swing, (t * conjugate(about_x(twist_about<0>(t).angle))).v);
+  const float k = 1.0f / (1.0f + (swing[3] > 0 ? swing[3] : 0.0f));
+  Swing s = {swing[1] * k, swing[2] * k};
   const float squared = s.y * s.y + s.z * s.z, widest = ry > rz ? ry : rz;
   float share = 1;
   const float y = s.y * rz, z = s.z * ry, border = ry * rz;
@@ -40,11 +51,10 @@ Rotation nearest_in_cone(const JointLimit& limit, const Rotation& t) {
   }
   s = {s.y * share, s.z * share};
   const float size = s.y * s.y + s.z * s.z, scale = 1.0f / (1.0f + size);
-  const Rotation in = {0, 2.0f * s.y * scale, 2.0f * s.z * scale, (1.0f - size) * scale};
+  const WideRotation in = {lanes(0, 2.0f * s.y * scale, 2.0f * s.z * scale, (1.0f - size) * scale)};
   // Of the twists the nearest with this swing.
-  const Rotation rest = conjugate(in) * t;
-  const Twist left = twist_of(rest.x, rest.w);
-  return in * about_x(nearest_in(limit.angles[0], left.angle, left.share));
+  const Twist left = twist_about<0>(conjugate(in) * t);
+  return in * about_x(nearest_in(limit.angles[0], left));
 }
 
 // Half of an angle from (a multiple of) the sine and cosine of the whole.
@@ -59,45 +69,49 @@ HalfAngle half_of(float sin, float cos) {
 
 // In t = Rx Ry Rz the second and third angle are read off; near 90° of the second, where the third is about to be lost,
 // it goes to the middle of its range. Then each in turn is the nearest, given the other two.
-Rotation nearest_in_xyz(const AngleRange (&angles)[3], const Rotation& t) {
-  const float sin_z = 2.0f * (t.w * t.z - t.x * t.y), cos_z = t.w * t.w + t.x * t.x - t.y * t.y - t.z * t.z;
-  const HalfAngle second = half_of(2.0f * (t.w * t.y + t.x * t.z), sqrt(sin_z * sin_z + cos_z * cos_z));
+WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
+  float q[4];
+  store(q, t.v);
+  const float x = q[0], y = q[1], z = q[2], w = q[3];
+  const float sin_z = 2.0f * (w * z - x * y), cos_z = w * w + x * x - y * y - z * z;
+  const float cos_y = sqrt(sin_z * sin_z + cos_z * cos_z);
+  const HalfAngle second = half_of(2.0f * (w * y + x * z), cos_y), third = half_of(sin_z, cos_z);
+  // Away from 90° the first angle is read off, too; what is inside stays as it is.
+  if (!kSmall && cos_y > 0.1f && contains(angles[1], second, 1.0f) && contains(angles[2], third, 1.0f) &&
+      contains(angles[0], half_of(2.0f * (w * x - y * z), w * w - x * x - y * y + z * z), 1.0f))
+    return t;
   constexpr float kQuarterTurn = 0.41421356f;  // as the tangent of a quarter
   const float most = absolute(angles[1].middle), half = angles[1].half_width;
   const float widest = (most + half) / (1.0f - most * half);
   const float share =
       widest < kQuarterTurn - 1e-5f ? fade_out(absolute(second.sin) / (1.0f + second.cos), widest, kQuarterTurn) : 1.0f;
-  const Rotation y0 = about_y(nearest_in(angles[1], second, 1.0f));
-  const Rotation z0 = about_z(nearest_in(angles[2], half_of(sin_z, cos_z), share));
-  const Rotation for_x = t * conjugate(y0 * z0);
-  const Twist x = twist_of(for_x.x, for_x.w);
-  const Rotation x1 = about_x(nearest_in(angles[0], x.angle, x.share));
-  const Rotation for_z = conjugate(x1 * y0) * t;
-  const Twist z = twist_of(for_z.z, for_z.w);
-  const Rotation z1 = about_z(nearest_in(angles[2], z.angle, z.share));
-  const Rotation for_y = conjugate(x1) * t * conjugate(z1);
-  const Twist y = twist_of(for_y.y, for_y.w);
-  return x1 * about_y(nearest_in(angles[1], y.angle, y.share)) * z1;
+  const WideRotation y0 = about_y(nearest_in(angles[1], second, 1.0f));
+  const WideRotation z0 = about_z(nearest_in(angles[2], third, share));
+  const WideRotation x1 = about_x(nearest_in(angles[0], twist_about<0>(t * conjugate(y0 * z0))));
+  const WideRotation z1 = about_z(nearest_in(angles[2], twist_about<2>(conjugate(x1 * y0) * t)));
+  return x1 * about_y(nearest_in(angles[1], twist_about<1>(conjugate(x1) * t * conjugate(z1)))) * z1;
 }
 
 // Axes renamed so that the order is xyz. Where that mirrors them, rotations turn the other way, and so do the ranges.
-Rotation nearest_in_box(const JointLimit& limit, const Rotation& t) {
+WideRotation nearest_in_box(const JointLimit& limit, WideRotation t) {
   constexpr std::uint8_t kAxes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   constexpr float kSigns[6] = {1, -1, -1, 1, 1, -1};
   const auto order = static_cast<std::size_t>(limit.order);
   const std::uint8_t(&axes)[3] = kAxes[order];
   const float sign = kSigns[order];
-  const float v[3] = {t.x * sign, t.y * sign, t.z * sign};
+  float v[4];
+  store(v, t.v * lanes(sign, sign, sign, 1.0f));
   AngleRange angles[3];
   for (std::size_t i = 0; i < 3; ++i) angles[i] = {limit.angles[i].middle * sign, limit.angles[i].half_width};
-  const Rotation in = nearest_in_xyz(angles, {v[axes[0]], v[axes[1]], v[axes[2]], t.w});
-  const float parts[3] = {in.x * sign, in.y * sign, in.z * sign};
-  float out[3] = {};
+  const WideRotation in = nearest_in_xyz(angles, {lanes(v[axes[0]], v[axes[1]], v[axes[2]], v[3])});
+  float parts[4], out[4];
+  store(parts, in.v * lanes(sign, sign, sign, 1.0f));
   for (std::size_t i = 0; i < 3; ++i) out[axes[i]] = parts[i];
-  return {out[0], out[1], out[2], in.w};
+  out[3] = parts[3];
+  return {load(out)};
 }
 
-Rotation nearest(const JointLimit& limit, const Rotation& t) {
+WideRotation nearest(const JointLimit& limit, WideRotation t) {
   if (limit.kind == LimitKind::hinge) return nearest_in_hinge(limit, t);
   return limit.kind == LimitKind::cone ? nearest_in_cone(limit, t) : nearest_in_box(limit, t);
 }
@@ -107,43 +121,39 @@ Rotation nearest(const JointLimit& limit, const Rotation& t) {
 
 namespace marrow {
 
-float angle_between(const Rotation& a, const Rotation& b) {
-  const Rotation d = conjugate(a) * b;
-  const float sine_squared = dot(axis_part(d), axis_part(d)), w = absolute(d.w);
+float angle_between(WideRotation a, WideRotation b) {
+  const WideRotation d = conjugate(a) * b;
+  const float sine_squared = squared3(d.v), w = absolute(w_lane(d));
   if (sine_squared < 0.5f) return 2.0f * sqrt(sine_squared) * asinc_for_slerp(sine_squared);
   return 3.14159265f - 2.0f * w * asinc_for_slerp(w * w);
 }
 
-Rotation clamped(const JointLimit& limit, const Rotation& q) {
+WideRotation clamped(const JointLimit& limit, WideRotation q) {
   if (limit.kind == LimitKind::none) return q;
-  const float squared = dot(q, q);
+  const float squared = dot4(q.v, q.v);
   if (!has_direction(squared)) return q;
-  const float k = 1.0f / sqrt(squared);
-  const Rotation unit = q * k;
-  const Rotation limit_from_parent = rotation(limit.limit_from_parent);
-  const Rotation joint_from_limit = rotation(limit.joint_from_limit);
-  const Rotation t = limit_from_parent * unit * joint_from_limit;
-  const Rotation in = ranges::nearest(limit, t);
-  const Vector3 d = axis_part(conjugate(t) * in);  // sin of half the angle between them
+  const WideRotation unit = {q.v * (1.0f / sqrt(squared))};
+  const WideRotation limit_from_parent = {load(limit.limit_from_parent)};
+  const WideRotation joint_from_limit = {load(limit.joint_from_limit)};
+  const WideRotation t = limit_from_parent * unit * joint_from_limit;
+  const WideRotation in = ranges::nearest(limit, t);
+  const f32x4 d = (conjugate(t) * in).v;  // sin of half the angle between them
   constexpr float kLeast = 0.25f * kLimitTolerance_rad * kLimitTolerance_rad;
-  if (!(dot(d, d) > kLeast)) return q;
-  const Rotation out = normalised(conjugate(limit_from_parent) * in * conjugate(joint_from_limit));
-  return dot(out, unit) < 0 ? out * -1.0f : out;
+  if (!(squared3(d) > kLeast)) return q;
+  const WideRotation out = normalised(conjugate(limit_from_parent) * in * conjugate(joint_from_limit));
+  return {flip(out.v, splat(dot4(out.v, unit.v)))};
 }
 
 Status clamp_rotation(const JointLimit& limit, float (&local)[4]) {
-  const Rotation q = rotation(local);
-  const float squared = dot(q, q);
-  MARROW_REQUIRE(has_direction(squared));
-  store(local, clamped(limit, q));
+  const WideRotation q = {load(local)};
+  MARROW_REQUIRE(has_direction(dot4(q.v, q.v)));
+  store(local, clamped(limit, q).v);
   return Status::ok;
 }
 
 float limit_excess(const JointLimit& limit, const float (&local)[4]) {
-  const Rotation q = rotation(local), in = clamped(limit, q);
-  const bool same = q.x == in.x && q.y == in.y && q.z == in.z && q.w == in.w;
-  const float squared = dot(q, q);
-  if (same || !has_direction(squared)) return 0;
+  const WideRotation q = {load(local)}, in = clamped(limit, q);
+  if (same(q, in) || !has_direction(dot4(q.v, q.v))) return 0;
   return angle_between(normalised(q), in);
 }
 
@@ -153,7 +163,7 @@ Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local) {
   for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
   for (const JointLimit& limit : limits) {
     if (limit.kind == LimitKind::none) continue;
-    set_rotation(local, limit.joint, clamped(limit, rotation_of(local, limit.joint)));
+    set_rotation(local, limit.joint, clamped(limit, wide_rotation_of(local, limit.joint)));
   }
   return Status::ok;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "math/affine.h"
-#include "math/quaternion.h"
+#include "math/wide.h"
 
 namespace marrow {
 
@@ -12,24 +12,6 @@ struct Columns {
   f32x4 origin;
 };
 
-inline Vector3 to_vector3(f32x4 v) {
-  float f[4];
-  store(f, v);
-  return {f[0], f[1], f[2]};
-}
-inline f32x4 to_f32x4(const Vector3& v) {
-  return lanes(v.x, v.y, v.z, 0.0f);
-}
-// Of the first three lanes.
-inline float dot3(f32x4 a, f32x4 b) {
-  float f[4];
-  store(f, a * b);
-  return f[0] + f[1] + f[2];
-}
-
-inline f32x4 turn(const Columns& m, const Vector3& v) {
-  return m.axis[0] * splat(v.x) + m.axis[1] * splat(v.y) + m.axis[2] * splat(v.z);
-}
 inline f32x4 turn(const Columns& m, f32x4 v) {
   return m.axis[0] * splat_lane<0>(v) + m.axis[1] * splat_lane<1>(v) + m.axis[2] * splat_lane<2>(v);
 }
@@ -41,11 +23,15 @@ inline Columns operator*(const Columns& a, const Columns& b) {
 }
 
 inline Columns columns(const Affine& a) {
-  return {{to_f32x4(column(a, 0)), to_f32x4(column(a, 1)), to_f32x4(column(a, 2))}, to_f32x4(origin(a))};
+  f32x4 x = load_aligned(a.rows[0]), y = load_aligned(a.rows[1]), z = load_aligned(a.rows[2]), w = splat(0.0f);
+  transpose(x, y, z, w);
+  return {{x, y, z}, w};
 }
 // The axes of a rotation.
-inline void set_axes(const Rotation& q, f32x4 (&axis)[3]) {
-  const Linear<float> m = columns_of(q);
+inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
+  float f[4];
+  store(f, q.v);
+  const Linear<float> m = columns_of(rotation(f));
   axis[0] = to_f32x4(m.x);
   axis[1] = to_f32x4(m.y);
   axis[2] = to_f32x4(m.z);

@@ -126,6 +126,13 @@ inline f32x4 rotated_xyz(f32x4 a) {
   const uint8x16_t order = {4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 12, 13, 14, 15};
   return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
 }
+// The lanes so numbered.
+template <int X, int Y, int Z, int W>
+inline f32x4 reordered(f32x4 a) {
+  constexpr uint8x16_t order = {4 * X, 4 * X + 1, 4 * X + 2, 4 * X + 3, 4 * Y, 4 * Y + 1, 4 * Y + 2, 4 * Y + 3,
+                                4 * Z, 4 * Z + 1, 4 * Z + 2, 4 * Z + 3, 4 * W, 4 * W + 1, 4 * W + 2, 4 * W + 3};
+  return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
+}
 // (x + y) + (z + w), in all lanes.
 inline f32x4 sum_of_lanes(f32x4 a) {
   const float32x4_t pairs = vpaddq_f32(a.v, a.v);

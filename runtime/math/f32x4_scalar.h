@@ -128,6 +128,11 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return {{a.v[1], a.v[2], a.v[0], a.v[3]}};
 }
+// The lanes so numbered.
+template <int X, int Y, int Z, int W>
+inline f32x4 reordered(f32x4 a) {
+  return {{a.v[X], a.v[Y], a.v[Z], a.v[W]}};
+}
 // (x + y) + (z + w), in all lanes.
 inline f32x4 sum_of_lanes(f32x4 a) {
   return splat((a.v[0] + a.v[1]) + (a.v[2] + a.v[3]));

@@ -133,6 +133,11 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return shuffled<_MM_SHUFFLE(3, 0, 2, 1)>(a);
 }
+// The lanes so numbered.
+template <int X, int Y, int Z, int W>
+inline f32x4 reordered(f32x4 a) {
+  return shuffled<_MM_SHUFFLE(W, Z, Y, X)>(a);
+}
 // (x + y) + (z + w), in all lanes.
 inline f32x4 sum_of_lanes(f32x4 a) {
   const f32x4 pairs = a + shuffled<_MM_SHUFFLE(2, 3, 0, 1)>(a);

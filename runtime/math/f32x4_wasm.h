@@ -123,6 +123,11 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return {wasm_i32x4_shuffle(a.v, a.v, 1, 2, 0, 3)};
 }
+// The lanes so numbered.
+template <int X, int Y, int Z, int W>
+inline f32x4 reordered(f32x4 a) {
+  return {wasm_i32x4_shuffle(a.v, a.v, X, Y, Z, W)};
+}
 // (x + y) + (z + w), in all lanes.
 inline f32x4 sum_of_lanes(f32x4 a) {
   const f32x4 pairs = a + f32x4{wasm_i32x4_shuffle(a.v, a.v, 1, 0, 3, 2)};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "marrow/span.h"
-#include "math/quaternion.h"
+#include "math/wide.h"
 
 namespace marrow {
 
@@ -18,6 +18,17 @@ inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, const Rotat
   r[1][lane] = q.y;
   r[2][lane] = q.z;
   r[3][lane] = q.w;
+}
+
+inline WideRotation wide_rotation_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float* const r = &pose[joint / 4].rotation[0][joint % 4];
+  return {lanes(r[0], r[4], r[8], r[12])};
+}
+inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
+  float* const r = &pose[joint / 4].rotation[0][joint % 4];
+  float f[4];
+  store(f, q.v);
+  for (int i = 0; i < 4; ++i) r[4 * i] = f[i];
 }
 
 inline Vector3 translation_of(Span<const SoaTransform> pose, std::size_t joint) {

@@ -3,26 +3,24 @@
 #include "asset/spring_rules.h"
 #include "core/check.h"
 #include "core/mark.h"
-#include "math/joint.h"
-#include "math/rotation.h"
+#include "math/columns.h"
 #include "pose/joint_range.h"
 #include "springs/spring_colliders.h"
-#include "springs/spring_state.h"
 #include "springs/spring_step.h"
 
 namespace marrow {
 namespace {
 
 constexpr float kShortestBone_m = 1e-6f, kLongestBone_m = 1e9f;
-alignas(16) constexpr float kNone[4] = {0, 0, 0, 0};
 
 // One call: what all bones share.
 struct SpringCall {
   const Skeleton& skeleton;
   const SpringFrame& frame;
   Springs& springs;
-  SoaTransform* local;
+  Span<SoaTransform> local;
   Affine* scene_from_joint;
+  Columns world;                        // world_from_scene
   int steps = 0;                        // 0: no time goes by
   float step_s = 0;                     // of each
   float frame_s = 0;                    // since the last frame that was simulated
@@ -75,120 +73,146 @@ BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Sp
 }
 
 void place_colliders(SpringCall& call) {
-  const Affine& world = call.frame.world_from_scene;
   for (std::size_t i = 0; i < call.frame.colliders.size; ++i) {
     const SpringCollider& c = call.frame.colliders[i];
-    const Affine& joint = call.scene_from_joint[c.joint];
+    const Columns joint = columns(call.scene_from_joint[c.joint]);
+    const f32x4 from = to_f32x4(vector3(c.from));
     PlacedCollider& out = call.colliders[i];
-    out.from = turn(world, transform(joint, vector3(c.from)));
-    out.along = turn(world, turn(joint, vector3(c.to) - vector3(c.from)));
-    const float squared = dot(out.along, out.along);
+    out.from = turn(call.world, transform(joint, from));
+    out.along = turn(call.world, turn(joint, to_f32x4(vector3(c.to)) - from));
+    const float squared = squared3(out.along);
     out.over_squared = squared > 1e-20f ? 1.0f / squared : 0.0f;
     float scale = 0.0f;
-    constexpr Vector3 kEveryAxis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (const Vector3& axis : kEveryAxis) {
-      const float l = length(turn(world, turn(joint, axis)));
-      scale = l > scale ? l : scale;
-    }
+    for (const f32x4 axis : joint.axis) scale = greater(scale, length3(turn(call.world, axis)));
     out.radius = c.radius_m * scale;
   }
 }
 
-Vector3 turned(const SpringRoot& root, const Vector3& v) {
-  return transposed_times(Linear<float>{vector3(root.turn[0]), vector3(root.turn[1]), vector3(root.turn[2])}, v);
+f32x4 turned(const SpringRoot& root, f32x4 v) {
+  const f32x4 rows[3] = {load_wide(root.turn[0]), load_wide(root.turn[1]), load_wide(root.turn[2])};
+  return products(rows, v);
 }
 
-void find_turn(SpringRoot& root, const Affine& world, const Affine& parent) {
-  const Linear<float> was = right_axes(root.world, root.parent), is = right_axes(world, parent);
-  store(root.turn[0], was * Vector3{is.x.x, is.y.x, is.z.x});
-  store(root.turn[1], was * Vector3{is.x.y, is.y.y, is.z.y});
-  store(root.turn[2], was * Vector3{is.x.z, is.y.z, is.z.z});
+// A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
+void right_axes(const Columns& world, const Affine& scene, f32x4 (&axis)[3]) {
+  const Columns joint = columns(scene);
+  axis[0] = unit3_or(turn(world, joint.axis[0]), lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  axis[1] = unit3_or(across3(turn(world, joint.axis[1]), axis[0]), any_across3(axis[0]));
+  axis[2] = cross3(axis[0], axis[1]);
+}
+
+void find_turn(SpringRoot& root, const Columns& world, const Affine& parent) {
+  f32x4 was[3], is[3], none = splat(0.0f);
+  right_axes(columns(root.world), root.parent, was);
+  right_axes(world, parent, is);
+  transpose(is[0], is[1], is[2], none);
+  for (int i = 0; i < 3; ++i)
+    store_wide(root.turn[i],
+               was[0] * splat_lane<0>(is[i]) + was[1] * splat_lane<1>(is[i]) + was[2] * splat_lane<2>(is[i]));
 }
 
 // Component by component.
-Vector3 held_within(const Vector3& v, float most) {
-  const auto limit = [most](float x) { return x < -most ? -most : x < most ? x : most; };
-  return {limit(v.x), limit(v.y), limit(v.z)};
+f32x4 held_within(f32x4 v, f32x4 most) {
+  const f32x4 least = -most;
+  return without_w(select(v < least, least, select(v < most, v, most)));
 }
 
 // The velocity and the acceleration at both ends of this frame, of the curve of degree three through the places at them
 // whose velocity at the end is that of the parabola through the last three places.
-void follow(const SpringCall& call, const Vector3& position, SpringRoot& root) {
+void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
-  const Vector3 mean = (position - vector3(root.position)) * (1.0f / dt);
-  Vector3 begin = vector3(root.velocity), end = mean;
+  const f32x4 mean = (position - load_wide(root.position)) * (1.0f / dt);
+  f32x4 begin = load_wide(root.velocity), end = mean;
   if (root.moved != 0 || root.frames == 0) {
     end = begin;
   } else if (root.frames == 1) {
     begin = mean;
   } else {
-    end = mean + (mean - vector3(root.mean_velocity)) * (dt / (dt + root.frame_s));
+    end = mean + (mean - load_wide(root.mean_velocity)) * (dt / (dt + root.frame_s));
   }
-  Vector3 first, last;
+  f32x4 first = splat(0.0f), last = first;
   if (root.moved == 0 && root.frames == 2) {
-    first = held_within((mean * 6.0f - begin * 4.0f - end * 2.0f) * (1.0f / dt), 1e7f);
-    last = held_within((mean * -6.0f + begin * 2.0f + end * 4.0f) * (1.0f / dt), 1e7f);
+    const f32x4 most = splat(1e7f);
+    first = held_within((mean * 6.0f - begin * 4.0f - end * 2.0f) * (1.0f / dt), most);
+    last = held_within((mean * -6.0f + begin * 2.0f + end * 4.0f) * (1.0f / dt), most);
   }
-  const Vector3 wind = vector3(call.frame.wind);
+  const f32x4 wind = to_f32x4(vector3(call.frame.wind));
   store(root.acceleration[0], first);
   store(root.acceleration[1], last);
   store(root.air[0], wind - begin);
   store(root.air[1], wind - end);
-  store(root.velocity, end);
-  store(root.mean_velocity, root.moved != 0 ? end : mean);
+  store_wide(root.velocity, end);
+  store_wide(root.mean_velocity, root.moved != 0 ? end : mean);
   root.frame_s = dt;
   if (root.frames < 2) ++root.frames;
 }
 
+f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
+  return turn(call.world, to_f32x4(origin(call.scene_from_joint[joint])));
+}
+
 void prepare_root(SpringCall& call, SpringRoot& root) {
   const Affine& parent = above(call, root.first);
-  const Affine& world = call.frame.world_from_scene;
-  const Vector3 position = transform(world, origin(call.scene_from_joint[root.first]));
-  const Vector3 way = position - vector3(root.position);
+  const f32x4 position = place_of(call, root.first) + call.world.origin;
+  const f32x4 way = position - load_wide(root.position);
   const float most = call.frame.teleport_m;
-  root.moved = root.frames > 0 && (call.frame.teleported || !(dot(way, way) <= most * most)) ? 1 : 0;
+  root.moved = root.frames > 0 && (call.frame.teleported || !(squared3(way) <= most * most)) ? 1 : 0;
   if (root.moved != 0) {
     call.moved = true;
-    find_turn(root, world, parent);
-    store(root.velocity, turned(root, vector3(root.velocity)));
+    find_turn(root, call.world, parent);
+    store_wide(root.velocity, turned(root, load_wide(root.velocity)));
   }
   const bool begins = root.frames == 0;
   if (call.steps > 0) follow(call, position, root);
   if (call.steps == 0 && root.moved == 0 && !begins) return;
   if (begins) root.frames = 1;
-  store(root.position, position);
+  store_wide(root.position, position);
   root.parent = parent;
-  root.world = world;
+  root.world = call.frame.world_from_scene;
 }
 
-// Four bones of the animated pose, in the world.
-struct FourBones {
-  Vector<f32x4> animated;  // unit, or 0
-  f32x4 length, over_length;
-  bool begins[4];  // a chain
-  Vector3 first[4];
+// The bones that go now: those of a group from `lane` on.
+struct SpringPlace {
+  SpringGroup& group;
+  int lane;
+
+  Vector<Number> vector(const float (&from)[3][4]) const { return Lanes::vector(from, lane); }
+  Number number(const float (&from)[4]) const { return Lanes::number(from, lane); }
+  std::uint16_t joint(int i) const { return group.joint[lane + i]; }
+  const SpringRoot& root(const SpringCall& call, int i) const { return call.springs.roots[group.root[lane + i]]; }
 };
 
-FourBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t& chain) {
-  alignas(16) float v[3][4];
-  FourBones out;
-  for (int lane = 0; lane < 4; ++lane) {
-    const std::uint16_t joint = group.joint[lane], end = group.end[lane];
-    Vector3 bone;
-    out.begins[lane] = false;
-    if (joint != kNoBone) {
-      const SpringRoot& root = call.springs.roots[group.root[lane]];
-      const Affine& from = call.scene_from_joint[joint];
-      bone = end != kNoBone ? origin(call.scene_from_joint[end]) - origin(from) : turn(from, vector3(root.tip));
-      out.begins[lane] = group.root[lane] != chain;
-      chain = group.root[lane];
-    }
-    v[0][lane] = bone.x, v[1][lane] = bone.y, v[2][lane] = bone.z;
+// They, in the animated pose, in the world.
+struct SpringBones {
+  Vector<Number> animated;  // unit, or 0
+  Number length, over_length;
+  bool begins[Lanes::kCount];  // a chain
+};
+
+Vector<Number> in_world(const SpringCall& call, const Vector<Number>& v) {
+  const f32x4(&axis)[3] = call.world.axis;
+  return Linear<Number>{Lanes::same(axis[0]), Lanes::same(axis[1]), Lanes::same(axis[2])} * v;
+}
+
+SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16_t& chain) {
+  f32x4 in_scene[Lanes::kCount];
+  SpringBones out;
+  for (int i = 0; i < Lanes::kCount; ++i) {
+    const std::uint16_t joint = place.joint(i), end = place.group.end[place.lane + i],
+                        root = place.group.root[place.lane + i];
+    in_scene[i] = splat(0.0f);
+    out.begins[i] = false;
+    if (joint == kNoBone) continue;
+    const Affine& from = call.scene_from_joint[joint];
+    in_scene[i] = end != kNoBone ? to_f32x4(origin(call.scene_from_joint[end])) - to_f32x4(origin(from))
+                                 : turn(columns(from), load_wide(call.springs.roots[root].tip));
+    out.begins[i] = root != chain;
+    chain = root;
   }
-  const Vector<f32x4> bone = transposed_times(splat(linear_rows(call.frame.world_from_scene)), load_vectors(v));
-  const f32x4 squared = dot(bone, bone), zero = splat(0.0f);
-  const f32x4 shortest = splat(kShortestBone_m * kShortestBone_m), longest = splat(kLongestBone_m * kLongestBone_m);
-  f32x4 over = select(squared < longest, inverse_length(squared), zero);
+  const Vector<Number> bone = in_world(call, Lanes::vector(in_scene));
+  const Number squared = dot(bone, bone), zero = number(0.0f);
+  const Number shortest = number(kShortestBone_m * kShortestBone_m), longest = number(kLongestBone_m * kLongestBone_m);
+  Number over = select(squared < longest, inverse_length(squared), zero);
   over = select(shortest < squared, over, zero);
   out.over_length = over;
   out.length = squared * over;
@@ -197,195 +221,186 @@ FourBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t
 }
 
 // Lanes that have not begun, or whose bone had no length, stand as animated.
-void begin(const FourBones& bones, SpringGroup& group) {
-  const Vector<f32x4> d = load_vectors(group.direction);
-  const f32x4 zero = splat(0.0f);
-  const Vector<f32x4> none = splat(0.0f, 0.0f, 0.0f);
-  const mask4 has_motion = splat(0.25f) < dot(d, d), has_length = zero < bones.over_length;
-  store_vectors(group.direction, select(has_length, select(has_motion, d, bones.animated), none));
-  store_vectors(group.velocity, select(has_length, select(has_motion, load_vectors(group.velocity), none), none));
-  store_vectors(group.animated, select(has_motion, load_vectors(group.animated), bones.animated));
+void begin(const SpringBones& bones, const SpringPlace& place) {
+  SpringGroup& group = place.group;
+  const Vector<Number> d = place.vector(group.direction), none = Lanes::same(splat(0.0f));
+  const auto has_motion = number(0.25f) < dot(d, d), has_length = number(0.0f) < bones.over_length;
+  const Vector<Number> velocity = select(has_motion, place.vector(group.velocity), none);
+  Lanes::store(group.direction, place.lane, select(has_length, select(has_motion, d, bones.animated), none));
+  Lanes::store(group.velocity, place.lane, select(has_length, velocity, none));
+  Lanes::store(group.animated, place.lane, select(has_motion, place.vector(group.animated), bones.animated));
 }
 
-// Lanes of chains that are moved along: as if the animation stood still meanwhile.
-void move_along(const SpringCall& call, const FourBones& bones, SpringGroup& group) {
-  alignas(16) float animated[3][4];
-  store_vectors(animated, bones.animated);
-  for (int lane = 0; lane < 4; ++lane) {
-    const SpringRoot& root = call.springs.roots[group.root[lane]];
-    if (group.joint[lane] == kNoBone || root.moved == 0) continue;
-    float* const moving[3] = {&group.direction[0][lane], &group.velocity[0][lane], &group.bent[0][lane]};
-    for (float* const v : moving) {
-      const Vector3 to = turned(root, {v[0], v[4], v[8]});
-      v[0] = to.x, v[4] = to.y, v[8] = to.z;
+// SpringBones of chains that are moved along: as if the animation stood still meanwhile.
+void move_along(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
+  SpringGroup& group = place.group;
+  f32x4 animated[Lanes::kCount];
+  Lanes::split(bones.animated, animated);
+  for (int i = 0; i < Lanes::kCount; ++i) {
+    const SpringRoot& root = place.root(call, i);
+    if (place.joint(i) == kNoBone || root.moved == 0) continue;
+    const auto put = [lane = place.lane + i](float* to, f32x4 v) {
+      const Vector3 n = narrow(v);
+      to[lane] = n.x, to[lane + 4] = n.y, to[lane + 8] = n.z;
+    };
+    for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]}) {
+      const float* const from = v + place.lane + i;
+      put(v, turned(root, lanes(from[0], from[4], from[8], 0.0f)));
     }
-    for (int i = 0; i < 3; ++i) group.animated[i][lane] = animated[i][lane];
+    put(group.animated[0], animated[i]);
   }
 }
 
-// One row of each lane's chain, turned into vectors.
-Vector<f32x4> of_roots(const SpringCall& call, const SpringGroup& group, const float* (*row)(const SpringRoot&)) {
-  const SpringRoot* const roots = call.springs.roots;
-  f32x4 a = load_aligned(row(roots[group.root[0]])), b = load_aligned(row(roots[group.root[1]])),
-        c = load_aligned(row(roots[group.root[2]])), d = load_aligned(row(roots[group.root[3]]));
-  transpose(a, b, c, d);
-  return {a, b, c};
+// One row of each one's chain, turned into vectors.
+template <class Row>
+Vector<Number> of_roots(const SpringCall& call, const SpringPlace& place, const Row& row) {
+  const float* rows[Lanes::kCount];
+  for (int i = 0; i < Lanes::kCount; ++i) rows[i] = row(place.root(call, i));
+  return Lanes::rows(rows);
 }
 
-SpringPull pull_of(const SpringCall& call, const SpringGroup& group, const FourBones& bones) {
-  const float(&g)[3] = call.frame.gravity;
-  const Vector<f32x4> was = load_vectors(group.animated);
-  const Vector<f32x4> weight = splat(g[0], g[1], g[2]) * load_aligned(group.gravity);
-  const f32x4 drag = load_aligned(group.drag);
-  const auto field = [&](const Vector<f32x4>& air, const Vector<f32x4>& acceleration) {
+SpringPull pull_of(const SpringCall& call, const SpringPlace& place, const SpringBones& bones) {
+  const SpringGroup& group = place.group;
+  const Vector<Number> was = place.vector(group.animated);
+  const Vector<Number> weight = Lanes::same(load_wide(call.frame.gravity)) * place.number(group.gravity);
+  const Number drag = place.number(group.drag);
+  // At one end of the frame.
+  const auto field = [&](int end) {
+    const Vector<Number> air = of_roots(call, place, [end](const SpringRoot& r) { return r.air[end]; });
+    const auto acceleration = of_roots(call, place, [end](const SpringRoot& r) { return r.acceleration[end]; });
     return no_longer((weight + air * drag - acceleration) * bones.over_length, kMostField);
   };
   SpringPull pull;
   pull.animated = was;
   pull.animated_change = bones.animated - was;
-  pull.stiffness = load_aligned(group.stiffness);
-  pull.most_pull = load_aligned(group.most_pull);
-  const f32x4 rate = load_aligned(group.damping) * splat(1.0f / call.frame_s);
+  pull.stiffness = place.number(group.stiffness);
+  pull.most_pull = place.number(group.most_pull);
+  const Number rate = place.number(group.damping) * number(1.0f / call.frame_s);
   pull.dragged = no_longer(pull.animated_change * rate, kMostField);
-  pull.field = field(of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.air[0]; }),
-                     of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.acceleration[0]; }));
-  const Vector<f32x4> last =
-      field(of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.air[1]; }),
-            of_roots(call, group, [](const SpringRoot& r) -> const float* { return r.acceleration[1]; }));
-  pull.field_change = last - pull.field;
+  pull.field = field(0);
+  pull.field_change = field(1) - pull.field;
   return pull;
 }
 
 // What goes from bone to bone down a chain, in one step.
 struct Descent {
   f32x4 bent;
-  Vector3 joint;
+  f32x4 joint;
 };
 
 // outwards: across the direction, away from what it touches; 0 where it touches nothing.
-void collide_four(const SpringCall& call, const SpringGroup& group, const FourBones& bones, SpringMotion& m,
-                  Vector3& at, Vector<f32x4>& outwards) {
-  alignas(16) float d[3][4], v[3][4], o[3][4] = {}, lengths[4];
-  store_vectors(d, m.direction);
-  store_vectors(v, m.velocity);
-  store(lengths, bones.length);
-  const Affine& world = call.frame.world_from_scene;
-  for (int lane = 0; lane < 4; ++lane) {
-    if (group.joint[lane] == kNoBone) break;
-    if (bones.begins[lane]) at = turn(world, origin(call.scene_from_joint[group.joint[lane]]));
-    const float bone = lengths[lane];
-    Vector3 direction = {d[0][lane], d[1][lane], d[2][lane]}, velocity = {v[0][lane], v[1][lane], v[2][lane]}, out;
+void collide_bones(const SpringCall& call, const SpringPlace& place, const SpringBones& bones, SpringMotion& m,
+                   f32x4& at, Vector<Number>& outwards) {
+  f32x4 d[Lanes::kCount], v[Lanes::kCount], o[Lanes::kCount];
+  float lengths[Lanes::kCount];
+  Lanes::split(m.direction, d);
+  Lanes::split(m.velocity, v);
+  Lanes::split(bones.length, lengths);
+  for (int i = 0; i < Lanes::kCount; ++i) {
+    o[i] = splat(0.0f);
+    if (place.joint(i) == kNoBone) continue;
+    if (bones.begins[i]) at = place_of(call, place.joint(i));
+    const float bone = lengths[i], radius = place.group.radius_m[place.lane + i];
     if (bone > 0.0f) {
-      const std::uint64_t met = call.springs.roots[group.root[lane]].colliders;
+      const std::uint64_t met = place.root(call, i).colliders;
       for (std::size_t c = 0; c < call.frame.colliders.size; ++c)
-        if ((met >> c & 1) != 0) collide(call.colliders[c], at, bone, group.radius_m[lane], direction, velocity, out);
+        if ((met >> c & 1) != 0) collide(call.colliders[c], at, bone, radius, d[i], v[i], o[i]);
     }
-    at = at + direction * bone;
-    d[0][lane] = direction.x, d[1][lane] = direction.y, d[2][lane] = direction.z;
-    v[0][lane] = velocity.x, v[1][lane] = velocity.y, v[2][lane] = velocity.z;
-    o[0][lane] = out.x, o[1][lane] = out.y, o[2][lane] = out.z;
+    at = at + d[i] * bone;
   }
-  m = {load_vectors(d), load_vectors(v)};
-  outwards = load_vectors(o);
+  m = {Lanes::vector(d), Lanes::vector(v)};
+  outwards = Lanes::vector(o);
 }
 
-void step_four(const SpringCall& call, const FourBones& bones, SpringGroup& group, Descent* descents) {
-  const SpringPull pull = pull_of(call, group, bones);
-  SpringMotion m = {load_vectors(group.direction), load_vectors(group.velocity)};
-  Quaternion<f32x4> bent = load_rotations(group.bent);
-  const Vector<f32x4> field = field_at(pull, animated_at(pull, splat(0.0f)), splat(0.0f), bent, m.direction);
-  const SpringStrengths s =
-      spring_strengths(load_aligned(group.damping) + load_aligned(group.drag), sqrt(dot(field, field)), call.step_s);
+void step_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place, Descent* descents) {
+  SpringGroup& group = place.group;
+  const SpringPull pull = pull_of(call, place, bones);
+  SpringMotion m = {place.vector(group.direction), place.vector(group.velocity)};
+  Quaternion<Number> bent = Lanes::rotation(group.bent, place.lane);
+  const Number zero = number(0.0f), damping = place.number(group.damping) + place.number(group.drag);
+  const Vector<Number> field = field_at(pull, animated_at(pull, zero), zero, bent, m.direction);
+  const SpringStrengths s = spring_strengths(damping, sqrt(dot(field, field)), call.step_s);
   SpringForce force = force_on(field, m.direction);
   const bool may_touch = !call.frame.colliders.empty();
-  const f32x4 zero = splat(0.0f);
   for (int step = 0; step < call.steps; ++step) {
-    const Vector<f32x4> was = m.velocity, from = m.direction;
+    const Vector<Number> was = m.velocity, from = m.direction;
     m.velocity = was * s.decay + force.across * s.first_kick;
     SpringWay way;
     m = drifted(m, s.drift, way);
-    Vector<f32x4> outwards = splat(0.0f, 0.0f, 0.0f);
-    if (may_touch) collide_four(call, group, bones, m, descents[step].joint, outwards);
-    const f32x4 u =
-        splat(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
-    const Vector<f32x4> animated = animated_at(pull, u);
+    Vector<Number> outwards = Lanes::same(splat(0.0f));
+    if (may_touch) collide_bones(call, place, bones, m, descents[step].joint, outwards);
+    const Number u =
+        number(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
+    const Vector<Number> animated = animated_at(pull, u);
     NearestRotation nearest;
-    nearest_rotation(animated, m.direction, nearest);
+    nearest_rotation(animated, m.direction, nearest.columns);
     bent = bend(nearest, bones.begins, descents[step].bent);
     const SpringForce next = force_on(field_at(pull, animated, u, bent, m.direction), m.direction);
     m.velocity = (m.velocity + next.across * s.last_kick) * s.decay;
-    f32x4 work = twice_work(force, next, way);
+    Number work = twice_work(force, next, way);
     if (may_touch) work = select(zero < dot(outwards, outwards), twice_work(force, next, from, m.direction), work);
     m.velocity = no_faster(m.velocity, was, work);
     force = next;
   }
   m.direction = normalised(m.direction);
-  store_vectors(group.direction, m.direction);
-  store_vectors(group.velocity, across(m.velocity, m.direction));
-  store_vectors(group.animated, bones.animated);
-  store_rotations(group.bent, bent);
+  Lanes::store(group.direction, place.lane, m.direction);
+  Lanes::store(group.velocity, place.lane, across(m.velocity, m.direction));
+  Lanes::store(group.animated, place.lane, bones.animated);
+  Lanes::store(group.bent, place.lane, bent);
 }
 
-// A direction in the world as the joints above four bones see it; transposed matrices will do, since lengths are
-// ignored and the animated direction goes the same way.
+// A direction in the world as the joints above the bones see it; transposed matrices will do, since lengths are ignored
+// and the animated direction goes the same way.
 struct IntoParents {
-  IntoParents(const SpringCall& call, const SpringGroup& group) {
-    const Affine* parents[4];
-    for (int lane = 0; lane < 4; ++lane)
-      parents[lane] = group.joint[lane] == kNoBone ? &kIdentity : &above(call, group.joint[lane]);
-    rows = linear_rows(load_affines(*parents[0], *parents[1], *parents[2], *parents[3]));
-    world = splat(linear(call.frame.world_from_scene));
+  IntoParents(const SpringCall& call, const SpringPlace& place) {
+    const Affine* parents[Lanes::kCount];
+    for (int i = 0; i < Lanes::kCount; ++i)
+      parents[i] = place.joint(i) == kNoBone ? &kIdentity : &above(call, place.joint(i));
+    rows = Lanes::linear_rows(parents);
+    for (int i = 0; i < 3; ++i) world[i] = call.world.axis[i];
   }
-  Vector<f32x4> operator()(const Vector<f32x4>& v) const { return normalised(rows * transposed_times(world, v)); }
+  Vector<Number> operator()(const Vector<Number>& v) const {
+    return normalised(
+        rows *
+        transposed_times(Linear<Number>{Lanes::same(world[0]), Lanes::same(world[1]), Lanes::same(world[2])}, v));
+  }
 
-  Linear<f32x4> rows, world;
+  Linear<Number> rows;
+  f32x4 world[3];
 };
 
 // From one unit direction to another, and of that the part `weight`.
-Quaternion<f32x4> part_of_arc(const Vector<f32x4>& from, const Vector<f32x4>& to, f32x4 weight) {
-  const f32x4 one = splat(1.0f);
-  Quaternion<f32x4> q = quaternion(cross(from, to), one + dot(from, to));
-  const f32x4 squared = dot(q, q);
+Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>& to, Number weight) {
+  const Number zero = number(0.0f), one = number(1.0f);
+  Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
+  const Number squared = dot(q, q);
   q = q * inverse_length(squared);
   // Opposite: half a turn about anything across.
-  const mask4 opposite = squared < splat(1e-10f);
-  if (any(opposite)) {
-    const f32x4 zero = splat(0.0f), l = inverse_length(from.x * from.x + from.y * from.y);
-    const mask4 upright = splat(1e3f) < l;
-    q.x = select(opposite, select(upright, one, (zero - from.y) * l), q.x);
-    q.y = select(opposite, select(upright, zero, from.x * l), q.y);
-    q.z = select(opposite, zero, q.z);
-    q.w = select(opposite, zero, q.w);
+  if (const auto opposite = squared < number(1e-10f); any(opposite)) {
+    const Number x = x_of(from), y = y_of(from), l = inverse_length(x * x + y * y);
+    const auto upright = number(1e3f) < l;
+    const Vector<Number> axis = select(upright, vector_of(one, zero, zero), vector_of((zero - y) * l, x * l, zero));
+    q = select(opposite, quaternion(axis, zero), q);
   }
-  return share_of(q, weight);
+  const Quaternion<Number> part = straight_share(q, weight);
+  return part * inverse_length(dot(part, part));
 }
 
-void show_four(const SpringCall& call, const FourBones& bones, const SpringGroup& group) {
-  const Quaternion<f32x4> above_it = load_rotations(group.bent);
-  const Vector<f32x4> seen =
-      rotate_by_any(conjugate(above_it), two_over_squared(above_it), load_vectors(group.direction));
-  const IntoParents into(call, group);
-  const f32x4 weight = load_aligned(group.weight) * splat(call.frame.weight);
-  const Quaternion<f32x4> arc = part_of_arc(into(bones.animated), into(seen), weight);
-  alignas(16) float shown[4], none[16] = {};
-  const f32x4 zero = splat(0.0f);
-  store(shown, select(zero < bones.over_length, weight, zero));
-  float* lanes[4];
-  for (int lane = 0; lane < 4; ++lane) {
-    const std::uint32_t joint = group.joint[lane];
-    lanes[lane] = shown[lane] == 0.0f ? none : &call.local[joint / 4].rotation[0][joint % 4];
-  }
-  const auto row = [&](int i) {
-    alignas(16) const float four[4] = {lanes[0][i], lanes[1][i], lanes[2][i], lanes[3][i]};
-    return load_aligned(four);
-  };
-  const Quaternion<f32x4> bent = arc * Quaternion<f32x4>{row(0), row(4), row(8), row(12)};
-  alignas(16) float out[4][4];
-  store_rotations(out, bent);
-  for (int lane = 0; lane < 4; ++lane) {
-    if (shown[lane] == 0.0f) continue;
-    for (int i = 0; i < 4; ++i) lanes[lane][4 * i] = out[i][lane];
-  }
+void show_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
+  const Quaternion<Number> above_it = Lanes::rotation(place.group.bent, place.lane);
+  const Vector<Number> seen =
+      rotate_by_any(conjugate(above_it), two_over_squared(above_it), place.vector(place.group.direction));
+  const IntoParents into(call, place);
+  const Number zero = number(0.0f), weight = place.number(place.group.weight) * number(call.frame.weight);
+  const Quaternion<Number> arc = part_of_arc(into(bones.animated), into(seen), weight);
+  float shown[Lanes::kCount];
+  Lanes::split(select(zero < bones.over_length, weight, zero), shown);
+  f32x4 q[Lanes::kCount];
+  for (int i = 0; i < Lanes::kCount; ++i)
+    q[i] = shown[i] == 0.0f ? splat(0.0f) : wide_rotation_of(call.local, place.joint(i)).v;
+  Lanes::split(arc * Lanes::quaternion(q), q);
+  for (int i = 0; i < Lanes::kCount; ++i)
+    if (shown[i] != 0.0f) set_rotation(call.local, place.joint(i), WideRotation{q[i]});
 }
 
 int steps_of(float dt_s) {
@@ -402,7 +417,7 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   MARROW_MARK;
   MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, scene_from_joint));
   PlacedCollider colliders[kMaxSpringColliders];
-  SpringCall call{skeleton, frame, springs, local.data, scene_from_joint.data};
+  SpringCall call{skeleton, frame, springs, local, scene_from_joint.data, columns(frame.world_from_scene)};
   call.colliders = colliders;
   call.frame_s = springs.saved_s + frame.dt_s;
   springs.saved_s = call.frame_s;
@@ -415,15 +430,16 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   }
   for (std::uint32_t r = 0; r < springs.root_count; ++r) prepare_root(call, springs.roots[r]);
   Descent descents[kMaxSpringSteps];
-  for (int s = 0; s < call.steps; ++s) descents[s] = {load_aligned(kNone), {}};
+  for (int s = 0; s < call.steps; ++s) descents[s] = {splat(0.0f), splat(0.0f)};
   std::uint16_t chain = kNoBone;
-  for (std::uint32_t g = 0; g < springs.group_count; ++g) {
-    SpringGroup& group = springs.groups[g];
-    const FourBones bones = gather(call, group, chain);
-    begin(bones, group);
-    if (call.moved) move_along(call, bones, group);
-    if (call.steps > 0) step_four(call, bones, group, descents);
-    if (frame.weight > 0.0f) show_four(call, bones, group);
+  for (std::uint32_t b = 0; b < 4 * springs.group_count; b += Lanes::kCount) {
+    const SpringPlace place = {springs.groups[b / 4], static_cast<int>(b % 4)};
+    if (place.joint(0) == kNoBone) continue;
+    const SpringBones bones = gather(call, place, chain);
+    begin(bones, place);
+    if (call.moved) move_along(call, bones, place);
+    if (call.steps > 0) step_bones(call, bones, place, descents);
+    if (frame.weight > 0.0f) show_bones(call, bones, place);
   }
   if (!(frame.weight > 0.0f)) return Status::ok;
   for (std::uint32_t i = 0; i < springs.below_count; ++i)

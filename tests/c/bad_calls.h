@@ -573,6 +573,14 @@ static int call_solve_ik(const Round* r) {
   (void)r;
   return mrw_solve_ik(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), at(r, 3), at(r, 4), list(r, 5), count(r), at(r, 6));
 }
+static int call_solve_ik_chain(const Round* r) {
+  (void)r;
+  return mrw_solve_ik_chain(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), at(r, 3), at(r, 4), list(r, 5), count(r), at(r, 6));
+}
+static int call_solve_ik_body(const Round* r) {
+  (void)r;
+  return mrw_solve_ik_body(at(r, 0), list(r, 1), count(r), list(r, 2), count(r), at(r, 3), at(r, 4), list(r, 5), count(r), at(r, 6));
+}
 static int call_ik_genetic_scratch_bytes(const Round* r) {
   (void)r;
   (void)mrw_ik_genetic_scratch_bytes(at(r, 0), at(r, 1));
@@ -995,6 +1003,8 @@ static const Row rows[] = {
     {"mrw_ik_options_init", call_ik_options_init, 0, 0},
     {"mrw_ik_scratch_bytes", call_ik_scratch_bytes, 1, 0},
     {"mrw_solve_ik", call_solve_ik, 1, 1},
+    {"mrw_solve_ik_chain", call_solve_ik_chain, 1, 1},
+    {"mrw_solve_ik_body", call_solve_ik_body, 1, 1},
     {"mrw_ik_genetic_scratch_bytes", call_ik_genetic_scratch_bytes, 1, 0},
     {"mrw_solve_ik_genetic", call_solve_ik_genetic, 1, 1},
     {"mrw_foot_init", call_foot_init, 0, 0},

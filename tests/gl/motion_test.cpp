@@ -367,7 +367,8 @@ TEST(Motion, CostsNothingWhereNobodyAsks) {
   EXPECT_EQ(gles3::reset_motion(player.skinner, kCharacters), Status::bad_argument);
 }
 
-// The texts that docs/gles/shaders.md shows: how far on the screen a pixel has come, in widths and heights of the picture.
+// The texts that docs/gles/shaders.md shows: how far on the screen a pixel has come, in widths and heights of the
+// picture.
 constexpr const char* kVelocityVertex = R"(
 uniform mat4 clip_from_scene;           // of this frame, and of the frame before
 uniform mat4 previous_clip_from_scene;

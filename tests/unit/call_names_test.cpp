@@ -141,6 +141,8 @@ TEST_F(CallNames, OfReaching) {
   REFUSED(solve_aim, one_.skeleton, 0, {}, {}, {});
   REFUSED(solve_look_at, one_.skeleton, {}, {}, 1, {}, {});
   REFUSED(solve_ik, one_.skeleton, {}, {}, {}, {}, {});
+  REFUSED(solve_ik_chain, one_.skeleton, {}, {}, {}, {.method = IkMethod::ccd}, {});
+  REFUSED(solve_ik_body, one_.skeleton, {}, {}, {}, {}, {});
   REFUSED(solve_ik_genetic, one_.skeleton, {}, {}, {}, {}, {});
   REFUSED(foot_sole, {}, kHere, {}, point);
   REFUSED(place_feet, one_.skeleton, {}, {}, {}, {}, {}, {});

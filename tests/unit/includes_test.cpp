@@ -1,4 +1,5 @@
-// Which part of the source tree may include which: the arrows of docs/inside/source_map.md, held by reading #include lines.
+// Which part of the source tree may include which: the arrows of docs/inside/source_map.md, held by reading #include
+// lines.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-// The row ik/limit_pose: limits of joints, on rotations of which most are outside.
+// The rows ik/limit_pose and ik/limit_pose_inside: limits of joints, on rotations of which most are outside, and none.
 #include <algorithm>
 #include <cmath>
 
@@ -43,7 +43,11 @@ std::vector<SoaTransform> noise_poses(std::size_t count) {
 
 class LimitPose : public Workload {
  public:
-  LimitPose() : limits_(mixed_limits()), poses_(noise_poses(kLimitedPoses * kGroups)), out_(kGroups) {}
+  explicit LimitPose(bool inside)
+      : limits_(mixed_limits()), poses_(noise_poses(kLimitedPoses * kGroups)), out_(kGroups) {
+    for (std::size_t i = 0; inside && i < kLimitedPoses; ++i)
+      check(limit_pose(limits_, {&poses_[i * kGroups], kGroups}));
+  }
   std::uint32_t items() const override { return kLimitedJoints; }
   std::uint32_t period() const override { return kLimitedPoses; }
   std::uint64_t hash_output(std::uint64_t state) const override { return hash_of(out_, state); }
@@ -67,8 +71,12 @@ class LimitPose : public Workload {
 
 RowGroup limit_rows() {
   RowGroup group;
-  group.rows.push_back({"ik/limit_pose", nullptr, {}, [](Models&) { return std::make_unique<LimitPose>(); }, false});
-  group.names = "ik/limit_pose\n";
+  const auto add = [&](const char* name, bool inside) {
+    group.rows.push_back({name, nullptr, {}, [inside](Models&) { return std::make_unique<LimitPose>(inside); }, false});
+  };
+  add("ik/limit_pose", false);
+  add("ik/limit_pose_inside", true);
+  group.names = "ik/{limit_pose,limit_pose_inside}\n";
   return group;
 }
 

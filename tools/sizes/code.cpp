@@ -1,6 +1,6 @@
 // A game's calls, so that tools/sizes/code.sh can say what linking them costs. Never run. STAGES: 0 nothing, 1 poses,
 // 2 and skinning; UNPACK: a function of marrow/draco.h or marrow/meshopt.h; IK: 1 limbs and eyes, 2 and chains and
-// bodies, 3 and limits, springs and feet, 4 and the genetic solver.
+// limits, 3 and bodies, 4 and rates, springs and feet, 5 and the genetic solver.
 #include "marrow/blend.h"
 #include "marrow/draco.h"
 #include "marrow/feet.h"
@@ -54,17 +54,21 @@ void reach(const marrow::Skeleton& skeleton, const Memory& m) {
   solve_two_bone(skeleton, {m.ik.joints[0], m.ik.joints[1], m.ik.joints[2]}, m.ik.limb, local, scene);
   solve_look_at(skeleton, {m.ik.joints, m.size}, m.ik.aim, 0.5f, local, scene);
 #if IK >= 2
-  solve_ik(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+  solve_ik_chain(skeleton, local, scene, m.ik.problem, m.ik.options,
+                 {m.bytes, ik_scratch_bytes(skeleton, m.ik.problem, m.ik.options)});
+  limit_pose(skeleton.limits, local);
 #endif
 #if IK >= 3
-  limit_pose(skeleton.limits, local);
+  solve_ik_body(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+#endif
+#if IK >= 4
   follow_pose(skeleton.limits, {m.ik.followers, m.size}, 0.01f, local);
   marrow::Springs springs;
   make_springs(skeleton, {&m.ik.springs, 1}, {m.bytes, m.size}, springs);
   simulate_springs(skeleton, m.ik.spring_frame, springs, local, scene);
   place_feet(skeleton, m.ik.feet, m.ik.feet_frame, {m.ik.ground, m.size}, {m.ik.motion, m.size}, local, scene);
 #endif
-#if IK >= 4
+#if IK >= 5
   solve_ik_genetic(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
 #endif
 }

@@ -23,9 +23,10 @@ empty=0
 empty=$(program "" -DSTAGES=0)
 program "load, sample, blend, local to model" -DSTAGES=1
 program "… and a limb, a look at" -DSTAGES=1 -DIK=1
-program "… and chains and bodies by solve_ik" -DSTAGES=1 -DIK=2
-program "… and limits, springs, feet" -DSTAGES=1 -DIK=3
-program "… and the genetic solver" -DSTAGES=1 -DIK=4
+program "… and chains by FABRIK or CCD, limits" -DSTAGES=1 -DIK=2
+program "… and bodies by the Jacobian methods" -DSTAGES=1 -DIK=3
+program "… and rates, springs, feet" -DSTAGES=1 -DIK=4
+program "… and the genetic solver" -DSTAGES=1 -DIK=5
 program "and palette, SSD, animation space" -DSTAGES=2
 program "and unpack, meshoptimizer (its own library not counted)" -DSTAGES=2 -DUNPACK=meshopt_decoder
 program "and unpack, Draco" -DSTAGES=2 -DUNPACK=draco_decoder

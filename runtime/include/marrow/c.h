@@ -29,7 +29,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xc5f6d77bu
+#define MRW_ABI 0x322cf8d7u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1555,7 +1555,7 @@ mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joi
 // an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
 mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]) MRW_NODISCARD;
 
 // By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
@@ -1803,10 +1803,14 @@ void mrw_ik_problem_init(mrw_ik_problem* out);
 typedef struct mrw_ik_options mrw_ik_options;
 struct mrw_ik_options {
   mrw_ik_method method;  // see docs/ik/solvers.md
+  // How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
+  // which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
+  // costs as many times as much where goals are out of reach, and the result may jump as goals move.
+  uint8_t starts;
   uint16_t max_iterations;  // the most there are
   float tolerance_m;  // an error (see IkReport) of less ends the iteration
   float damping;  // of the Jacobian methods: more is calmer and slower
-  uint32_t seed;  // of solve_ik_genetic: the same seed, the same result
+  uint32_t seed;  // of `starts` and of solve_ik_genetic: the same seed, the same result
   float weight;  // 0 leaves every bit as it was; between, rotations lie between
   // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
   // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
@@ -1843,14 +1847,25 @@ mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, 
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
+// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+// others.
+// May be null: options, report.
+mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
+    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+
 // The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that what does not call it does not link it.
 //
 // A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
 // the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-// Cost: docs/ik.md: tens of microseconds a generation.
+// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+// docs/ik.md: tens of microseconds a generation.
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem);
 
 // The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
@@ -1858,9 +1873,9 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 //
 // A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
 // the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-// Cost: docs/ik.md: tens of microseconds a generation.
+// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+// docs/ik.md: tens of microseconds a generation.
 // May be null: options, report.
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
@@ -1979,7 +1994,7 @@ mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, co
 
 #define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are saved up
 
-// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in pose/spring_state.h.
+// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in springs/spring_state.h.
 typedef struct mrw_spring_group mrw_spring_group;
 typedef struct mrw_spring_root mrw_spring_root;
 typedef struct mrw_joint_range mrw_joint_range;

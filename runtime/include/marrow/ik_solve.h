@@ -41,11 +41,15 @@ struct IkProblem {
 // How it is solved.
 struct IkOptions {
   IkMethod method = IkMethod::damped_least_squares;  // see docs/ik/solvers.md
-  std::uint16_t max_iterations = 16;                 // the most there are
-  float tolerance_m = 1e-4f;                         // an error (see IkReport) of less ends the iteration
-  float damping = 1;                                 // of the Jacobian methods: more is calmer and slower
-  std::uint32_t seed = 0;                            // of solve_ik_genetic: the same seed, the same result
-  float weight = 1;                                  // 0 leaves every bit as it was; between, rotations lie between
+  // How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
+  // which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
+  // costs as many times as much where goals are out of reach, and the result may jump as goals move.
+  std::uint8_t starts = 1;
+  std::uint16_t max_iterations = 16;  // the most there are
+  float tolerance_m = 1e-4f;          // an error (see IkReport) of less ends the iteration
+  float damping = 1;                  // of the Jacobian methods: more is calmer and slower
+  std::uint32_t seed = 0;             // of `starts` and of solve_ik_genetic: the same seed, the same result
+  float weight = 1;                   // 0 leaves every bit as it was; between, rotations lie between
   // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
   // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
   // their lengths. Changes local translations of the joints on the way.
@@ -84,14 +88,24 @@ MARROW_API Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, S
                            const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                            IkReport* report = nullptr);
 
+// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+// others.
+MARROW_API Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                                 IkReport* report = nullptr);
+MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                                const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                                IkReport* report = nullptr);
+
 // The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that what does not call it does not link it.
 //
 // A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
 // the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-// Cost: docs/ik.md: tens of microseconds a generation.
+// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+// docs/ik.md: tens of microseconds a generation.
 MARROW_API std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 MARROW_API Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,

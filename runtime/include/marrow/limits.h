@@ -50,7 +50,7 @@ MARROW_API Status make_limit(const LimitDescription& description, std::uint16_t 
 // an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
 MARROW_API Status clamp_rotation(const JointLimit& limit, float (&local)[4]);
 
 // By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.

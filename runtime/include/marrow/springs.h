@@ -13,7 +13,7 @@ inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // frames are cut into equ
 inline constexpr int kMaxSpringSteps = 8;             // … and time beyond so many is left out
 inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are saved up
 
-// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in pose/spring_state.h.
+// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in springs/spring_state.h.
 struct SpringGroup;
 struct SpringRoot;
 struct JointRange;

@@ -80,8 +80,9 @@ IkProblem problem_of(Misuse& m, Asked& asked) {
   return problem;
 }
 
-IkOptions options_of(Misuse& m) {
-  return {.method = m.kind(IkMethod::gauss_newton),
+IkOptions options_of(Misuse& m, IkMethod method = IkMethod::gauss_newton) {
+  return {.method = m.kind(method),
+          .starts = static_cast<std::uint8_t>(m.index(2)),
           .max_iterations = static_cast<std::uint16_t>(m.truth(true) ? 4 : 0),
           .tolerance_m = m.number(1e-4f),
           .damping = m.number(1),
@@ -93,6 +94,19 @@ IkOptions options_of(Misuse& m) {
 // What is asked for; bytes that a bad problem makes of it have a bound.
 std::size_t scratch_bytes(std::size_t asked) {
   return std::min(asked, std::size_t{1} << 20);
+}
+
+void solve(Misuse& m, decltype(solve_ik)& by, IkMethod method) {
+  Asked asked;
+  const IkProblem problem = problem_of(m, asked);
+  const IkOptions options = options_of(m, method);
+  const Skeleton& skeleton = skeleton_of(m);
+  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_scratch_bytes(skeleton, problem, options)));
+  const Span<SoaTransform> local = m.out(stage().pose);
+  const Span<Affine> joints = m.out(stage().joints);
+  IkReport report;
+  m.returned(by(skeleton, local, joints, problem, options, scratch, m.pointer(&report)));
+  EXPECT_FALSE(std::isnan(report.error_m));
 }
 
 FeetFrame feet_frame(Misuse& m) {
@@ -204,19 +218,9 @@ std::vector<MisuseRow> rows_of_reaching() {
          (void)ik_genetic_scratch_bytes(skeleton_of(m), problem_of(m, asked));
          m.returned_ok();
        }},
-      {"solve_ik",
-       [](Misuse& m) {
-         Asked asked;
-         const IkProblem problem = problem_of(m, asked);
-         const IkOptions options = options_of(m);
-         const Skeleton& skeleton = skeleton_of(m);
-         const Span<std::byte> scratch = m.memory(scratch_bytes(ik_scratch_bytes(skeleton, problem, options)));
-         const Span<SoaTransform> local = m.out(stage().pose);
-         const Span<Affine> joints = m.out(stage().joints);
-         IkReport report;
-         m.returned(solve_ik(skeleton, local, joints, problem, options, scratch, m.pointer(&report)));
-         EXPECT_FALSE(std::isnan(report.error_m));
-       }},
+      {"solve_ik", [](Misuse& m) { solve(m, solve_ik, IkMethod::gauss_newton); }},
+      {"solve_ik_chain", [](Misuse& m) { solve(m, solve_ik_chain, IkMethod::fabrik); }},
+      {"solve_ik_body", [](Misuse& m) { solve(m, solve_ik_body, IkMethod::gauss_newton); }},
       {"solve_ik_genetic",
        [](Misuse& m) {
          Asked asked;

@@ -2263,6 +2263,12 @@ public unsafe struct IkOptions {
     /// </summary>
     public IkMethod method;
     /// <summary>
+    /// How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
+    /// which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
+    /// costs as many times as much where goals are out of reach, and the result may jump as goals move.
+    /// </summary>
+    public byte starts;
+    /// <summary>
     /// the most there are
     /// </summary>
     public ushort max_iterations;
@@ -2275,7 +2281,7 @@ public unsafe struct IkOptions {
     /// </summary>
     public float damping;
     /// <summary>
-    /// of solve_ik_genetic: the same seed, the same result
+    /// of `starts` and of solve_ik_genetic: the same seed, the same result
     /// </summary>
     public uint seed;
     /// <summary>
@@ -4468,9 +4474,9 @@ public static unsafe class Marrow {
 #endif
 
     /// <summary>What Abi() must give.</summary>
-    public const uint AbiNumber = 0xc5f6d77b;
+    public const uint AbiNumber = 0x322cf8d7;
     /// <summary>What Gles3Abi() must give.</summary>
-    public const uint Gles3AbiNumber = 0x6908703b;
+    public const uint Gles3AbiNumber = 0x163cddea;
 
     /// <summary>
     /// Bytes: where blocks begin at multiples of.
@@ -5483,7 +5489,7 @@ public static unsafe class Marrow {
     /// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
     ///
     /// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-    /// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+    /// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_clamp_rotation", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status ClampRotation(JointLimit* limit, float* local);
@@ -5655,14 +5661,30 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_solve_ik", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SolveIk(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
     /// <summary>
+    /// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+    /// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+    /// others.
+    /// May be null: options, report.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_ik_chain", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveIkChain(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
+    /// <summary>
+    /// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+    /// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+    /// others.
+    /// May be null: options, report.
+    /// </summary>
+    [DllImport(Library, EntryPoint = "mrw_solve_ik_body", CallingConvention = CallingConvention.Cdecl)]
+    public static extern Status SolveIkBody(Skeleton* skeleton, SoaTransform* local, UIntPtr local_count, Affine* scene_from_joint, UIntPtr scene_from_joint_count, IkProblem* problem, IkOptions* options, void* scratch, UIntPtr scratch_bytes, IkReport* report);
+    /// <summary>
     /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
     /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
     ///
     /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
     /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+    /// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+    /// docs/ik.md: tens of microseconds a generation.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_ik_genetic_scratch_bytes", CallingConvention = CallingConvention.Cdecl)]
     public static extern UIntPtr IkGeneticScratchBytes(Skeleton* skeleton, IkProblem* problem);
@@ -5672,9 +5694,9 @@ public static unsafe class Marrow {
     ///
     /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
     /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+    /// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+    /// docs/ik.md: tens of microseconds a generation.
     /// May be null: options, report.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_solve_ik_genetic", CallingConvention = CallingConvention.Cdecl)]

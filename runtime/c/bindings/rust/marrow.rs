@@ -4,9 +4,9 @@
 use std::os::raw::{c_char, c_void};
 
 /// What abi() must give.
-pub const ABI: u32 = 0xc5f6d77b;
+pub const ABI: u32 = 0x322cf8d7;
 /// What gles3_abi() must give.
-pub const GLES3_ABI: u32 = 0x6908703b;
+pub const GLES3_ABI: u32 = 0x163cddea;
 
 /// What a call came to.
 #[repr(transparent)]
@@ -2036,13 +2036,17 @@ const _: () = assert!(std::mem::size_of::<IkProblem>() == 88);
 pub struct IkOptions {
     /// see docs/ik/solvers.md
     pub method: IkMethod,
+    /// How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
+    /// which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
+    /// costs as many times as much where goals are out of reach, and the result may jump as goals move.
+    pub starts: u8,
     /// the most there are
     pub max_iterations: u16,
     /// an error (see IkReport) of less ends the iteration
     pub tolerance_m: f32,
     /// of the Jacobian methods: more is calmer and slower
     pub damping: f32,
-    /// of solve_ik_genetic: the same seed, the same result
+    /// of `starts` and of solve_ik_genetic: the same seed, the same result
     pub seed: u32,
     /// 0 leaves every bit as it was; between, rotations lie between
     pub weight: f32,
@@ -4517,7 +4521,7 @@ extern "C" {
     /// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
     ///
     /// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-    /// Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+    /// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
     #[link_name = "mrw_clamp_rotation"]
     pub fn clamp_rotation(limit: *const JointLimit, local: *mut [f32; 4]) -> Status;
     /// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
@@ -4659,14 +4663,26 @@ extern "C" {
     /// May be null: options, report.
     #[link_name = "mrw_solve_ik"]
     pub fn solve_ik(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
+    /// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+    /// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+    /// others.
+    /// May be null: options, report.
+    #[link_name = "mrw_solve_ik_chain"]
+    pub fn solve_ik_chain(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
+    /// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+    /// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+    /// others.
+    /// May be null: options, report.
+    #[link_name = "mrw_solve_ik_body"]
+    pub fn solve_ik_body(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;
     /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
     /// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
     ///
     /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
     /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+    /// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+    /// docs/ik.md: tens of microseconds a generation.
     #[link_name = "mrw_ik_genetic_scratch_bytes"]
     pub fn ik_genetic_scratch_bytes(skeleton: *const Skeleton, problem: *const IkProblem) -> usize;
     /// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
@@ -4674,9 +4690,9 @@ extern "C" {
     ///
     /// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
     /// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-    /// with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-    /// to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-    /// Cost: docs/ik.md: tens of microseconds a generation.
+    /// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+    /// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+    /// docs/ik.md: tens of microseconds a generation.
     /// May be null: options, report.
     #[link_name = "mrw_solve_ik_genetic"]
     pub fn solve_ik_genetic(skeleton: *const Skeleton, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize, problem: *const IkProblem, options: *const IkOptions, scratch: *mut c_void, scratch_bytes: usize, report: *mut IkReport) -> Status;

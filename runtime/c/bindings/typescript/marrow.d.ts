@@ -2248,6 +2248,12 @@ export interface IkOptions extends View {
    */
   method: IkMethod;
   /**
+   * How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
+   * which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
+   * costs as many times as much where goals are out of reach, and the result may jump as goals move.
+   */
+  starts: number;
+  /**
    * the most there are
    */
   max_iterations: number;
@@ -2260,7 +2266,7 @@ export interface IkOptions extends View {
    */
   damping: number;
   /**
-   * of solve_ik_genetic: the same seed, the same result
+   * of `starts` and of solve_ik_genetic: the same seed, the same result
    */
   seed: number;
   /**
@@ -4578,7 +4584,7 @@ export class Marrow {
    * an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
    *
    * Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-   * Cost: 5 to 15 products of quaternions and a few square roots, also inside; no trigonometry. Thread-safe.
+   * Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
    */
   clamp_rotation(limit: JointLimit | null, local: View | number | null): Status;
   /**
@@ -4721,14 +4727,28 @@ export class Marrow {
    */
   solve_ik(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
   /**
+   * The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+   * memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+   * others.
+   * May be null: options, report.
+   */
+  solve_ik_chain(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
+  /**
+   * The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
+   * memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
+   * others.
+   * May be null: options, report.
+   */
+  solve_ik_body(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;
+  /**
    * The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
    * the result jumps as goals move. A function of its own, so that what does not call it does not link it.
    *
    * A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
    * the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-   * with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-   * to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-   * Cost: docs/ik.md: tens of microseconds a generation.
+   * with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+   * keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+   * docs/ik.md: tens of microseconds a generation.
    */
   ik_genetic_scratch_bytes(skeleton: Skeleton | null, problem: IkProblem | null): number;
   /**
@@ -4737,9 +4757,9 @@ export class Marrow {
    *
    * A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
    * the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-   * with; options.method, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose keeps
-   * to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere.
-   * Cost: docs/ik.md: tens of microseconds a generation.
+   * with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
+   * keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
+   * docs/ik.md: tens of microseconds a generation.
    * May be null: options, report.
    */
   solve_ik_genetic(skeleton: Skeleton | null, local: List<SoaTransform> | null, scene_from_joint: List<Affine> | null, problem: IkProblem | null, options: IkOptions | null, scratch: List<number> | null, report: IkReport | null): Status;

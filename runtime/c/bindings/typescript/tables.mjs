@@ -1,8 +1,8 @@
 // Made by tools/c_api from the descriptions in runtime/c: do not edit.
 // What marrow.mjs reads and calls by, for WebAssembly with pointers of 4 bytes; and enums and constants.
 
-export const ABI = 0xc5f6d77b;
-export const GLES3_ABI = 0x6908703b;
+export const ABI = 0x322cf8d7;
+export const GLES3_ABI = 0x163cddea;
 
 export const BLOCK_BOUNDARY = 16;
 export const UNPACK_STATE_BYTES = 512;
@@ -159,7 +159,7 @@ export const structs = {
   AimTurn: { size: 32, align: 16, init: "", fields: {"turn": [0, "array", "f32", 4], "reached": [16, "value", "bool"]} },
   IkGoal: { size: 52, align: 4, init: "ik_goal_init", fields: {"joint": [0, "value", "u16"], "priority": [2, "value", "u8"], "offset": [4, "array", "f32", 3], "position": [16, "array", "f32", 3], "rotation": [28, "array", "f32", 4], "position_weight": [44, "value", "f32"], "rotation_weight": [48, "value", "f32"]} },
   IkProblem: { size: 52, align: 4, init: "ik_problem_init", fields: {"goals": [0, "list", "IkGoal"], "joints": [8, "list", "u16"], "stiffness": [16, "list", "f32"], "limits": [24, "list", "JointLimit"], "pole": [32, "array", "f32", 3], "pole_weight": [44, "value", "f32"], "root_travel_m": [48, "value", "f32"]} },
-  IkOptions: { size: 24, align: 4, init: "ik_options_init", fields: {"method": [0, "value", "u8"], "max_iterations": [2, "value", "u16"], "tolerance_m": [4, "value", "f32"], "damping": [8, "value", "f32"], "seed": [12, "value", "u32"], "weight": [16, "value", "f32"], "stretch": [20, "value", "f32"]} },
+  IkOptions: { size: 24, align: 4, init: "ik_options_init", fields: {"method": [0, "value", "u8"], "starts": [1, "value", "u8"], "max_iterations": [2, "value", "u16"], "tolerance_m": [4, "value", "f32"], "damping": [8, "value", "f32"], "seed": [12, "value", "u32"], "weight": [16, "value", "f32"], "stretch": [20, "value", "f32"]} },
   IkReport: { size: 12, align: 4, init: "", fields: {"error_m": [0, "value", "f32"], "iterations": [4, "value", "u32"], "why": [8, "value", "u8"]} },
   Foot: { size: 40, align: 4, init: "foot_init", fields: {"hip": [0, "value", "u32"], "knee": [4, "value", "u32"], "ankle": [8, "value", "u32"], "sole": [12, "array", "f32", 3], "bend_axis": [24, "array", "f32", 3], "weight": [36, "value", "f32"]} },
   Feet: { size: 28, align: 4, init: "feet_init", fields: {"feet": [0, "list", "Foot"], "pelvis": [8, "value", "u32"], "lower_m": [12, "value", "f32"], "reach": [16, "value", "f32"], "slope_rad": [20, "value", "f32"], "ease_s": [24, "value", "f32"]} },
@@ -355,6 +355,8 @@ export const functions = {
   ik_options_init: [['pointer'], 'void'],
   ik_scratch_bytes: [["pointer", "pointer", "pointer"], "number"],
   solve_ik: [["pointer", "list", "list", "pointer", "pointer", "list", "pointer"], "number"],
+  solve_ik_chain: [["pointer", "list", "list", "pointer", "pointer", "list", "pointer"], "number"],
+  solve_ik_body: [["pointer", "list", "list", "pointer", "pointer", "list", "pointer"], "number"],
   ik_genetic_scratch_bytes: [["pointer", "pointer"], "number"],
   solve_ik_genetic: [["pointer", "list", "list", "pointer", "pointer", "list", "pointer"], "number"],
   foot_init: [['pointer'], 'void'],

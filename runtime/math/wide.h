@@ -1,0 +1,143 @@
+// Vectors and rotations of one joint, each in a register: the bits of Vector3 and Rotation in fewer instructions. A
+// vector is an f32x4 whose fourth lane is 0.
+#pragma once
+
+#include "math/quaternion.h"
+
+namespace marrow {
+
+using WideRotation = Quaternion<One>;
+
+inline f32x4 operator*(f32x4 v, float s) {
+  return v * splat(s);
+}
+inline f32x4 to_f32x4(const Vector3& v) {
+  return lanes(v.x, v.y, v.z, 0.0f);
+}
+inline Vector3 narrow(f32x4 v) {
+  float f[4];
+  store(f, v);
+  return {f[0], f[1], f[2]};
+}
+// Three numbers that have something behind them in memory.
+inline f32x4 load_wide(const float* p) {
+  return without_w(load(p));
+}
+inline void store_wide(float* to, f32x4 v) {
+  store(to, narrow(v));
+}
+
+// v.x, v.y, z, 0
+inline f32x4 with_z(f32x4 v, float z) {
+  float f[4];
+  store(f, v);
+  return lanes(f[0], f[1], z, 0.0f);
+}
+
+// Of the first three lanes, from left to right.
+inline float dot3(f32x4 a, f32x4 b) {
+  const f32x4 p = a * b;
+  return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
+}
+inline float squared3(f32x4 v) {
+  return dot3(v, v);
+}
+inline float length3(f32x4 v) {
+  return sqrt(squared3(v));
+}
+inline f32x4 cross3(f32x4 a, f32x4 b) {
+  return rotated_xyz(a * rotated_xyz(b) - rotated_xyz(a) * b);
+}
+// dot3() of three vectors, each with v.
+inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
+  f32x4 x = of[0] * v, y = of[1] * v, z = of[2] * v, none = splat(0.0f);
+  transpose(x, y, z, none);
+  return x + y + z;
+}
+// The part of v across a unit vector.
+inline f32x4 across3(f32x4 v, f32x4 unit) {
+  return v - unit * dot3(v, unit);
+}
+// Of unit length; `otherwise` if it is too short to have a direction, or not finite.
+inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
+  const float squared = squared3(v);
+  return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
+}
+// As any_across().
+inline f32x4 any_across3(f32x4 v) {
+  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  float s[4];
+  store(s, v * v);
+  const int axis = lesser(s[1], s[2]) < s[0] ? (s[2] < s[1] ? 2 : 1) : 0;
+  const f32x4 across = cross3(v, load_aligned(kAxes[axis]));
+  const float squared = squared3(across);
+  return squared < kTinySquare ? load_aligned(kAxes[0]) : across * (1.0f / sqrt(squared));
+}
+
+inline WideRotation no_turn() {
+  return {lanes(0.0f, 0.0f, 0.0f, 1.0f)};
+}
+inline WideRotation quaternion(f32x4 axis, float w) {
+  return {with_w(axis, splat(w))};
+}
+inline float w_lane(WideRotation q) {
+  return first_lane(splat_lane<3>(q.v));
+}
+inline float dot4(f32x4 a, f32x4 b) {
+  const f32x4 p = a * b;
+  return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p) + splat_lane<3>(p));
+}
+// Number by number: zeros of either sign are the same.
+inline bool same(WideRotation a, WideRotation b) {
+  return !any(a.v < b.v) && !any(b.v < a.v);
+}
+inline WideRotation conjugate(WideRotation q) {
+  return {flip(q.v, lanes(-0.0f, -0.0f, -0.0f, 0.0f))};
+}
+// First b, then a.
+inline WideRotation operator*(WideRotation a, WideRotation b) {
+  const f32x4 minus_w = lanes(0.0f, 0.0f, 0.0f, -0.0f);
+  const f32x4 first = splat_lane<3>(a.v) * b.v;
+  const f32x4 second = flip(reordered<0, 1, 2, 0>(a.v) * reordered<3, 3, 3, 0>(b.v), minus_w);
+  const f32x4 third = flip(reordered<1, 2, 0, 1>(a.v) * reordered<2, 0, 1, 1>(b.v), minus_w);
+  const f32x4 fourth = reordered<2, 0, 1, 2>(a.v) * reordered<1, 2, 0, 2>(b.v);
+  return {first + second + third - fourth};
+}
+// Of unit length; the identity if it is too short, or not finite.
+inline WideRotation normalised(WideRotation q) {
+  const float squared = dot4(q.v, q.v);
+  return has_direction(squared) ? WideRotation{q.v * (1.0f / sqrt(squared))} : no_turn();
+}
+// v, turned.
+inline f32x4 rotate(WideRotation q, f32x4 v) {
+  const f32x4 half = cross3(q.v, v), t = half + half;
+  return v + t * splat_lane<3>(q.v) + cross3(q.v, t);
+}
+// As of Vector3.
+inline WideRotation shortest_arc(f32x4 from, f32x4 to) {
+  const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, splat(0.0f)), sum = a + b;
+  const float w = 0.5f * squared3(sum);
+  if (w < 1e-8f) return !(squared3(a) > 0) ? no_turn() : WideRotation{any_across3(a)};
+  return normalised(quaternion(cross3(a, b), w));
+}
+// As share_of() of Rotation.
+inline WideRotation share_of(WideRotation q, float share) {
+  const f32x4 part = q.v * share;
+  return normalised(WideRotation{with_w(part, part + splat(1.0f - share))});
+}
+
+// As of Rotation: axis times angle, of the shorter of the two turns that q and its negative are.
+inline f32x4 log_of_shorter(WideRotation q) {
+  const f32x4 v = flip(q.v, splat_lane<3>(q.v));
+  const float w = w_lane({v}), sine_squared = squared3(v);
+  if (sine_squared < 0.5f) return without_w(v) * (2.0f * asinc_of_root(sine_squared));
+  return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
+}
+// As of Vector3: the rotation by |v| about v.
+inline WideRotation exp_rotation(f32x4 v) {
+  const f32x4 half = v * 0.5f;
+  const float y = squared3(half);
+  return quaternion(half * sinc_of_root(y), cos_of_root(y));
+}
+
+}  // namespace marrow
