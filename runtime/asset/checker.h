@@ -1,9 +1,10 @@
-// The rules of docs/format.md, section by section; validate.cpp goes through a block with them.
+// Keeps files to the rules of docs/format.md: a table of them (rules.h), and those that are code (check_*.cpp).
 #pragma once
 
 #include <cstring>
 
 #include "asset/format.h"
+#include "asset/rules.h"
 #include "core/builtins.h"
 
 namespace marrow {
@@ -22,96 +23,106 @@ class Checker {
   const DataError& error() const { return error_; }
 
  private:
-  [[gnu::cold]] void note(const void* where, const char* broken_rule);
-  bool fail(const void* where, const char* rule) {
-    note(where, rule);
-    return false;
-  }
+  // Keeps the first; false.
+  [[gnu::cold]] bool fail(const void* where, const char* rule);
   // Whether the section is long enough for a header, and its codec one of those up to `last_codec`.
   bool has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
-  bool has_bytes(const File::Section& s, std::uint64_t bytes);
-  // Of a section that has one: null unless its arrays fill the section.
-  template <class Header>
-  const Header* header(const File::Section& s) {
-    const auto* h = at<Header>(s, 0);
-    using format::layout;  // and those of other headers than format.h
-    return has_bytes(s, layout(*h).bytes) ? h : nullptr;
-  }
+  bool names(const File::Section& s);
+  // Names are compared with others, so how long they are has a limit; text() is only handed out.
+  bool name(const std::uint32_t& n);
+  bool text(const std::uint32_t& n);
+  // The first float that is not, without its sign, less than the one with the limit's bits; null if all are. What is
+  // not finite has the largest bits.
+  static const void* first_beyond(std::uint32_t limit, const void* first, std::uint64_t bytes);
+
+  // Rules from `rule` to the end of the list, about `record`.
+  bool keeps(const Rule* rule, const void* record);
+  bool keeps_each(const Rule* rule);
+  bool keeps(Check check, std::uint32_t limit);
+  const void* place(Number n) const;
+  std::uint32_t value(Number n) const;
+  bool find_owner(std::uint32_t number, bool or_reference);
+
+  // The section, its header, and what is looked at.
   template <class T>
-  const T* at(const File::Section& s, std::uint64_t offset) const {
-    return at<T>(block_.data + s.offset, offset);
+  const T* at(std::uint64_t offset) const {
+    return at<T>(header_, offset);
   }
-  // From the beginning of a section, or of what stands in one.
   template <class T>
   static const T* at(const void* start, std::uint64_t offset) {
     return reinterpret_cast<const T*>(static_cast<const std::byte*>(start) + offset);
   }
+  template <class T>
+  const T* array(std::uint32_t n) const {
+    return at<T>(places_[n]);
+  }
+  template <class T>
+  const T& record() const {
+    return *static_cast<const T*>(record_);
+  }
+  template <class Header>
+  const Header& header() const {
+    return *static_cast<const Header*>(header_);
+  }
+  const void* start_of(const File::Section& s) const { return block_.data + s.offset; }
+  const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
+  // Of the skeleton or reference that the section is for.
+  std::uint32_t joint_count() const { return static_cast<const format::SkeletonHeader*>(owner_)->joint_count; }
 
-  // Names are compared with others, so how long they are has a limit; text() is only handed out.
-  bool name(const std::uint32_t& n);
-  bool text(const std::uint32_t& n);
-  bool finite(const void* first, std::uint64_t bytes);
-  // Finite, and at most format::kFarthest: what becomes matrices that are multiplied.
-  bool bounded(const void* first, std::uint64_t bytes);
-  // Quaternions of unit length but for rounding: their squares are multiplied with scales.
-  bool units(const void* first, std::uint64_t bytes);
-  bool transforms(const SoaTransform* first, std::uint64_t count);
-  bool below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule);
-  bool names(const File::Section& s);
-  bool skeleton(const File::Section& s);
-  bool reference(const File::Section& s);
-  bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
-              std::uint32_t root_count);
-  std::uint32_t joint_count_of(const format::ClipHeader& h) const;
-  bool clip(const File::Section& s);
-  bool clip_header(const File::Section& s);
-  bool tracks(const format::ClipHeader& h, std::uint32_t joint_count);
-  struct KeyList;
-  class TimeLists;
-  bool keys(const format::ClipHeader& h, const KeyList& k, TimeLists& lists);
-  bool coded(const File::Section& s, std::uint64_t start, std::uint32_t joint_count);
-  bool masks(const format::CodedHeader& h, const GroupMasks* masks, std::uint32_t joint_count);
-  bool constants(const GroupMasks* masks, const format::Constant* next, std::uint32_t joint_count);
-  bool segments(const std::byte* section, const format::CodedHeader& h, const format::CodedLayout& l);
-  bool geometry(const File::Section& s);
-  bool morphs(const format::GeometryHeader& h);
-  bool pose_space(const format::GeometryHeader& h);
+  bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t root_count);
+  bool reference_joints();
+  bool clip_size();
+  bool keys(const std::uint32_t* k, std::uint32_t floats_per_key);
+  bool track();
+  bool coded();
+  bool coded_layout();
+  bool frame_times();
+  bool masks();
+  bool constants();
+  bool segments();
+  bool geometry_size();
+  std::uint32_t index_bytes() const { return static_cast<std::uint32_t>(places_[12]); }  // of a geometry
+  template <class Index>
+  bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
+  bool indices();
+  bool runs();
+  bool sets();
+  bool source_slots();
   struct SparseRecords {
     Span<const MorphTarget> targets;
     std::uint64_t blocks;  // where they stand
     std::uint64_t block_count, record_count;
     std::uint32_t allowed;  // attributes
   };
-  bool sparse_records(const format::GeometryHeader& h, const SparseRecords& r);
-  bool geometry_size(const File::Section& s, const format::GeometryHeader& h);
-  bool morph_blocks(const void* blocks, std::uint32_t index_bytes, const MorphTarget& t, std::uint32_t block_count);
-  bool runs(const format::GeometryHeader& h, const Run* runs, const std::uint16_t* sets);
-  template <class Index>
-  bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
-  bool source_slots(const std::uint32_t* first, std::uint64_t count, std::uint64_t slots);
+  bool sparse_records(const SparseRecords& r);
+  bool morph_blocks(const void* blocks, const MorphTarget& t);
+  bool targets();
+  bool pose_space();
+  bool examples();
+  const format::GeometryHeader& geometry(std::uint32_t number) const;
   std::uint32_t target_count(std::uint32_t of_geometry) const;
-  bool lods(Span<const MeshLod> lods, const format::MeshHeader& h);
-  bool mesh(const File::Section& s);
-  bool next_part(const File::Section& s, const format::MeshHeader& h);
-  bool material(const File::Section& s);
-  bool texture(const Texture& t, std::uint32_t& roles);
-  bool image(const File::Section& s);
-  bool fallback(const format::ImageHeader& h);
-  bool node(const File::Section& s);
-  bool property(const Property& p);
-  bool limits(const File::Section& s);
-  bool bounds(const File::Section& s);
-  bool springs(const File::Section& s);
-  bool spring_chain(const format::SpringHeader& h, const format::SpringRecord& chain, const SpringJoint* joints);
-
-  const format::SkeletonHeader* skeleton_of(const std::uint32_t& number);
-  const format::SkeletonHeader* only_of_skeleton(const File::Section& s, const char* rule);
-  const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
+  bool next_part();
+  bool mesh_joints();
+  bool fallback();
+  bool only_of_owner();
+  bool box() const;
+  bool chain_joints();
 
   Span<const std::byte> block_;
   Span<const File::Section> sections_;
   const std::uint32_t* first_;
   const std::uint32_t* counts_;
+  const File::Section* section_ = nullptr;
+  const void *record_ = nullptr, *header_ = nullptr, *owner_ = nullptr;
+  std::uint64_t places_[13] = {};  // of arrays behind the header, and the end, see format.h
+  // What is gone through in order, and began at the header.
+  struct {
+    std::uint32_t first_time, times_end, next_joint, roles;
+    bool has_times;
+    std::uint64_t first_value, values_end;  // of what tracks use, and what is between
+    std::uint64_t turning;                  // values of rotations, each time that a track uses them
+    std::uint64_t morphs, pose_space;       // where these parts of a geometry stand
+  } so_far_ = {};
   DataError error_;
 };
 

@@ -7,12 +7,48 @@
 #include "core/off_boundary.h"
 
 namespace marrow {
+namespace {
 
-using format::layout;
+template <class Header>
+void place(const void* header, std::uint64_t* out) {
+  const auto l = format::layout(*static_cast<const Header*>(header));
+  static_assert(sizeof l % 8 == 0);
+  std::memcpy(out, &l, sizeof l);
+}
 
-void Checker::note(const void* where, const char* broken_rule) {
-  const auto offset = static_cast<const std::byte*>(where) - block_.data;
-  error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), broken_rule};
+// How a section begins.
+struct Beginning {
+  format::Kind kind;
+  std::uint8_t header_bytes, last_codec;
+  void (*place)(const void* header, std::uint64_t* out);  // its arrays
+};
+template <class Header>
+constexpr Beginning beginning(format::Kind kind, std::uint8_t last_codec = format::kCodecRaw) {
+  return {kind, sizeof(Header), last_codec, place<Header>};
+}
+// Kinds stand in one order, so a section may lean on those before it.
+constexpr Beginning kBeginnings[] = {
+    beginning<format::SkeletonHeader>(format::kSkeletons),
+    beginning<format::ReferenceHeader>(format::kReferences),
+    beginning<format::ClipHeader>(format::kClips, format::kCodecSegments),
+    beginning<format::GeometryHeader>(format::kGeometries),
+    beginning<format::MeshHeader>(format::kMeshes),
+    beginning<format::MaterialHeader>(format::kMaterials),
+    beginning<format::ImageHeader>(format::kImages),
+    beginning<format::NodeHeader>(format::kNodes),
+    beginning<format::LimitHeader>(format::kLimits),
+    beginning<format::SpringHeader>(format::kSprings),
+    beginning<format::BoundsHeader>(format::kBounds),
+};
+
+}  // namespace
+
+bool Checker::fail(const void* where, const char* rule) {
+  if (error_.status == Status::ok) {
+    const auto offset = static_cast<const std::byte*>(where) - block_.data;
+    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
+  }
+  return false;
 }
 
 bool Checker::has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec) {
@@ -20,60 +56,18 @@ bool Checker::has_header(const File::Section& s, std::uint32_t header_bytes, std
     error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};
     return false;
   }
-  return s.bytes >= header_bytes || fail(at<std::byte>(s, 0), "section too short for its header");
+  return s.bytes >= header_bytes || fail(start_of(s), "section too short for its header");
 }
 
-bool Checker::has_bytes(const File::Section& s, std::uint64_t bytes) {
-  return s.bytes == bytes || fail(at<std::byte>(s, 0), "section size differs from its counts");
-}
-
-const format::SkeletonHeader* Checker::skeleton_of(const std::uint32_t& number) {
-  if (number >= counts_[format::kSkeletons]) return fail(&number, "no such skeleton"), nullptr;
-  return at<format::SkeletonHeader>(nth(format::kSkeletons, number), 0);
-}
-
-// Of a section that begins with the number of a skeleton, which has one section of this type.
-const format::SkeletonHeader* Checker::only_of_skeleton(const File::Section& s, const char* rule) {
-  const auto& number = *at<std::uint32_t>(s, 0);
-  const auto* const skeleton = skeleton_of(number);
-  if (skeleton == nullptr) return nullptr;
-  const File::Section& before = *(&s - 1);  // of a skeleton, if of no other
-  if (before.type == s.type && *at<std::uint32_t>(before, 0) >= number) return fail(&number, rule), nullptr;
-  return skeleton;
-}
-
-// Whether all floats are, without their signs, less than the one with these bits; in one pass without a branch a float.
-// What is not finite has the largest bits.
-bool Checker::below_bits(const void* first, std::uint64_t bytes, std::uint32_t least, const char* rule) {
+// In one pass without a branch a float.
+const void* Checker::first_beyond(std::uint32_t limit, const void* first, std::uint64_t bytes) {
   const auto* words = static_cast<const std::uint32_t*>(first);
   const std::uint64_t count = bytes / 4;
   std::uint32_t bad = 0;
-  for (std::uint64_t i = 0; i < count; ++i) bad |= (words[i] & 0x7FFFFFFFu) >= least;
-  if (bad == 0) return true;
-  std::uint64_t i = 0;
-  while ((words[i] & 0x7FFFFFFFu) < least) ++i;
-  return fail(words + i, rule);
-}
-
-bool Checker::finite(const void* first, std::uint64_t bytes) {
-  return below_bits(first, bytes, 0x7F800000, "a number that is not finite");
-}
-
-bool Checker::bounded(const void* first, std::uint64_t bytes) {
-  return below_bits(first, bytes, bit_cast<std::uint32_t>(format::kFarthest) + 1,
-                    "a number that is not finite, or beyond 1e12");
-}
-
-bool Checker::units(const void* first, std::uint64_t bytes) {
-  return below_bits(first, bytes, bit_cast<std::uint32_t>(1.01f), "a rotation that is no unit quaternion");
-}
-
-// Of a pose.
-bool Checker::transforms(const SoaTransform* first, std::uint64_t count) {
-  if (!bounded(first, count * sizeof *first)) return false;
-  for (std::uint64_t i = 0; i < count; ++i)
-    if (!units(first[i].rotation, sizeof first[i].rotation)) return false;
-  return true;
+  for (std::uint64_t i = 0; i < count; ++i) bad |= (words[i] & 0x7FFFFFFFu) >= limit;
+  if (bad == 0) return nullptr;
+  while ((*words & 0x7FFFFFFFu) < limit) ++words;
+  return words;
 }
 
 bool Checker::text(const std::uint32_t& n) {
@@ -84,82 +78,251 @@ bool Checker::name(const std::uint32_t& n) {
   if (!text(n)) return false;
   const File::Section& s = sections_[sections_.size - 1];
   const std::uint64_t left = s.bytes - n;  // the last byte is a zero
-  return left <= format::kLongestName + 1 || std::memchr(at<char>(s, n), 0, format::kLongestName + 1) != nullptr ||
+  return left <= format::kLongestName + 1 ||
+         std::memchr(at<char>(start_of(s), n), 0, format::kLongestName + 1) != nullptr ||
          fail(&n, "a name of more than 2047 bytes");
 }
 
 bool Checker::names(const File::Section& s) {
-  if (s.codec != format::kCodecRaw) return fail(block_.data + s.offset, "names have no codec");
-  if (s.bytes == 0 || *at<char>(s, 0) != 0 || *at<char>(s, s.bytes - 1) != 0)
-    return fail(block_.data + s.offset, "names must begin with the empty one and end with a zero");
+  const auto* const letters = at<char>(start_of(s), 0);
+  if (s.codec != format::kCodecRaw) return fail(letters, "names have no codec");
+  return (s.bytes != 0 && letters[0] == 0 && letters[s.bytes - 1] == 0) ||
+         fail(letters, "names must begin with the empty one and end with a zero");
+}
+
+const void* Checker::place(Number n) const {
+  const void* const starts[] = {record_, header_, owner_, counts_, places_, constants_of_rules()};
+  return at<std::byte>(starts[n.from], n.at);
+}
+
+std::uint32_t Checker::value(Number n) const {
+  const auto* const p = static_cast<const std::uint8_t*>(place(n));
+  std::uint32_t out = p[0];
+  if (n.bytes > 1) out |= std::uint32_t{p[1]} << 8;
+  if (n.bytes > 2) std::memcpy(&out, p, 4);
+  return out;
+}
+
+bool Checker::find_owner(std::uint32_t number, bool or_reference) {
+  const format::Kind kind =
+      or_reference && counts_[format::kReferences] != 0 ? format::kReferences : format::kSkeletons;
+  if (number >= counts_[kind]) return false;
+  owner_ = start_of(nth(kind, number));
   return true;
 }
 
-bool Checker::skeleton(const File::Section& s) {
-  const auto* h = header<format::SkeletonHeader>(s);
-  if (h == nullptr) return false;
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
-  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
-  if (h->root_count == 0 || h->root_count > h->joint_count) return fail(&h->root_count, "1 root to as many as joints");
-  const format::SkeletonLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(h, l.parents);
-  const auto* joint_names = at<std::uint32_t>(h, l.names);
-  return joints(parents, joint_names, h->joint_count, h->root_count) && name(h->name) &&
-         bounded(at<float>(h, l.roots), l.rest - l.roots) &&
-         transforms(at<SoaTransform>(h, l.rest), soa_count(h->joint_count));
+bool Checker::keeps_each(const Rule* rule) {
+  const auto* const last = at<std::byte>(value(rule->limit));
+  for (const auto* element = at<std::byte>(value(rule->number)); element < last; element += rule->count)
+    if (!keeps(rule + 1, element)) return false;
+  return true;
 }
 
-bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t count,
-                     std::uint32_t root_count) {
-  for (std::uint32_t j = 0; j < count; ++j) {
-    const bool root = j < root_count;
-    if (root ? parents[j] != kNoParent : parents[j] >= j) return fail(parents + j, "parents come before children");
-    if (j > root_count && parents[j] < parents[j - 1]) return fail(parents + j, "joints are breadth-first");
-    if (!name(joint_names[j])) return false;
+bool Checker::keeps(const Rule* rule, const void* record) {
+  const void* const before = record_;
+  record_ = record;
+  for (;; ++rule) {
+    const void* where = place(rule->number);
+    const char* const words = text_of(*rule);
+    const std::uint32_t a = value(rule->number), b = value(rule->limit);
+    bool good = true;
+    switch (static_cast<How>(rule->how)) {
+      case How::begins:
+      case How::ends:
+        record_ = before;
+        return true;
+      case How::equal:
+        good = a == b;
+        break;
+      case How::below:
+        good = a < b;
+        break;
+      case How::at_most:
+        good = a <= b;
+        break;
+      case How::at_least:
+        good = a >= b;
+        break;
+      case How::differ:
+        good = a != b;
+        break;
+      case How::from_1_to:
+        good = a - 1 < b;
+        break;
+      case How::only_bits:
+        good = (a & ~b) == 0;
+        break;
+      case How::where_bits:
+        rule += (a & b) == 0;
+        break;
+      case How::where_lacks:
+        rule += (a & b) != 0;
+        break;
+      case How::where_differ:
+        rule += a == b;
+        break;
+      case How::floats:
+      case How::floats_until: {
+        const bool until = static_cast<How>(rule->how) == How::floats_until;
+        const void* const beyond = until ? first_beyond(constants_of_rules()[rule->count], at<float>(a), b - a)
+                                         : first_beyond(b, where, std::uint64_t{rule->count} * 4);
+        good = beyond == nullptr;
+        if (!good && rule->back == 0) where = beyond;
+        break;
+      }
+      case How::not_negative:
+        good = bit_cast<float>(a) >= 0;
+        break;
+      case How::positive:
+        good = bit_cast<float>(a) > 0;
+        break;
+      case How::name:
+        good = name(*static_cast<const std::uint32_t*>(where));
+        break;
+      case How::text:
+        good = text(*static_cast<const std::uint32_t*>(where));
+        break;
+      case How::owner:
+        good = find_owner(a, rule->count != 0);
+        break;
+      case How::each:
+        good = keeps_each(rule);
+        while (static_cast<How>(rule->how) != How::ends) ++rule;
+        break;
+      case How::fills:
+        good = section_->bytes == places_[rule->count];
+        break;
+      case How::call:
+        good = keeps(static_cast<Check>(rule->count), b);
+        break;
+    }
+    if (!good) return fail(static_cast<const std::byte*>(where) - rule->back, words);
   }
-  return true;
 }
 
-bool Checker::reference(const File::Section& s) {
-  const auto* h = header<format::ReferenceHeader>(s);
-  if (h == nullptr) return false;
-  if (counts_[format::kSkeletons] != 0) return fail(h, "skeletons or references, not both");
-  if (h->joint_count == 0 || h->joint_count > kMaxJoints) return fail(&h->joint_count, "1 to 32767 joints");
-  const format::ReferenceLayout l = layout(*h);
-  const auto* parents = at<std::uint16_t>(h, l.parents);
-  std::uint32_t roots = 0;
-  while (roots < h->joint_count && parents[roots] == kNoParent) ++roots;
-  if (roots == 0) return fail(parents, "the first joint has no parent");
-  return joints(parents, at<std::uint32_t>(h, l.names), h->joint_count, roots) && name(h->name);
-}
-
-// Kinds stand in one order, so a section may lean on those before it; names are checked first.
 bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
-  struct Rules {
-    format::Kind kind;
-    std::uint32_t header_bytes, last_codec;
-    bool (Checker::*check)(const File::Section& s);
-  };
-  static constexpr Rules kRules[] = {
-      {format::kSkeletons, sizeof(format::SkeletonHeader), format::kCodecRaw, &Checker::skeleton},
-      {format::kReferences, sizeof(format::ReferenceHeader), format::kCodecRaw, &Checker::reference},
-      {format::kClips, sizeof(format::ClipHeader), format::kCodecSegments, &Checker::clip},
-      {format::kGeometries, sizeof(format::GeometryHeader), format::kCodecRaw, &Checker::geometry},
-      {format::kMeshes, sizeof(format::MeshHeader), format::kCodecRaw, &Checker::mesh},
-      {format::kMaterials, sizeof(format::MaterialHeader), format::kCodecRaw, &Checker::material},
-      {format::kImages, sizeof(format::ImageHeader), format::kCodecRaw, &Checker::image},
-      {format::kNodes, sizeof(format::NodeHeader), format::kCodecRaw, &Checker::node},
-      {format::kLimits, sizeof(format::LimitHeader), format::kCodecRaw, &Checker::limits},
-      {format::kSprings, sizeof(format::SpringHeader), format::kCodecRaw, &Checker::springs},
-      {format::kBounds, sizeof(format::BoundsHeader), format::kCodecRaw, &Checker::bounds},
-  };
-  for (const Rules& rules : kRules)
-    for (std::uint32_t i = 0; i < counts_[rules.kind]; ++i) {
-      const File::Section& s = nth(rules.kind, i);
-      if (!has_header(s, rules.header_bytes, rules.last_codec) || !(this->*rules.check)(s)) return false;
+  for (const Beginning& b : kBeginnings)
+    for (std::uint32_t i = 0; i < counts_[b.kind]; ++i) {
+      section_ = &nth(b.kind, i);
+      if (!has_header(*section_, b.header_bytes, b.last_codec)) return false;
+      header_ = start_of(*section_);
+      so_far_ = {};
+      b.place(header_, places_);
+      if (!keeps(rules_of(b.kind), header_)) return false;
     }
   return true;
+}
+
+// Whether it holds; if not, it may have said where and why.
+bool Checker::keeps(Check check, std::uint32_t limit) {
+  using namespace format;
+  switch (check) {
+    case Check::joints:
+      return joints(array<std::uint16_t>(3), array<std::uint32_t>(2), header<SkeletonHeader>().root_count);
+    case Check::reference_joints:
+      return reference_joints();
+    case Check::clip_size:
+      return clip_size();
+    case Check::clip_reference: {
+      const auto& h = header<ClipHeader>();
+      return h.reference_groups == 0 || (h.additive != 0 && h.reference_groups == soa_count(joint_count()));
+    }
+    case Check::track:
+      return track();
+    case Check::track_values: {
+      const std::uint64_t first = places_[4] + 4 * so_far_.first_value, last = places_[4] + 4 * so_far_.values_end;
+      const void* const beyond = first < last ? first_beyond(kBoundedBits, at<float>(first), last - first) : nullptr;
+      return beyond == nullptr || fail(beyond, kNotBounded);
+    }
+    case Check::channel:
+      return keys(&record<Channel>().key_count, floats_per_key(record<Channel>().interpolation));
+    case Check::used_times:
+      return so_far_.times_end == header<ClipHeader>().time_count;
+    case Check::coded:
+      return section_->codec == kCodecRaw || coded();
+    case Check::coded_layout:
+      return coded_layout();
+    case Check::frame_times:
+      return frame_times();
+    case Check::masks:
+      return masks();
+    case Check::constants:
+      return constants();
+    case Check::segments:
+      return segments();
+    case Check::geometry_size:
+      return geometry_size();
+    case Check::triangles:
+      return header<GeometryHeader>().index_count % 3 == 0;
+    case Check::indices:
+      return indices();
+    case Check::runs:
+      return runs();
+    case Check::sets:
+      return sets();
+    case Check::source_slots:
+      return source_slots();
+    case Check::morphs:
+      return keeps(rules_of(kMorphPart), at<std::byte>(so_far_.morphs));
+    case Check::pose_space:
+      return pose_space();
+    case Check::targets:
+      return targets();
+    case Check::examples:
+      return examples();
+    case Check::next_part:
+      return next_part();
+    case Check::palette:
+      return std::uint64_t{header<MeshHeader>().joint_count} + header<MeshHeader>().helper_count ==
+             geometry(limit).joint_count;
+    case Check::target_count:
+      return target_count(limit) == header<MeshHeader>().target_count;
+    case Check::level_targets:
+      return target_count(limit) == 0 || target_count(limit) == header<MeshHeader>().target_count;
+    case Check::helper_count:
+      return header<MeshHeader>().helper_count != 0;
+    case Check::mesh_joints:
+      return mesh_joints();
+    case Check::role: {
+      const std::uint32_t role = 1u << static_cast<std::uint32_t>(record<Texture>().role), before = so_far_.roles;
+      so_far_.roles |= role;
+      return (before & role) == 0;
+    }
+    case Check::fallback:
+      return fallback();
+    case Check::truth: {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &record<Property>().number, sizeof bits);
+      return bits == 0 || bits == bit_cast<std::uint64_t>(1.0);
+    }
+    case Check::only_of_owner:
+      return only_of_owner();
+    case Check::ascends:
+      return record_ == array<JointLimit>(0) || record<JointLimit>().joint > (&record<JointLimit>() - 1)->joint;
+    case Check::limit:
+      return is_valid(record<JointLimit>());
+    case Check::box:
+      return box();
+    case Check::chain_order: {
+      const auto& chain = record<SpringRecord>();
+      return chain.first_joint == so_far_.next_joint && chain.joint_count != 0 &&
+             chain.joint_count <= header<SpringHeader>().joint_count - so_far_.next_joint;
+    }
+    case Check::chain_colliders: {
+      const std::uint32_t count = header<SpringHeader>().collider_count;
+      return count == kMaxSpringColliders || record<SpringRecord>().colliders >> count == 0;
+    }
+    case Check::bone: {
+      const auto& chain = record<SpringRecord>();
+      return chain.joint_count != 1 || chain.tip[0] != 0 || chain.tip[1] != 0 || chain.tip[2] != 0;
+    }
+    case Check::chain_joints:
+      return chain_joints();
+    case Check::used_joints:
+      return so_far_.next_joint == header<SpringHeader>().joint_count;
+  }
+  return false;
 }
 
 namespace {

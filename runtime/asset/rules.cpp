@@ -1,0 +1,531 @@
+#include "asset/rules.h"
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+
+#include "asset/format.h"
+
+namespace marrow {
+
+namespace {
+
+constexpr std::uint32_t kHighFinite = 0x7FF00000;  // upper half of a double
+constexpr std::uint32_t kBelowOne = bit_cast<std::uint32_t>(1.0f) - 1;
+constexpr std::uint32_t kSigmaFrom = bit_cast<std::uint32_t>(format::kLeastSigma),
+                        kSigmaTo = bit_cast<std::uint32_t>(format::kMostSigma);
+
+// A rule as it is written.
+struct Limit {
+  Number number;
+  std::uint32_t value = 0;
+  bool is_constant = false;
+  constexpr Limit(Number n) : number(n) {}
+  constexpr Limit(std::uint32_t constant) : number{}, value(constant), is_constant(true) {}
+};
+struct Line {
+  How how;
+  Number number;
+  Limit limit;
+  std::size_t count = 0;
+  const char* text = "";
+  std::size_t back = 0;
+  constexpr Line at(std::size_t bytes_before) const {
+    Line out = *this;
+    out.back = bytes_before;
+    return out;
+  }
+};
+
+// No constant expression if the value is more.
+inline void does_not_fit() {}
+constexpr unsigned fitting(std::size_t value, unsigned most) {
+  if (value > most) does_not_fit();
+  return static_cast<unsigned>(value);
+}
+
+constexpr Number number(From from, std::size_t at, std::size_t bytes) {
+  Number out{};
+  out.from = static_cast<unsigned>(from) & 7u;
+  out.bytes = bytes < 4 ? static_cast<unsigned>(bytes) & 7u : 4u;
+  out.at = fitting(at, 1023u) & 1023u;
+  return out;
+}
+// Where no number counts.
+constexpr Number kNone = number(From::constants, 0, 4);
+constexpr Number byte(std::size_t at) {
+  return number(From::record, at, 1);
+}
+constexpr Number half(std::size_t at) {
+  return number(From::record, at, 2);
+}
+constexpr Number word(std::size_t at) {
+  return number(From::record, at, 4);
+}
+constexpr Number array(std::size_t n) {
+  return number(From::arrays, 8 * n, 4);
+}
+constexpr Number count_of(format::Kind kind) {
+  return number(From::counts, 4 * std::size_t{kind}, 4);
+}
+// Of the skeleton or reference.
+constexpr Number kJointCount = number(From::owner, offsetof(format::SkeletonHeader, joint_count), 4);
+static_assert(offsetof(format::SkeletonHeader, joint_count) == offsetof(format::ReferenceHeader, joint_count));
+constexpr std::uint32_t kLastInterpolation = static_cast<std::uint32_t>(Interpolation::cubic_spline);
+constexpr const char *kNoInterpolation = "unknown interpolation", *kFrames = "2 to 16777216 frames",
+                     *kOutside = "a joint outside the skeleton", *kNoRoot = "a root outside the palette, or of nothing",
+                     *kNoGeometry = "no such geometry", *kNoHelper = "a helper blends two joints of the mesh",
+                     *kPalette = "as many palette entries as the geometry", *kNoSuchImage = "no such image",
+                     *kSigma = "sigma from 0.001 to 1000", *kNoWrap = "unknown wrap mode",
+                     *kNoFilter = "unknown filter", *kNotNear = "a collider that is not finite, or beyond 1e6";
+// A member of a record, or of the section's header.
+#define MARROW_IN(type, member) number(From::record, offsetof(type, member), sizeof(type::member))
+#define MARROW_OF_HEADER(type, member) number(From::header, offsetof(type, member), sizeof(type::member))
+
+constexpr Line begins(std::uint32_t kind) {
+  return {How::begins, kNone, 0u, kind};
+}
+constexpr Line equal(Number n, Limit limit, const char* text) {
+  return {How::equal, n, limit, 0, text};
+}
+constexpr Line below(Number n, Limit limit, const char* text) {
+  return {How::below, n, limit, 0, text};
+}
+constexpr Line at_most(Number n, Limit limit, const char* text) {
+  return {How::at_most, n, limit, 0, text};
+}
+constexpr Line at_least(Number n, Limit limit, const char* text) {
+  return {How::at_least, n, limit, 0, text};
+}
+constexpr Line from_1_to(Number n, Limit limit, const char* text) {
+  return {How::from_1_to, n, limit, 0, text};
+}
+constexpr Line only_bits(Number n, Limit limit, const char* text) {
+  return {How::only_bits, n, limit, 0, text};
+}
+constexpr Line differ(Number n, Limit limit, const char* text) {
+  return {How::differ, n, limit, 0, text};
+}
+constexpr Line reserved(Number n) {
+  return at_most(n, 0u, "reserved must be 0");
+}
+constexpr Line where_bits(Number n, Limit limit) {
+  return {How::where_bits, n, limit};
+}
+constexpr Line where_lacks(Number n, Limit limit) {
+  return {How::where_lacks, n, limit};
+}
+constexpr Line where_differ(Number n, Limit limit) {
+  return {How::where_differ, n, limit};
+}
+constexpr Line floats(Number n, std::size_t count, std::uint32_t limit, const char* text) {
+  return {How::floats, n, limit, count, text};
+}
+constexpr Line floats_until(std::size_t first, std::size_t last, std::uint32_t limit, const char* text) {
+  return {How::floats_until, array(first), array(last), limit, text};
+}
+constexpr Line finite(Number n, std::size_t count = 1) {
+  return floats(n, count, kFiniteBits, kNotFinite);
+}
+constexpr Line bounded(Number n, std::size_t count) {
+  return floats(n, count, kBoundedBits, kNotBounded);
+}
+constexpr Line finite_until(std::size_t first, std::size_t last) {
+  return floats_until(first, last, kFiniteBits, kNotFinite);
+}
+constexpr Line bounded_until(std::size_t first, std::size_t last) {
+  return floats_until(first, last, kBoundedBits, kNotBounded);
+}
+constexpr Line not_negative(Number n, const char* text) {
+  return {How::not_negative, n, 0u, 0, text};
+}
+constexpr Line positive(Number n, const char* text) {
+  return {How::positive, n, 0u, 0, text};
+}
+constexpr Line name(Number n) {
+  return {How::name, n, 0u};
+}
+constexpr Line text(Number n) {
+  return {How::text, n, 0u};
+}
+constexpr Line owner(Number n) {
+  return {How::owner, n, 0u, 0, "no such skeleton"};
+}
+constexpr Line owner_or_reference(Number n) {
+  return {How::owner, n, 0u, 1, "no such skeleton"};
+}
+constexpr Line each(std::size_t first, std::size_t last, std::size_t bytes) {
+  return {How::each, array(first), array(last), bytes};
+}
+constexpr Line unit_rotations() {
+  return floats(MARROW_IN(SoaTransform, rotation), 16, kUnitBits, kNoUnit);
+}
+constexpr Line ends() {
+  return {How::ends, kNone, 0u};
+}
+constexpr Line fills(std::size_t last) {
+  return {How::fills, byte(0), 0u, last, "section size differs from its counts"};
+}
+constexpr Line call(Check check, const char* text = "", Number n = byte(0), Limit limit = 0u) {
+  return {How::call, n, limit, static_cast<std::size_t>(check), text};
+}
+
+// Of an enum.
+template <class Enum>
+constexpr std::uint32_t last(Enum value) {
+  return static_cast<std::uint32_t>(value);
+}
+
+using namespace format;
+
+constexpr Line kLines[] = {
+    // Kinds stand in one order, so a section may lean on those before it.
+    begins(kSkeletons),
+    fills(4),
+    reserved(MARROW_IN(SkeletonHeader, reserved)),
+    from_1_to(MARROW_IN(SkeletonHeader, joint_count), kMaxJoints, "1 to 32767 joints"),
+    from_1_to(MARROW_IN(SkeletonHeader, root_count), MARROW_IN(SkeletonHeader, joint_count),
+              "1 root to as many as joints"),
+    call(Check::joints),
+    name(MARROW_IN(SkeletonHeader, name)),
+    bounded_until(0, 1),
+    bounded_until(1, 2),
+    each(1, 2, sizeof(SoaTransform)),
+    unit_rotations(),
+    ends(),
+
+    begins(kReferences),
+    fills(3),
+    where_differ(count_of(kSkeletons), 0u),
+    below(word(0), 0u, "skeletons or references, not both"),
+    from_1_to(MARROW_IN(ReferenceHeader, joint_count), kMaxJoints, "1 to 32767 joints"),
+    call(Check::reference_joints),
+    name(MARROW_IN(ReferenceHeader, name)),
+
+    begins(kClips),
+    call(Check::clip_size, "section size differs from its counts"),
+    owner_or_reference(MARROW_IN(ClipHeader, skeleton)),
+    at_most(MARROW_IN(ClipHeader, additive), 1u, "additive is 0 or 1"),
+    call(Check::clip_reference, "a reference is an additive clip's and has all joints",
+         MARROW_IN(ClipHeader, reference_groups)),
+    bounded_until(0, 1),
+    each(0, 1, sizeof(SoaTransform)),
+    unit_rotations(),
+    ends(),
+    name(MARROW_IN(ClipHeader, name)),
+    bounded(MARROW_IN(ClipHeader, duration_s), 1),
+    not_negative(MARROW_IN(ClipHeader, duration_s), "a duration is not negative"),
+    finite_until(3, 5),
+    each(1, 2, sizeof(Track)),
+    below(MARROW_IN(Track, joint), kJointCount, "track's joint outside the skeleton"),
+    at_most(MARROW_IN(Track, path), last(TrackPath::scale), "unknown path").at(offsetof(Track, path)),
+    at_most(MARROW_IN(Track, interpolation), kLastInterpolation, kNoInterpolation).at(offsetof(Track, interpolation)),
+    call(Check::track),
+    ends(),
+    call(Check::track_values),
+    each(2, 3, sizeof(Channel)),
+    reserved(byte(21)),
+    reserved(half(22)).at(1),
+    name(MARROW_IN(Channel, name)),
+    finite(MARROW_IN(Channel, rest)),
+    at_most(MARROW_IN(Channel, interpolation), kLastInterpolation, kNoInterpolation)
+        .at(offsetof(Channel, interpolation)),
+    call(Check::channel),
+    ends(),
+    call(Check::used_times, "times that no track uses", MARROW_IN(ClipHeader, time_count)),
+    call(Check::coded),
+
+    // The record is the part's header.
+    begins(kCodedPart),
+    where_differ(MARROW_IN(CodedHeader, time_count), 0u),
+    equal(MARROW_IN(CodedHeader, time_count), MARROW_IN(CodedHeader, frame_count), "a time a frame or none"),
+    from_1_to(MARROW_IN(CodedHeader, frame_count), kMaxFrames, kFrames),
+    at_least(MARROW_IN(CodedHeader, frame_count), 2u, kFrames),
+    at_least(MARROW_IN(CodedHeader, segment_intervals), 1u, "a segment has intervals"),
+    finite(MARROW_IN(CodedHeader, start_s), 2),
+    positive(MARROW_IN(CodedHeader, frames_per_s), "frames a second"),
+    at_least(MARROW_IN(CodedHeader, payload_bytes), kPayloadPadding, "payload without padding"),
+    call(Check::coded_layout),
+    fills(6),
+    finite_until(1, 2),
+    call(Check::frame_times),
+    call(Check::masks),
+    call(Check::constants),
+    call(Check::segments),
+
+    // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+    begins(kGeometries),
+    at_least(MARROW_IN(GeometryHeader, influence_blocks), MARROW_IN(GeometryHeader, block_count),
+             "a block has influences"),
+    call(Check::geometry_size, "section size differs from its counts"),
+    only_bits(MARROW_IN(GeometryHeader, flags), kAllGeometryFlags, "unknown flag"),
+    at_most(MARROW_IN(GeometryHeader, block_count), 0x3FFFFFFFu, "too many vertices"),
+    from_1_to(MARROW_IN(GeometryHeader, joint_count), kMaxJoints, "1 to 32767 palette entries"),
+    where_bits(MARROW_IN(GeometryHeader, flags), kHasMwe),
+    below(MARROW_IN(GeometryHeader, mwe_root), MARROW_IN(GeometryHeader, joint_count), kNoRoot),
+    where_lacks(MARROW_IN(GeometryHeader, flags), kHasMwe),
+    at_most(MARROW_IN(GeometryHeader, mwe_root), 0u, kNoRoot),
+    call(Check::triangles, "three indices a triangle", MARROW_IN(GeometryHeader, index_count)),
+    where_lacks(MARROW_IN(GeometryHeader, flags), kHasSourceSlots),
+    at_most(MARROW_IN(GeometryHeader, source_vertex_count), 0u, "source vertices without slots"),
+    call(Check::indices),
+    each(7, 8, sizeof(Run)),
+    at_least(MARROW_IN(Run, vertex_count), 1u, "a run has vertices").at(offsetof(Run, vertex_count)),
+    from_1_to(MARROW_IN(Run, influences), kMaxInfluences, "1 to 8 influences").at(offsetof(Run, influences)),
+    ends(),
+    call(Check::runs, "runs do not add up to the geometry's counts"),
+    call(Check::sets),
+    call(Check::source_slots),
+    finite(MARROW_IN(GeometryHeader, box_min), 6),
+    finite_until(0, 6),
+    where_bits(MARROW_IN(GeometryHeader, flags), kHasMorphTargets),
+    call(Check::morphs),
+    where_bits(MARROW_IN(GeometryHeader, flags), kHasPoseSpace),
+    call(Check::pose_space),
+
+    begins(kMorphPart),
+    at_least(MARROW_IN(MorphHeader, target_count), 1u, "a flag without morph targets"),
+    reserved(MARROW_IN(MorphHeader, reserved)),
+    call(Check::targets),
+
+    begins(kPosePart),
+    reserved(MARROW_IN(PoseSpaceHeader, reserved)),
+    at_least(MARROW_IN(PoseSpaceHeader, sigma), kSigmaFrom, kSigma),
+    at_most(MARROW_IN(PoseSpaceHeader, sigma), kSigmaTo, kSigma),
+    each(5, 6, 2),
+    where_differ(half(0), kNoParent),
+    below(half(0), MARROW_OF_HEADER(GeometryHeader, joint_count), "a parent outside the palette"),
+    ends(),
+    call(Check::examples),
+
+    begins(kMeshes),
+    fills(6),
+    at_most(MARROW_IN(MeshHeader, material_section), count_of(kMaterials), "no such material"),
+    only_bits(MARROW_IN(MeshHeader, flags), std::uint32_t{kAllMeshFlags}, "unknown flag"),
+    owner(MARROW_IN(MeshHeader, skeleton)),
+    below(MARROW_IN(MeshHeader, geometry), count_of(kGeometries), kNoGeometry),
+    call(Check::next_part,
+         "a next part has the skeleton, attributes, morph targets and source vertices of the part before it",
+         MARROW_IN(MeshHeader, flags)),
+    at_least(MARROW_IN(MeshHeader, joint_count), 1u, kPalette),
+    call(Check::palette, kPalette, MARROW_IN(MeshHeader, joint_count), MARROW_IN(MeshHeader, geometry)),
+    call(Check::target_count, "as many morph targets as the geometry", MARROW_IN(MeshHeader, target_count),
+         MARROW_IN(MeshHeader, geometry)),
+    each(1, 2, sizeof(MeshTarget)),
+    name(MARROW_IN(MeshTarget, name)),
+    name(MARROW_IN(MeshTarget, channel)),
+    finite(MARROW_IN(MeshTarget, weight)),
+    ends(),
+    where_bits(MARROW_IN(MeshHeader, flags), std::uint32_t{kHelpersHaveCentres}),
+    call(Check::helper_count, "centres without helpers", MARROW_IN(MeshHeader, flags)),
+    each(3, 4, sizeof(Helper)),
+    below(MARROW_IN(Helper, first), MARROW_OF_HEADER(MeshHeader, joint_count), kNoHelper),
+    below(MARROW_IN(Helper, second), MARROW_OF_HEADER(MeshHeader, joint_count), kNoHelper).at(offsetof(Helper, second)),
+    from_1_to(MARROW_IN(Helper, share), kBelowOne, kNoHelper).at(offsetof(Helper, share)),
+    differ(MARROW_IN(Helper, first), MARROW_IN(Helper, second), kNoHelper),
+    ends(),
+    bounded_until(4, 5),
+    each(5, 6, sizeof(MeshLod)),
+    below(MARROW_IN(MeshLod, geometry), count_of(kGeometries), kNoGeometry),
+    call(Check::palette, "a level has the mesh's palette", word(0), MARROW_IN(MeshLod, geometry)),
+    call(Check::level_targets, "a level has the mesh's morph targets or none", word(0), MARROW_IN(MeshLod, geometry)),
+    finite(MARROW_IN(MeshLod, error_m)),
+    not_negative(MARROW_IN(MeshLod, error_m), "an error is not below 0"),
+    ends(),
+    name(MARROW_IN(MeshHeader, name)),
+    name(MARROW_IN(MeshHeader, material)),
+    finite(MARROW_IN(MeshHeader, base_colour), 4),
+    bounded_until(0, 1),
+    call(Check::mesh_joints),
+
+    begins(kMaterials),
+    fills(2),
+    at_most(MARROW_IN(MaterialHeader, flags), std::uint32_t{kAllMaterialFlags}, "unknown flags of a material"),
+    at_most(MARROW_IN(MaterialHeader, alpha), last(AlphaMode::blend), "unknown alpha mode"),
+    name(MARROW_IN(MaterialHeader, name)),
+    finite(MARROW_IN(MaterialHeader, alpha_cutoff)),
+    not_negative(MARROW_IN(MaterialHeader, alpha_cutoff), "a cutoff is not negative"),
+    finite_until(1, 2),
+    each(1, 2, sizeof(float)),
+    not_negative(word(0), "light that is emitted is not negative"),
+    ends(),
+    each(0, 1, sizeof(Texture)),
+    below(MARROW_IN(Texture, image), count_of(kImages), kNoSuchImage),
+    at_most(MARROW_IN(Texture, role), last(TextureRole::specular_glossiness), "unknown role of a texture"),
+    at_most(MARROW_IN(Texture, wrap_u), last(Wrap::mirrored_repeat), kNoWrap),
+    at_most(MARROW_IN(Texture, wrap_v), last(Wrap::mirrored_repeat), kNoWrap).at(1),
+    at_most(MARROW_IN(Texture, mag), last(MagFilter::linear), kNoFilter),
+    at_most(MARROW_IN(Texture, min), last(MinFilter::linear_mipmap_linear), kNoFilter).at(1),
+    reserved(MARROW_IN(Texture, reserved)),
+    call(Check::role, "a role twice in one material", MARROW_IN(Texture, role)),
+    ends(),
+
+    begins(kImages),
+    fills(1),
+    reserved(MARROW_IN(ImageHeader, reserved)),
+    at_most(MARROW_IN(ImageHeader, format), last(ImageFormat::dds), "unknown format of an image"),
+    where_differ(MARROW_IN(ImageHeader, byte_count), 0u),
+    at_least(MARROW_IN(ImageHeader, format), 1u, "bytes of an unknown format"),
+    where_differ(MARROW_IN(ImageHeader, fallback), 0u),
+    call(Check::fallback, "a fallback that is no PNG or JPEG image", MARROW_IN(ImageHeader, fallback)),
+    name(MARROW_IN(ImageHeader, name)),
+    text(MARROW_IN(ImageHeader, uri)),
+
+    begins(kNodes),
+    fills(1),
+    reserved(MARROW_IN(NodeHeader, reserved)),
+    owner(MARROW_IN(NodeHeader, skeleton)),
+    where_differ(MARROW_IN(NodeHeader, joint), kNoJoint),
+    below(MARROW_IN(NodeHeader, joint), kJointCount, kOutside),
+    name(MARROW_IN(NodeHeader, name)),
+    bounded(MARROW_IN(NodeHeader, joint_from_node), 12),
+    // A text's number is short; else it is finite, and 0 or 1 of a truth.
+    each(0, 1, sizeof(Property)),
+    reserved(byte(5)),
+    reserved(half(6)).at(1),
+    at_most(MARROW_IN(Property, type), last(PropertyType::text), "unknown type of a property"),
+    text(MARROW_IN(Property, name)),
+    where_bits(MARROW_IN(Property, type), 2u),
+    reserved(word(12)).at(4),
+    where_bits(MARROW_IN(Property, type), 2u),
+    text(word(8)),
+    where_lacks(MARROW_IN(Property, type), 2u),
+    floats(word(12), 1, kHighFinite, kNotFinite).at(4),
+    where_bits(MARROW_IN(Property, type), 1u),
+    call(Check::truth, "a boolean is 0 or 1", word(8)),
+    ends(),
+
+    begins(kLimits),
+    fills(1),
+    call(Check::only_of_owner, "one section of limits a skeleton, in their order"),
+    at_least(MARROW_IN(LimitHeader, limit_count), 1u, "a section of limits without one"),
+    each(0, 1, sizeof(JointLimit)),
+    below(MARROW_IN(JointLimit, joint), kJointCount, kOutside),
+    call(Check::ascends, "limits ascend by joint"),
+    call(Check::limit, "no limit of a joint"),
+    ends(),
+
+    begins(kSprings),
+    fills(3),
+    call(Check::only_of_owner, "one section of springs a skeleton, in their order"),
+    at_least(MARROW_IN(SpringHeader, chain_count), 1u, "a section of springs without a chain"),
+    at_most(MARROW_IN(SpringHeader, joint_count), kJointCount, "more joints than the skeleton has"),
+    at_most(MARROW_IN(SpringHeader, collider_count), kMaxSpringColliders, "at most 64 colliders"),
+    each(0, 1, sizeof(SpringRecord)),
+    call(Check::chain_order, "chains share out the joints, one after the other"),
+    floats(MARROW_IN(SpringRecord, tip), 3, kNearBits, "a tip that is not finite, or beyond 1e6")
+        .at(offsetof(SpringRecord, tip)),
+    reserved(MARROW_IN(SpringRecord, reserved)).at(offsetof(SpringRecord, reserved)),
+    call(Check::chain_colliders, "a collider that is not there"),
+    call(Check::bone, "a chain without a bone"),
+    call(Check::chain_joints),
+    ends(),
+    call(Check::used_joints, "joints of no chain", MARROW_IN(SpringHeader, joint_count)),
+    each(2, 3, sizeof(SpringCollider)),
+    below(MARROW_IN(SpringCollider, joint), kJointCount, kOutside),
+    reserved(MARROW_IN(SpringCollider, reserved)).at(offsetof(SpringCollider, reserved)),
+    floats(MARROW_IN(SpringCollider, from), 7, kNearBits, kNotNear).at(offsetof(SpringCollider, from)),
+    not_negative(MARROW_IN(SpringCollider, radius_m), kNotNear).at(offsetof(SpringCollider, radius_m)),
+    ends(),
+
+    begins(kBounds),
+    fills(1),
+    call(Check::only_of_owner, "one section of bounds a skeleton, in their order"),
+    from_1_to(MARROW_IN(BoundsHeader, clip_count), count_of(kClips), "1 to as many as clips"),
+    from_1_to(MARROW_IN(BoundsHeader, mesh_count), count_of(kMeshes), "1 to as many as meshes"),
+    each(0, 1, sizeof(BoundsCodes)),
+    call(Check::box, "no box"),
+    ends(),
+    begins(kPartCount),
+};
+
+constexpr std::size_t kRuleCount = std::size(kLines);
+
+constexpr bool same(const char* a, const char* b) {
+  for (; *a == *b; ++a, ++b)
+    if (*a == 0) return true;
+  return false;
+}
+
+// Where each rule's text stands among all, each once and with its zero; and the size of all.
+struct TextPlaces {
+  std::size_t at[kRuleCount] = {}, size = 0;
+};
+constexpr TextPlaces place_texts() {
+  TextPlaces out;
+  for (std::size_t i = 0; i < kRuleCount; ++i) {
+    std::size_t before = 0;
+    while (!same(kLines[before].text, kLines[i].text)) ++before;
+    out.at[i] = before < i ? out.at[before] : out.size;
+    if (before < i) continue;
+    for (const char* letter = kLines[i].text; *letter != 0; ++letter) ++out.size;
+    ++out.size;
+  }
+  return out;
+}
+constexpr TextPlaces kPlaces = place_texts();
+
+constexpr std::array<char, kPlaces.size> write_texts() {
+  std::array<char, kPlaces.size> out{};
+  for (std::size_t i = 0; i < kRuleCount; ++i)
+    for (std::size_t n = 0; kLines[i].text[n] != 0; ++n) out[kPlaces.at[i] + n] = kLines[i].text[n];
+  return out;
+}
+
+struct Constants {
+  std::uint32_t values[64] = {};
+  std::size_t size = 0;
+  constexpr std::size_t place_of(std::uint32_t value) {
+    for (std::size_t i = 0; i < size; ++i)
+      if (values[i] == value) return i;
+    values[size] = value;
+    return size++;
+  }
+};
+struct Written {
+  Rule rules[kRuleCount] = {};
+  Constants constants;
+};
+constexpr Written write_rules() {
+  Written out;
+  for (std::size_t i = 0; i < kRuleCount; ++i) {
+    const Line& l = kLines[i];
+    const Number limit =
+        l.limit.is_constant ? number(From::constants, 4 * out.constants.place_of(l.limit.value), 4) : l.limit.number;
+    const std::size_t count =
+        l.how == How::floats_until ? out.constants.place_of(static_cast<std::uint32_t>(l.count)) : l.count;
+    Rule& r = out.rules[i];
+    r.number = l.number;
+    r.limit = limit;
+    r.how = static_cast<unsigned>(l.how) & 31u;
+    r.count = fitting(count, 255u) & 255u;
+    r.back = fitting(l.back, 31u) & 31u;
+    r.text = fitting(kPlaces.at[i], 16383u) & 16383u;
+  }
+  return out;
+}
+constexpr std::array<std::uint16_t, kPartCount> find_parts() {
+  std::array<std::uint16_t, kPartCount> out{};
+  for (std::size_t i = 0; i < kRuleCount; ++i)
+    if (kLines[i].how == How::begins && kLines[i].count < kPartCount)
+      out[kLines[i].count] = static_cast<std::uint16_t>(i + 1);
+  return out;
+}
+
+constexpr auto kTexts = write_texts();
+constexpr auto kParts = find_parts();
+constexpr Written kWritten = write_rules();
+
+}  // namespace
+
+const Rule* rules_of(std::uint32_t kind_or_part) {
+  return kWritten.rules + kParts[kind_or_part];
+}
+const std::uint32_t* constants_of_rules() {
+  return kWritten.constants.values;
+}
+const char* text_of(const Rule& rule) {
+  return &kTexts[rule.text];
+}
+
+}  // namespace marrow
