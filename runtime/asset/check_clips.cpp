@@ -3,8 +3,6 @@
 
 namespace marrow {
 
-using format::layout;
-
 namespace {
 
 // Of a coded sub-track, by the widest frame records that there are.
@@ -65,18 +63,13 @@ bool Checker::track() {
 bool Checker::coded() {
   const std::uint64_t start = places_[5];
   if (section_->bytes - start < sizeof(format::CodedHeader)) return fail(header_, "section too short for its header");
+  begin_arrays(0, start + sizeof(format::CodedHeader));
   return keeps(rules_of(kCodedPart), at<std::byte>(start));
-}
-
-bool Checker::coded_layout() {
-  const auto l = layout(record<format::CodedHeader>(), places_[5], joint_count());
-  std::memcpy(places_, &l, sizeof l);
-  return true;
 }
 
 bool Checker::frame_times() {
   const auto& h = record<format::CodedHeader>();
-  const auto* const times = array<float>(1);
+  const auto* const times = array<float>(0);
   if (h.time_count > 0 && times[0] != h.start_s) return fail(times, "frame 0 at start_s");
   for (std::uint32_t i = 1; i < h.time_count; ++i)
     if (!(times[i - 1] < times[i])) return fail(times + i, "times must increase");
@@ -85,7 +78,7 @@ bool Checker::frame_times() {
 
 bool Checker::masks() {
   const auto& h = record<format::CodedHeader>();
-  const auto* const groups = array<GroupMasks>(3);
+  const auto* const groups = array<GroupMasks>(2);
   std::uint32_t moving = 0, constant = 0;
   for (std::uint32_t g = 0; g < soa_count(joint_count()); ++g) {
     const std::uint32_t left = joint_count() - 4 * g, lanes = left < 4 ? (1u << left) - 1 : 15u;
@@ -100,8 +93,8 @@ bool Checker::masks() {
 }
 
 bool Checker::constants() {
-  const auto* next = array<format::Constant>(4);
-  for (const GroupMasks* g = array<GroupMasks>(3); g != array<GroupMasks>(4); ++g) {
+  const auto* next = array<format::Constant>(3);
+  for (const GroupMasks* g = array<GroupMasks>(2); g != array<GroupMasks>(3); ++g) {
     std::uint32_t rotations = count_bits(g->constant & 15u);
     for (std::uint32_t left = count_bits(g->constant); left > 0; --left, ++next) {
       const std::int16_t(&v)[4] = next->v;
@@ -119,14 +112,14 @@ bool Checker::constants() {
 // Segments follow one another without a gap, so one pass sees every byte once.
 bool Checker::segments() {
   const auto& h = record<format::CodedHeader>();
-  const auto* offsets = array<std::uint32_t>(2);
+  const auto* offsets = array<std::uint32_t>(1);
   const std::uint64_t limit = h.payload_bytes - format::kPayloadPadding;
   std::uint64_t end = 0;
   for (std::uint32_t i = 0; i < format::segment_count(h); ++i) {
     if (offsets[i] != end) return fail(offsets + i, "segments stand back to back");
     end += 4 + std::uint64_t{h.track_count} * sizeof(format::TrackHeader);
     if (end > limit) return fail(offsets + i, "a segment outside the payload");
-    const auto* segment = at<std::byte>(places_[5] + offsets[i]);
+    const auto* segment = at<std::byte>(places_[4] + offsets[i]);
     std::uint32_t frame_bytes;
     std::memcpy(&frame_bytes, segment, 4);
     std::uint64_t bits = 0;

@@ -14,25 +14,23 @@ bool Checker::below(const Index* first, std::uint64_t count, std::uint64_t limit
   return count == 0 || largest < limit || fail(first, rule);
 }
 
-// Whether a geometry's arrays fill the section; each part's header is looked at only where it is inside.
+// The next part of a geometry, if it has it: its header is looked at only where it is inside.
+bool Checker::part_size(std::uint32_t flag, std::size_t place, std::size_t header_bytes, Part arrays) {
+  const std::uint64_t start = format::align4(places_[arrays_]), end = start + header_bytes;
+  if ((header<GeometryHeader>().flags & flag) == 0) return true;
+  begin_arrays(place, end);
+  return end <= section_->bytes && keeps(rules_of(arrays), at<std::byte>(start));
+}
+
+// Whether a geometry's arrays fill the section.
 bool Checker::geometry_size() {
-  const auto& h = header<GeometryHeader>();
-  const format::GeometryLayout l = layout(h);
-  std::uint64_t bytes = l.bytes;
-  if ((h.flags & format::kHasMorphTargets) != 0) {
-    const std::uint64_t start = so_far_.morphs = format::morph_start(l);
-    if (start + sizeof(format::MorphHeader) > section_->bytes) return false;
-    bytes = layout(*at<format::MorphHeader>(start), l).bytes;
-  }
-  if ((h.flags & format::kHasPoseSpace) != 0) {
-    const std::uint64_t start = so_far_.pose_space = format::align4(bytes);
-    if (start + sizeof(format::PoseSpaceHeader) > section_->bytes) return false;
-    const auto* const space = at<format::PoseSpaceHeader>(start);
-    if (space->example_count == 0 || space->example_count > kMaxPoseExamples)
-      return fail(space, "1 to 32 example poses");
-    bytes = layout(*space, h, bytes).bytes;
-  }
-  return bytes == section_->bytes;
+  const format::GeometryLayout l = layout(header<GeometryHeader>());
+  std::memcpy(places_, &l, offsetof(format::GeometryLayout, index_bytes));
+  places_[kIndexBytesPlace] = l.index_bytes;
+  arrays_ = kMorphPlace - 1;
+  return part_size(format::kHasMorphTargets, kMorphPlace, sizeof(format::MorphHeader), kMorphArrays) &&
+         part_size(format::kHasPoseSpace, kPosePlace, sizeof(format::PoseSpaceHeader), kPoseArrays) &&
+         places_[arrays_] == section_->bytes;
 }
 
 bool Checker::indices() {
@@ -103,25 +101,22 @@ bool Checker::sparse_records(const SparseRecords& r) {
 bool Checker::targets() {
   const auto& h = record<format::MorphHeader>();
   const std::uint32_t flags = header<GeometryHeader>().flags;
-  const format::MorphLayout l = layout(h, layout(header<GeometryHeader>()));
   const std::uint32_t allowed = kMorphsPositions | ((flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
                                 ((flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
-  return sparse_records(
-      {{at<MorphTarget>(l.targets), h.target_count}, l.blocks, h.block_count, h.record_count, allowed});
-}
-
-bool Checker::pose_space() {
-  const std::uint64_t start = so_far_.pose_space;
-  const auto* const space = at<format::PoseSpaceHeader>(start);
-  const format::PoseSpaceLayout l = layout(*space, header<GeometryHeader>(), start);
-  std::memcpy(places_, &l, sizeof l);
-  return keeps(rules_of(kPosePart), space);
+  return sparse_records({{array<MorphTarget>(kMorphPlace), h.target_count},
+                         places_[kMorphPlace + 1],
+                         h.block_count,
+                         h.record_count,
+                         allowed});
 }
 
 bool Checker::examples() {
   const auto& h = record<format::PoseSpaceHeader>();
-  return sparse_records(
-      {{array<MorphTarget>(1), h.example_count}, places_[3], h.block_count, h.block_count, kMorphsPositions});
+  return sparse_records({{array<MorphTarget>(kPosePlace), h.example_count},
+                         places_[kPosePlace + 2],
+                         h.block_count,
+                         h.block_count,
+                         kMorphsPositions});
 }
 
 const GeometryHeader& Checker::geometry(std::uint32_t number) const {

@@ -41,6 +41,15 @@ class Checker {
   bool keeps(Check check, std::uint32_t limit);
   const void* place(Number n) const;
   std::uint32_t value(Number n) const;
+  // Arrays begin behind a header.
+  void begin_arrays(std::size_t place, std::uint64_t at) {
+    arrays_ = static_cast<std::uint32_t>(place);
+    places_[arrays_] = at;
+  }
+  void add_array(std::uint64_t bytes) {
+    places_[arrays_ + 1] = places_[arrays_] + bytes;
+    ++arrays_;
+  }
   bool find_owner(std::uint32_t number, bool or_reference);
 
   // The section, its header, and what is looked at.
@@ -53,7 +62,7 @@ class Checker {
     return reinterpret_cast<const T*>(static_cast<const std::byte*>(start) + offset);
   }
   template <class T>
-  const T* array(std::uint32_t n) const {
+  const T* array(std::size_t n) const {
     return at<T>(places_[n]);
   }
   template <class T>
@@ -75,13 +84,13 @@ class Checker {
   bool keys(const std::uint32_t* k, std::uint32_t floats_per_key);
   bool track();
   bool coded();
-  bool coded_layout();
   bool frame_times();
   bool masks();
   bool constants();
   bool segments();
   bool geometry_size();
-  std::uint32_t index_bytes() const { return static_cast<std::uint32_t>(places_[12]); }  // of a geometry
+  bool part_size(std::uint32_t flag, std::size_t place, std::size_t header_bytes, Part arrays);
+  std::uint32_t index_bytes() const { return static_cast<std::uint32_t>(places_[kIndexBytesPlace]); }
   template <class Index>
   bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
   bool indices();
@@ -97,7 +106,6 @@ class Checker {
   bool sparse_records(const SparseRecords& r);
   bool morph_blocks(const void* blocks, const MorphTarget& t);
   bool targets();
-  bool pose_space();
   bool examples();
   const format::GeometryHeader& geometry(std::uint32_t number) const;
   std::uint32_t target_count(std::uint32_t of_geometry) const;
@@ -114,14 +122,14 @@ class Checker {
   const std::uint32_t* counts_;
   const File::Section* section_ = nullptr;
   const void *record_ = nullptr, *header_ = nullptr, *owner_ = nullptr;
-  std::uint64_t places_[13] = {};  // of arrays behind the header, and the end, see format.h
+  std::uint64_t places_[kPlaceCount] = {};  // of arrays behind the header; the next one will stand at places_[arrays_]
+  std::uint32_t arrays_ = 0;
   // What is gone through in order, and began at the header.
   struct {
     std::uint32_t first_time, times_end, next_joint, roles;
     bool has_times;
     std::uint64_t first_value, values_end;  // of what tracks use, and what is between
     std::uint64_t turning;                  // values of rotations, each time that a track uses them
-    std::uint64_t morphs, pose_space;       // where these parts of a geometry stand
   } so_far_ = {};
   DataError error_;
 };

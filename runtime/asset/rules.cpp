@@ -51,8 +51,8 @@ constexpr Number number(From from, std::size_t at, std::size_t bytes) {
   out.at = fitting(at, 1023u) & 1023u;
   return out;
 }
-// Where no number counts.
-constexpr Number kNone = number(From::constants, 0, 4);
+// The first constant; also where no number counts.
+constexpr Number kOne = number(From::constants, 0, 4);
 constexpr Number byte(std::size_t at) {
   return number(From::record, at, 1);
 }
@@ -68,6 +68,8 @@ constexpr Number array(std::size_t n) {
 constexpr Number count_of(format::Kind kind) {
   return number(From::counts, 4 * std::size_t{kind}, 4);
 }
+// Of a geometry.
+constexpr Number kIndexBytes = array(kIndexBytesPlace);
 // Of the skeleton or reference.
 constexpr Number kJointCount = number(From::owner, offsetof(format::SkeletonHeader, joint_count), 4);
 static_assert(offsetof(format::SkeletonHeader, joint_count) == offsetof(format::ReferenceHeader, joint_count));
@@ -83,7 +85,7 @@ constexpr const char *kNoInterpolation = "unknown interpolation", *kFrames = "2 
 #define MARROW_OF_HEADER(type, member) number(From::header, offsetof(type, member), sizeof(type::member))
 
 constexpr Line begins(std::uint32_t kind) {
-  return {How::begins, kNone, 0u, kind};
+  return {How::begins, kOne, 0u, kind};
 }
 constexpr Line equal(Number n, Limit limit, const char* text) {
   return {How::equal, n, limit, 0, text};
@@ -161,11 +163,17 @@ constexpr Line unit_rotations() {
   return floats(MARROW_IN(SoaTransform, rotation), 16, kUnitBits, kNoUnit);
 }
 constexpr Line ends() {
-  return {How::ends, kNone, 0u};
+  return {How::ends, kOne, 0u};
 }
-constexpr Line fills(std::size_t last) {
-  return {How::fills, byte(0), 0u, last, "section size differs from its counts"};
+// An array behind the header and those before it: n elements, times as many as `times` says.
+constexpr Line array_of(Number n, std::size_t bytes, Limit times = 1u) { return {How::array, n, times, bytes}; }
+// So many bytes.
+constexpr Line array_of(std::size_t bytes) {
+  return {How::array, kOne, 1u, bytes};
 }
+constexpr Line array_of_groups(Number n, std::size_t bytes) { return {How::groups, n, 0u, bytes}; }
+constexpr Line aligned() { return {How::aligned, kOne, 0u}; }
+constexpr Line fills() { return {How::fills, byte(0), 0u, 0, "section size differs from its counts"}; }
 constexpr Line call(Check check, const char* text = "", Number n = byte(0), Limit limit = 0u) {
   return {How::call, n, limit, static_cast<std::size_t>(check), text};
 }
@@ -181,7 +189,11 @@ using namespace format;
 constexpr Line kLines[] = {
     // Kinds stand in one order, so a section may lean on those before it.
     begins(kSkeletons),
-    fills(4),
+    array_of(MARROW_IN(SkeletonHeader, root_count), sizeof(Affine)),
+    array_of_groups(MARROW_IN(SkeletonHeader, joint_count), sizeof(SoaTransform)),
+    array_of(MARROW_IN(SkeletonHeader, joint_count), sizeof(std::uint32_t)),
+    array_of(MARROW_IN(SkeletonHeader, joint_count), sizeof(std::uint16_t)),
+    fills(),
     reserved(MARROW_IN(SkeletonHeader, reserved)),
     from_1_to(MARROW_IN(SkeletonHeader, joint_count), kMaxJoints, "1 to 32767 joints"),
     from_1_to(MARROW_IN(SkeletonHeader, root_count), MARROW_IN(SkeletonHeader, joint_count),
@@ -195,7 +207,10 @@ constexpr Line kLines[] = {
     ends(),
 
     begins(kReferences),
-    fills(3),
+    array_of(MARROW_IN(ReferenceHeader, joint_count), sizeof(std::uint32_t)),
+    array_of(MARROW_IN(ReferenceHeader, joint_count), sizeof(std::uint32_t)),
+    array_of(MARROW_IN(ReferenceHeader, joint_count), sizeof(std::uint16_t)),
+    fills(),
     where_differ(count_of(kSkeletons), 0u),
     below(word(0), 0u, "skeletons or references, not both"),
     from_1_to(MARROW_IN(ReferenceHeader, joint_count), kMaxJoints, "1 to 32767 joints"),
@@ -203,6 +218,11 @@ constexpr Line kLines[] = {
     name(MARROW_IN(ReferenceHeader, name)),
 
     begins(kClips),
+    array_of(MARROW_IN(ClipHeader, reference_groups), sizeof(SoaTransform)),
+    array_of(MARROW_IN(ClipHeader, track_count), sizeof(Track)),
+    array_of(MARROW_IN(ClipHeader, channel_count), sizeof(Channel)),
+    array_of(MARROW_IN(ClipHeader, time_count), sizeof(float)),
+    array_of(MARROW_IN(ClipHeader, value_count), sizeof(float)),
     call(Check::clip_size, "section size differs from its counts"),
     owner_or_reference(MARROW_IN(ClipHeader, skeleton)),
     at_most(MARROW_IN(ClipHeader, additive), 1u, "additive is 0 or 1"),
@@ -245,9 +265,13 @@ constexpr Line kLines[] = {
     finite(MARROW_IN(CodedHeader, start_s), 2),
     positive(MARROW_IN(CodedHeader, frames_per_s), "frames a second"),
     at_least(MARROW_IN(CodedHeader, payload_bytes), kPayloadPadding, "payload without padding"),
-    call(Check::coded_layout),
-    fills(6),
-    finite_until(1, 2),
+    array_of(MARROW_IN(CodedHeader, time_count), sizeof(float)),
+    call(Check::segment_offsets),
+    array_of_groups(kJointCount, sizeof(GroupMasks)),
+    array_of(MARROW_IN(CodedHeader, constant_count), sizeof(Constant)),
+    array_of(MARROW_IN(CodedHeader, payload_bytes), 1),
+    fills(),
+    finite_until(0, 1),
     call(Check::frame_times),
     call(Check::masks),
     call(Check::constants),
@@ -283,23 +307,49 @@ constexpr Line kLines[] = {
     where_bits(MARROW_IN(GeometryHeader, flags), kHasPoseSpace),
     call(Check::pose_space),
 
+    begins(kMorphArrays),
+    array_of(MARROW_IN(MorphHeader, target_count), sizeof(MorphTarget)),
+    array_of(MARROW_IN(MorphHeader, block_count), 1, kIndexBytes),
+    array_of(MARROW_IN(MorphHeader, record_count), kMorphRecordBytes),
+
     begins(kMorphPart),
     at_least(MARROW_IN(MorphHeader, target_count), 1u, "a flag without morph targets"),
     reserved(MARROW_IN(MorphHeader, reserved)),
     call(Check::targets),
 
+    begins(kPoseArrays),
+    from_1_to(MARROW_IN(PoseSpaceHeader, example_count), kMaxPoseExamples, "1 to 32 example poses"),
+    array_of(MARROW_IN(PoseSpaceHeader, example_count), sizeof(MorphTarget)),
+    array_of(MARROW_IN(PoseSpaceHeader, example_count), 8, MARROW_OF_HEADER(GeometryHeader, joint_count)),
+    array_of(MARROW_IN(PoseSpaceHeader, block_count), 1, kIndexBytes),
+    array_of(MARROW_IN(PoseSpaceHeader, block_count), kMorphRecordBytes),
+    array_of(MARROW_OF_HEADER(GeometryHeader, joint_count), sizeof(std::uint16_t)),
+
     begins(kPosePart),
     reserved(MARROW_IN(PoseSpaceHeader, reserved)),
     at_least(MARROW_IN(PoseSpaceHeader, sigma), kSigmaFrom, kSigma),
     at_most(MARROW_IN(PoseSpaceHeader, sigma), kSigmaTo, kSigma),
-    each(5, 6, 2),
+    each(kPosePlace + 4, kPosePlace + 5, 2),
     where_differ(half(0), kNoParent),
     below(half(0), MARROW_OF_HEADER(GeometryHeader, joint_count), "a parent outside the palette"),
     ends(),
     call(Check::examples),
 
     begins(kMeshes),
-    fills(6),
+    array_of(MARROW_IN(MeshHeader, joint_count), sizeof(Affine)),
+    array_of(MARROW_IN(MeshHeader, target_count), sizeof(MeshTarget)),
+    array_of(MARROW_IN(MeshHeader, joint_count), sizeof(std::uint16_t)),
+    where_differ(MARROW_IN(MeshHeader, helper_count), 0u),
+    aligned(),
+    where_differ(MARROW_IN(MeshHeader, lod_count), 0u),
+    aligned(),
+    array_of(MARROW_IN(MeshHeader, helper_count), sizeof(Helper)),
+    where_bits(MARROW_IN(MeshHeader, flags), std::uint32_t{kHelpersHaveCentres}),
+    array_of(MARROW_IN(MeshHeader, helper_count), kCentreBytes),
+    where_lacks(MARROW_IN(MeshHeader, flags), std::uint32_t{kHelpersHaveCentres}),
+    array_of(0),
+    array_of(MARROW_IN(MeshHeader, lod_count), sizeof(MeshLod)),
+    fills(),
     at_most(MARROW_IN(MeshHeader, material_section), count_of(kMaterials), "no such material"),
     only_bits(MARROW_IN(MeshHeader, flags), std::uint32_t{kAllMeshFlags}, "unknown flag"),
     owner(MARROW_IN(MeshHeader, skeleton)),
@@ -339,7 +389,12 @@ constexpr Line kLines[] = {
     call(Check::mesh_joints),
 
     begins(kMaterials),
-    fills(2),
+    array_of(MARROW_IN(MaterialHeader, texture_count), sizeof(Texture)),
+    where_bits(MARROW_IN(MaterialHeader, flags), std::uint32_t{kEmits}),
+    array_of(3 * sizeof(float)),
+    where_lacks(MARROW_IN(MaterialHeader, flags), std::uint32_t{kEmits}),
+    array_of(0),
+    fills(),
     at_most(MARROW_IN(MaterialHeader, flags), std::uint32_t{kAllMaterialFlags}, "unknown flags of a material"),
     at_most(MARROW_IN(MaterialHeader, alpha), last(AlphaMode::blend), "unknown alpha mode"),
     name(MARROW_IN(MaterialHeader, name)),
@@ -361,7 +416,8 @@ constexpr Line kLines[] = {
     ends(),
 
     begins(kImages),
-    fills(1),
+    array_of(MARROW_IN(ImageHeader, byte_count), 1),
+    fills(),
     reserved(MARROW_IN(ImageHeader, reserved)),
     at_most(MARROW_IN(ImageHeader, format), last(ImageFormat::dds), "unknown format of an image"),
     where_differ(MARROW_IN(ImageHeader, byte_count), 0u),
@@ -372,7 +428,8 @@ constexpr Line kLines[] = {
     text(MARROW_IN(ImageHeader, uri)),
 
     begins(kNodes),
-    fills(1),
+    array_of(MARROW_IN(NodeHeader, property_count), sizeof(Property)),
+    fills(),
     reserved(MARROW_IN(NodeHeader, reserved)),
     owner(MARROW_IN(NodeHeader, skeleton)),
     where_differ(MARROW_IN(NodeHeader, joint), kNoJoint),
@@ -396,7 +453,8 @@ constexpr Line kLines[] = {
     ends(),
 
     begins(kLimits),
-    fills(1),
+    array_of(MARROW_IN(LimitHeader, limit_count), sizeof(JointLimit)),
+    fills(),
     call(Check::only_of_owner, "one section of limits a skeleton, in their order"),
     at_least(MARROW_IN(LimitHeader, limit_count), 1u, "a section of limits without one"),
     each(0, 1, sizeof(JointLimit)),
@@ -406,7 +464,10 @@ constexpr Line kLines[] = {
     ends(),
 
     begins(kSprings),
-    fills(3),
+    array_of(MARROW_IN(SpringHeader, chain_count), sizeof(SpringRecord)),
+    array_of(MARROW_IN(SpringHeader, joint_count), sizeof(SpringJoint)),
+    array_of(MARROW_IN(SpringHeader, collider_count), sizeof(SpringCollider)),
+    fills(),
     call(Check::only_of_owner, "one section of springs a skeleton, in their order"),
     at_least(MARROW_IN(SpringHeader, chain_count), 1u, "a section of springs without a chain"),
     at_most(MARROW_IN(SpringHeader, joint_count), kJointCount, "more joints than the skeleton has"),
@@ -429,7 +490,8 @@ constexpr Line kLines[] = {
     ends(),
 
     begins(kBounds),
-    fills(1),
+    array_of(MARROW_IN(BoundsHeader, clip_count), sizeof(BoundsCodes), MARROW_IN(BoundsHeader, mesh_count)),
+    fills(),
     call(Check::only_of_owner, "one section of bounds a skeleton, in their order"),
     from_1_to(MARROW_IN(BoundsHeader, clip_count), count_of(kClips), "1 to as many as clips"),
     from_1_to(MARROW_IN(BoundsHeader, mesh_count), count_of(kMeshes), "1 to as many as meshes"),
@@ -473,8 +535,8 @@ constexpr std::array<char, kPlaces.size> write_texts() {
 }
 
 struct Constants {
-  std::uint32_t values[64] = {};
-  std::size_t size = 0;
+  std::uint32_t values[64] = {1};
+  std::size_t size = 1;
   constexpr std::size_t place_of(std::uint32_t value) {
     for (std::size_t i = 0; i < size; ++i)
       if (values[i] == value) return i;

@@ -48,7 +48,11 @@ enum class How : std::uint8_t {
   text,
   owner,  // the number of a skeleton; where `count` is 1, of a reference in files that have those
   each,   // the rules until `ends` hold for each element, of `count` bytes, from one array to another
-  fills,  // the section ends where the array `count` would begin
+  // The layout of what is looked at, one after the other: where the next array begins, see Checker::places_.
+  array,    // number times limit elements of `count` bytes
+  groups,   // an element of `count` bytes for each four of the number
+  aligned,  // on four bytes
+  fills,    // the section ends there
   call,   // a Check
 };
 
@@ -63,7 +67,7 @@ enum class Check : std::uint8_t {
   channel,
   used_times,
   coded,
-  coded_layout,
+  segment_offsets,
   frame_times,
   masks,
   constants,
@@ -114,7 +118,9 @@ struct Rule {
 static_assert(sizeof(Rule) == 8);
 
 // Lists of rules: of each kind of section, by format::Kind, and of parts of sections, whose header the record is.
-enum Part : std::uint8_t { kCodedPart = 13, kMorphPart, kPosePart, kPartCount };
+enum Part : std::uint8_t { kCodedPart = 13, kMorphArrays, kMorphPart, kPoseArrays, kPosePart, kPartCount };
+// Where the arrays of a geometry's parts stand among its own, and how many bytes an index of it has.
+inline constexpr std::size_t kMorphPlace = 12, kPosePlace = 16, kIndexBytesPlace = 22, kPlaceCount = 23;
 const Rule* rules_of(std::uint32_t kind_or_part);
 const char* text_of(const Rule& rule);
 // What From::constants means.

@@ -9,36 +9,23 @@
 namespace marrow {
 namespace {
 
-template <class Header>
-void place(const void* header, std::uint64_t* out) {
-  const auto l = format::layout(*static_cast<const Header*>(header));
-  static_assert(sizeof l % 8 == 0);
-  std::memcpy(out, &l, sizeof l);
-}
-
 // How a section begins.
 struct Beginning {
-  format::Kind kind;
-  std::uint8_t header_bytes, last_codec;
-  void (*place)(const void* header, std::uint64_t* out);  // its arrays
+  std::uint8_t kind, header_bytes, last_codec = format::kCodecRaw;
 };
-template <class Header>
-constexpr Beginning beginning(format::Kind kind, std::uint8_t last_codec = format::kCodecRaw) {
-  return {kind, sizeof(Header), last_codec, place<Header>};
-}
 // Kinds stand in one order, so a section may lean on those before it.
 constexpr Beginning kBeginnings[] = {
-    beginning<format::SkeletonHeader>(format::kSkeletons),
-    beginning<format::ReferenceHeader>(format::kReferences),
-    beginning<format::ClipHeader>(format::kClips, format::kCodecSegments),
-    beginning<format::GeometryHeader>(format::kGeometries),
-    beginning<format::MeshHeader>(format::kMeshes),
-    beginning<format::MaterialHeader>(format::kMaterials),
-    beginning<format::ImageHeader>(format::kImages),
-    beginning<format::NodeHeader>(format::kNodes),
-    beginning<format::LimitHeader>(format::kLimits),
-    beginning<format::SpringHeader>(format::kSprings),
-    beginning<format::BoundsHeader>(format::kBounds),
+    {format::kSkeletons, sizeof(format::SkeletonHeader)},
+    {format::kReferences, sizeof(format::ReferenceHeader)},
+    {format::kClips, sizeof(format::ClipHeader), format::kCodecSegments},
+    {format::kGeometries, sizeof(format::GeometryHeader)},
+    {format::kMeshes, sizeof(format::MeshHeader)},
+    {format::kMaterials, sizeof(format::MaterialHeader)},
+    {format::kImages, sizeof(format::ImageHeader)},
+    {format::kNodes, sizeof(format::NodeHeader)},
+    {format::kLimits, sizeof(format::LimitHeader)},
+    {format::kSprings, sizeof(format::SpringHeader)},
+    {format::kBounds, sizeof(format::BoundsHeader)},
 };
 
 }  // namespace
@@ -189,8 +176,17 @@ bool Checker::keeps(const Rule* rule, const void* record) {
         good = keeps_each(rule);
         while (static_cast<How>(rule->how) != How::ends) ++rule;
         break;
+      case How::array:
+        add_array(std::uint64_t{a} * b * rule->count);
+        break;
+      case How::groups:
+        add_array(soa_count(a) * rule->count);
+        break;
+      case How::aligned:
+        places_[arrays_] = format::align4(places_[arrays_]);
+        break;
       case How::fills:
-        good = section_->bytes == places_[rule->count];
+        good = section_->bytes == places_[arrays_];
         break;
       case How::call:
         good = keeps(static_cast<Check>(rule->count), b);
@@ -204,11 +200,11 @@ bool Checker::all() {
   if (!names(sections_[sections_.size - 1])) return false;
   for (const Beginning& b : kBeginnings)
     for (std::uint32_t i = 0; i < counts_[b.kind]; ++i) {
-      section_ = &nth(b.kind, i);
+      section_ = &nth(static_cast<format::Kind>(b.kind), i);
       if (!has_header(*section_, b.header_bytes, b.last_codec)) return false;
       header_ = start_of(*section_);
       so_far_ = {};
-      b.place(header_, places_);
+      begin_arrays(0, b.header_bytes);
       if (!keeps(rules_of(b.kind), header_)) return false;
     }
   return true;
@@ -241,8 +237,9 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
       return so_far_.times_end == header<ClipHeader>().time_count;
     case Check::coded:
       return section_->codec == kCodecRaw || coded();
-    case Check::coded_layout:
-      return coded_layout();
+    case Check::segment_offsets:
+      add_array(std::uint64_t{segment_count(record<CodedHeader>())} * sizeof(std::uint32_t));
+      return true;
     case Check::frame_times:
       return frame_times();
     case Check::masks:
@@ -264,9 +261,9 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
     case Check::source_slots:
       return source_slots();
     case Check::morphs:
-      return keeps(rules_of(kMorphPart), at<std::byte>(so_far_.morphs));
+      return keeps(rules_of(kMorphPart), at<MorphHeader>(places_[kMorphPlace]) - 1);
     case Check::pose_space:
-      return pose_space();
+      return keeps(rules_of(kPosePart), at<PoseSpaceHeader>(places_[kPosePlace]) - 1);
     case Check::targets:
       return targets();
     case Check::examples:
