@@ -3,21 +3,6 @@
 
 namespace marrow {
 
-namespace {
-
-// Of a coded sub-track, by the widest frame records that there are.
-float largest_of(const format::TrackHeader& track) {
-  std::int32_t far = 0;
-  for (std::uint32_t c = 0; c < 3; ++c) {
-    const std::int32_t least = track.least[c];
-    far = far > least ? far : least;
-    far = far > -least ? far : -least;
-  }
-  return static_cast<float>((std::int64_t{far} << (track.codes[0] & 15u)) + (1 << 19)) * format::step_size(track.step);
-}
-
-}  // namespace
-
 bool Checker::clip_size() {
   so_far_.first_value = header<format::ClipHeader>().value_count;
   const std::uint64_t raw = places_[5];
@@ -126,9 +111,16 @@ bool Checker::segments() {
     for (std::uint32_t t = 0; t < h.track_count; ++t) {
       format::TrackHeader track;
       std::memcpy(&track, segment + 4 + t * sizeof track, sizeof track);
-      const std::uint32_t x = track.codes[0] >> 4u, y = track.codes[1] & 15u, z = track.codes[1] >> 4u;
-      bits += format::component_bits(x) + format::component_bits(y) + format::component_bits(z);
-      if (largest_of(track) > format::kFarthest) return fail(segment, "a coded number beyond 1e12");
+      const std::uint32_t codes = track.codes[0] | std::uint32_t{track.codes[1]} << 8;
+      std::int32_t far = 0;
+      for (std::uint32_t c = 0; c < 3; ++c) {
+        bits += format::component_bits(codes >> (4 * c + 4) & 15u);
+        const std::int32_t least = track.least[c], size = least < 0 ? -least : least;
+        far = far > size ? far : size;
+      }
+      // With the widest frame records that there are.
+      if (static_cast<float>((far << (codes & 15u)) + (1 << 19)) * format::step_size(track.step) > format::kFarthest)
+        return fail(segment, "a coded number beyond 1e12");
     }
     if ((bits + 7) / 8 != frame_bytes) return fail(segment, "a frame's bytes hold its tracks' bits");
     const std::uint64_t left = h.frame_count - 1 - std::uint64_t{i} * h.segment_intervals;

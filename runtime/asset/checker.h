@@ -120,17 +120,18 @@ class Checker {
   Span<const File::Section> sections_;
   const std::uint32_t* first_;
   const std::uint32_t* counts_;
-  const File::Section* section_ = nullptr;
-  const void *record_ = nullptr, *header_ = nullptr, *owner_ = nullptr;
-  std::uint64_t places_[kPlaceCount] = {};  // of arrays behind the header; the next one will stand at places_[arrays_]
-  std::uint32_t arrays_ = 0;
+  // What follows is of the section.
+  const File::Section* section_;
+  const void *record_, *header_, *owner_;  // what is looked at; the section's; the skeleton's or reference's
+  std::uint64_t places_[kPlaceCount];      // of arrays behind the header; the next one will stand at places_[arrays_]
+  std::uint32_t arrays_;
   // What is gone through in order, and began at the header.
   struct {
     std::uint32_t first_time, times_end, next_joint, roles;
     bool has_times;
     std::uint64_t first_value, values_end;  // of what tracks use, and what is between
     std::uint64_t turning;                  // values of rotations, each time that a track uses them
-  } so_far_ = {};
+  } so_far_;
   DataError error_;
 };
 

@@ -8,6 +8,8 @@
 
 namespace marrow {
 
+// Words for rules, of their own.
+namespace rule_table {
 namespace {
 
 constexpr std::uint32_t kHighFinite = 0x7FF00000;  // upper half of a double
@@ -166,14 +168,22 @@ constexpr Line ends() {
   return {How::ends, kOne, 0u};
 }
 // An array behind the header and those before it: n elements, times as many as `times` says.
-constexpr Line array_of(Number n, std::size_t bytes, Limit times = 1u) { return {How::array, n, times, bytes}; }
+constexpr Line array_of(Number n, std::size_t bytes, Limit times = 1u) {
+  return {How::array, n, times, bytes};
+}
 // So many bytes.
 constexpr Line array_of(std::size_t bytes) {
   return {How::array, kOne, 1u, bytes};
 }
-constexpr Line array_of_groups(Number n, std::size_t bytes) { return {How::groups, n, 0u, bytes}; }
-constexpr Line aligned() { return {How::aligned, kOne, 0u}; }
-constexpr Line fills() { return {How::fills, byte(0), 0u, 0, "section size differs from its counts"}; }
+constexpr Line array_of_groups(Number n, std::size_t bytes) {
+  return {How::groups, n, 0u, bytes};
+}
+constexpr Line aligned() {
+  return {How::aligned, kOne, 0u};
+}
+constexpr Line fills() {
+  return {How::fills, byte(0), 0u, 0, "section size differs from its counts"};
+}
 constexpr Line call(Check check, const char* text = "", Number n = byte(0), Limit limit = 0u) {
   return {How::call, n, limit, static_cast<std::size_t>(check), text};
 }
@@ -579,15 +589,16 @@ constexpr auto kParts = find_parts();
 constexpr Written kWritten = write_rules();
 
 }  // namespace
+}  // namespace rule_table
 
 const Rule* rules_of(std::uint32_t kind_or_part) {
-  return kWritten.rules + kParts[kind_or_part];
+  return rule_table::kWritten.rules + rule_table::kParts[kind_or_part];
 }
 const std::uint32_t* constants_of_rules() {
-  return kWritten.constants.values;
+  return rule_table::kWritten.constants.values;
 }
 const char* text_of(const Rule& rule) {
-  return &kTexts[rule.text];
+  return &rule_table::kTexts[rule.text];
 }
 
 }  // namespace marrow

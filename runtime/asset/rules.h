@@ -53,7 +53,7 @@ enum class How : std::uint8_t {
   groups,   // an element of `count` bytes for each four of the number
   aligned,  // on four bytes
   fills,    // the section ends there
-  call,   // a Check
+  call,     // a Check
 };
 
 // Rules that are code; most say whether they hold, and the rule where and why.

@@ -325,13 +325,13 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
 namespace {
 
 // Header and section table: sizes exact, sections back to back on 16-byte boundaries, kinds in order, one set of names.
-DataError check_container(Span<const std::byte> block) {
+// Tells for each kind the first section and how many there are.
+DataError check_container(Span<const std::byte> block, std::uint32_t* first, std::uint32_t* counts) {
   const auto bad = [](std::size_t offset, const char* rule) {
     return DataError{Status::bad_data, static_cast<std::uint32_t>(offset), rule};
   };
   if (block.size < sizeof(format::Header)) return {Status::truncated, 0, "32 bytes of header"};
-  format::Header h;
-  std::memcpy(&h, block.data, sizeof h);
+  const auto& h = *reinterpret_cast<const format::Header*>(block.data);
   if (h.magic == format::kPackedMagic)
     return {Status::unsupported, 0, "a packed file: unpack() it first (marrow/unpack.h)"};
   if (h.magic != format::kMagic) return {Status::bad_magic, 0, "begins with MRRW"};
@@ -347,20 +347,21 @@ DataError check_container(Span<const std::byte> block) {
   std::uint32_t place = 0;  // in format::kOrder
   for (std::uint32_t i = 0; i < h.section_count; ++i) {
     const std::size_t entry = sizeof h + i * sizeof(File::Section);
-    File::Section s;
-    std::memcpy(&s, block.data + entry, sizeof s);
+    const auto& s = *reinterpret_cast<const File::Section*>(block.data + entry);
     while (place < format::kKindCount && s.type != format::kTypes[format::kOrder[place]]) ++place;
     if (place == format::kKindCount)
       return bad(entry, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI SHAP BNDS NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
-    for (std::size_t pad = static_cast<std::size_t>(end); pad < s.offset; ++pad)
-      if (block[pad] != std::byte{0}) return bad(pad, "padding must be 0");
-    end = std::uint64_t{s.offset} + s.bytes;
-    if (format::kOrder[place] == format::kNames && i + 1 != h.section_count)
-      return bad(entry, "one section of names, the last");
+    for (; end < s.offset; ++end)
+      if (block[static_cast<std::size_t>(end)] != std::byte{0})
+        return bad(static_cast<std::size_t>(end), "padding must be 0");
+    end += s.bytes;
+    const format::Kind kind = format::kOrder[place];
+    if (kind == format::kNames && i + 1 != h.section_count) return bad(entry, "one section of names, the last");
+    if (counts[kind]++ == 0) first[kind] = i;
   }
-  if (format::kOrder[place] != format::kNames) return bad(sizeof h, "no section of names");
+  if (counts[format::kNames] == 0) return bad(sizeof h, "no section of names");
   if (end != block.size) return bad(8, "the last section ends the file");
   return {};
 }
@@ -375,21 +376,15 @@ Status load(Span<const std::byte> block, File& out, DataError* error) {
   }
   MARROW_REQUIRE(block.data != nullptr);
   MARROW_REQUIRE_GOOD(check_boundary(block.data));
-  DataError found = check_container(block);
+  File file;
+  DataError found = check_container(block, file.first_, file.counts_);
   if (found.status == Status::ok) {
     const auto* header = reinterpret_cast<const format::Header*>(block.data);
-    File file;
     file.block_ = block.data;
     file.sections_ = {reinterpret_cast<const File::Section*>(header + 1), header->section_count};
-    for (std::uint32_t i = 0; i < header->section_count; ++i)
-      for (std::uint32_t kind = 0; kind < format::kKindCount; ++kind)
-        if (file.sections_[i].type == format::kTypes[kind] && file.counts_[kind]++ == 0) file.first_[kind] = i;
     Checker checker(block, file.sections_, file.first_, file.counts_);
-    if (checker.all()) {
-      out = file;
-    } else {
-      found = checker.error();
-    }
+    if (checker.all()) out = file;
+    found = checker.error();
   }
   if (error != nullptr) *error = found;
   return found.status;

@@ -70,10 +70,10 @@ inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_
 struct Unpacked {
   f32x4 a[3], b[3], rest[4];  // the least, and the step
 };
-inline f32x4 value(f32x4 number) {
+inline f32x4 lanes_of(f32x4 number) {
   return number;
 }
-inline f32x4 value(const float (&number)[4]) {
+inline f32x4 lanes_of(const float (&number)[4]) {
   return load_aligned(number);
 }
 
@@ -259,9 +259,10 @@ struct Rodrigues {
 // n: a or b of `four`, an Unpacked or a FramePair.
 template <class Numbers, class Four>
 inline Rodrigues rodrigues(const Tables& t, const Numbers& n, const Four& four) {
-  const f32x4 step = value(four.rest[3]);
-  const Vector<f32x4> m = {(value(n[0]) + value(four.rest[0])) * step, (value(n[1]) + value(four.rest[1])) * step,
-                           (value(n[2]) + value(four.rest[2])) * step};
+  const f32x4 step = lanes_of(four.rest[3]);
+  const Vector<f32x4> m = {(lanes_of(n[0]) + lanes_of(four.rest[0])) * step,
+                           (lanes_of(n[1]) + lanes_of(four.rest[1])) * step,
+                           (lanes_of(n[2]) + lanes_of(four.rest[2])) * step};
   return {m, load_aligned(t.two) / (dot(m, m) + load_aligned(t.one))};
 }
 
@@ -340,7 +341,8 @@ inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float 
   f32x4 out[3];
   for (int c = 0; c < 3; ++c)
     out[c] = load_aligned(rest[c]) +
-             (value(four.a[c]) + (value(four.b[c]) - value(four.a[c])) * u + value(four.rest[c])) * value(four.rest[3]);
+             (lanes_of(four.a[c]) + (lanes_of(four.b[c]) - lanes_of(four.a[c])) * u + lanes_of(four.rest[c])) *
+                 lanes_of(four.rest[3]);
   store_lanes(t, out, lanes, vector);
 }
 
@@ -476,7 +478,7 @@ void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleO
 
 // The same, one constant after the other.
 [[gnu::noinline]] void set_still_each(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
-                    SoaTransform* out) {
+                                      SoaTransform* out) {
   const std::byte* next = coded.constants;
   for (std::size_t g = 0; g < skeleton.soa_size(); ++g) {
     const std::uint32_t wanted = wanted_lanes(options, g);
@@ -496,8 +498,7 @@ void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleO
         for (int k = 0; k < 4; ++k) out[g].rotation[k][lane] = v[k] * inverse;
       } else {
         const float step = format::step_size(static_cast<std::uint32_t>(c.v[3]));
-        for (int k = 0; k < 3; ++k)
-          (i < 8 ? out[g].translation : out[g].scale)[k][lane] += v[k] * step;
+        for (int k = 0; k < 3; ++k) (i < 8 ? out[g].translation : out[g].scale)[k][lane] += v[k] * step;
       }
     }
   }
