@@ -14,10 +14,13 @@ bool Checker::clip_size() {
 bool Checker::keys(const std::uint32_t* k, std::uint32_t floats_per_key) {
   const auto& h = header<format::ClipHeader>();
   const std::uint32_t count = k[0], first = k[1];
-  if (count == 0 || std::uint64_t{first} + count > h.time_count) return fail(record_, "keys outside the times");
-  if (k[2] + std::uint64_t{count} * floats_per_key > h.value_count) return fail(record_, "keys outside the values");
+  if (count == 0 || std::uint64_t{first} + count > h.time_count)
+    return fail(base(From::record), "keys outside the times");
+  if (k[2] + std::uint64_t{count} * floats_per_key > h.value_count)
+    return fail(base(From::record), "keys outside the values");
   const bool is_new = !so_far_.has_times || first != so_far_.first_time || first + count != so_far_.times_end;
-  if (is_new && first != so_far_.times_end) return fail(record_, "a list of times is the last track's or follows it");
+  if (is_new && first != so_far_.times_end)
+    return fail(base(From::record), "a list of times is the last track's or follows it");
   so_far_.has_times = true;
   so_far_.first_time = first;
   so_far_.times_end = first + count;
@@ -47,7 +50,8 @@ bool Checker::track() {
 
 bool Checker::coded() {
   const std::uint64_t start = places_[5];
-  if (section_->bytes - start < sizeof(format::CodedHeader)) return fail(header_, "section too short for its header");
+  if (section_->bytes - start < sizeof(format::CodedHeader))
+    return fail(base(From::header), "section too short for its header");
   begin_arrays(0, start + sizeof(format::CodedHeader));
   return keeps(rules_of(kCodedPart), at<std::byte>(start));
 }

@@ -21,8 +21,8 @@ bool Checker::chain_joints() {
   const auto& chain = record<format::SpringRecord>();
   const auto* const joints = array<SpringJoint>(1) + so_far_.next_joint;
   so_far_.next_joint += chain.joint_count;
-  const auto& skeleton = *static_cast<const format::SkeletonHeader*>(owner_);
-  const auto* const parents = at<std::uint16_t>(owner_, format::layout(skeleton).parents);
+  const auto& skeleton = *static_cast<const format::SkeletonHeader*>(base(From::owner));
+  const auto* const parents = at<std::uint16_t>(base(From::owner), format::layout(skeleton).parents);
   for (const SpringJoint* j = joints; j != joints + chain.joint_count; ++j) {
     if (j->joint >= skeleton.joint_count) return fail(j, "a joint outside the skeleton");
     if (j != joints && !is_below(parents, j->joint, j[-1].joint))

@@ -15,7 +15,11 @@ class Checker {
   // first, counts: for each kind of section, its first one and how many there are.
   Checker(Span<const std::byte> block, Span<const File::Section> sections, const std::uint32_t* first,
           const std::uint32_t* counts)
-      : block_(block), sections_(sections), first_(first), counts_(counts) {}
+      : block_(block), sections_(sections), first_(first), counts_(counts) {
+    base(From::counts) = counts;
+    base(From::arrays) = places_;
+    base(From::constants) = constants_of_rules();
+  }
 
   bool all();
   // Of a whole file: all() leaves it out, so that a game without links none of it.
@@ -39,7 +43,7 @@ class Checker {
   bool keeps(const Rule* rule, const void* record);
   bool keeps_each(const Rule* rule);
   bool keeps(Check check, std::uint32_t limit);
-  const void* place(Number n) const;
+  const void* place(Number n) const { return at<std::byte>(bases_[n.from], n.at); }
   std::uint32_t value(Number n) const;
   // Arrays begin behind a header.
   void begin_arrays(std::size_t place, std::uint64_t at) {
@@ -52,10 +56,12 @@ class Checker {
   }
   bool find_owner(std::uint32_t number, bool or_reference);
 
+  const void*& base(From from) { return bases_[static_cast<std::size_t>(from)]; }
+  const void* base(From from) const { return bases_[static_cast<std::size_t>(from)]; }
   // The section, its header, and what is looked at.
   template <class T>
   const T* at(std::uint64_t offset) const {
-    return at<T>(header_, offset);
+    return at<T>(base(From::header), offset);
   }
   template <class T>
   static const T* at(const void* start, std::uint64_t offset) {
@@ -67,16 +73,18 @@ class Checker {
   }
   template <class T>
   const T& record() const {
-    return *static_cast<const T*>(record_);
+    return *static_cast<const T*>(base(From::record));
   }
   template <class Header>
   const Header& header() const {
-    return *static_cast<const Header*>(header_);
+    return *static_cast<const Header*>(base(From::header));
   }
   const void* start_of(const File::Section& s) const { return block_.data + s.offset; }
   const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
   // Of the skeleton or reference that the section is for.
-  std::uint32_t joint_count() const { return static_cast<const format::SkeletonHeader*>(owner_)->joint_count; }
+  std::uint32_t joint_count() const {
+    return static_cast<const format::SkeletonHeader*>(base(From::owner))->joint_count;
+  }
 
   bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t root_count);
   bool reference_joints();
@@ -122,8 +130,8 @@ class Checker {
   const std::uint32_t* counts_;
   // What follows is of the section.
   const File::Section* section_;
-  const void *record_, *header_, *owner_;  // what is looked at; the section's; the skeleton's or reference's
-  std::uint64_t places_[kPlaceCount];      // of arrays behind the header; the next one will stand at places_[arrays_]
+  const void* bases_[static_cast<std::size_t>(From::count)];  // by From
+  std::uint64_t places_[kPlaceCount];  // of arrays behind the header; the next one will stand at places_[arrays_]
   std::uint32_t arrays_;
   // What is gone through in order, and began at the header.
   struct {

@@ -168,15 +168,14 @@ void blend_small(Blending how, Span<const BlendLayer> layers, const SoaTransform
   const f32x4 zero = splat(0.0f), least = splat(threshold);
   for (std::size_t g = 0; g < groups; ++g) {
     f32x4 sum[kVectors];
-    for (f32x4& s : sum) s = zero;
+    for (f32x4& s : sum) s = splat(how == Blending::any ? 0.0f : -0.0f);  // -0 and what is added are that, -0 too
     f32x4 total = zero, weight[2] = {zero, zero};
     const auto add = [&](const SoaTransform& x, f32x4 w, bool is_first) {
       const float(*const from)[4] = x.translation;
       const Quaternion<f32x4> q = load_rotations(x.rotation);
       const f32x4 turned = is_first ? w : flip(w, dot(q, {sum[3], sum[4], sum[5], sum[6]}));
       for (std::size_t i = 0; i < kVectors; ++i) {
-        const f32x4 part = load_aligned(from[i]) * (i >= 3 && i < 7 ? turned : w);
-        sum[i] = is_first ? part : sum[i] + part;  // 0 and -0 are not -0
+        sum[i] = sum[i] + load_aligned(from[i]) * (i - 3 < 4 ? turned : w);
       }
       total = total + w;
     };
