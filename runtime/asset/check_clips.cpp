@@ -5,7 +5,7 @@ namespace marrow {
 
 bool Checker::clip_size() {
   so_far_.first_value = header<format::ClipHeader>().value_count;
-  const std::uint64_t raw = places_[5];
+  const std::uint64_t raw = places_[MARROW_PLACE(ClipLayout, bytes)];
   return section_->codec == format::kCodecRaw ? raw == section_->bytes : raw <= section_->bytes;
 }
 
@@ -24,7 +24,7 @@ bool Checker::keys(const std::uint32_t* k, std::uint32_t floats_per_key) {
   so_far_.has_times = true;
   so_far_.first_time = first;
   so_far_.times_end = first + count;
-  const float* const time = array<float>(3) + first;
+  const float* const time = array<float>(MARROW_PLACE(ClipLayout, times)) + first;
   for (std::uint32_t i = 1; is_new && i < count; ++i)
     if (!(time[i - 1] < time[i])) return fail(time + i, "times must increase");
   return (time[0] >= 0 && !(time[count - 1] > h.duration_s)) || fail(time, "times from 0 to the duration");
@@ -40,7 +40,8 @@ bool Checker::track() {
     // Any number of tracks may share values, which would be looked at for each.
     if (so_far_.turning > 2 * std::uint64_t{header<format::ClipHeader>().value_count})
       return fail(&t, "rotations share values more than twice over");
-    const void* const beyond = first_beyond(kUnitBits, array<float>(4) + t.first_value, 4 * count);
+    const void* const beyond =
+        first_beyond(kUnitBits, array<float>(MARROW_PLACE(ClipLayout, values)) + t.first_value, 4 * count);
     if (beyond != nullptr) return fail(beyond, kNoUnit);
   }
   if (t.first_value < so_far_.first_value) so_far_.first_value = t.first_value;
@@ -49,16 +50,16 @@ bool Checker::track() {
 }
 
 bool Checker::coded() {
-  const std::uint64_t start = places_[5];
+  const std::uint64_t start = places_[MARROW_PLACE(ClipLayout, bytes)];
   if (section_->bytes - start < sizeof(format::CodedHeader))
     return fail(base(From::header), "section too short for its header");
-  begin_arrays(0, start + sizeof(format::CodedHeader));
+  begin_arrays(MARROW_PLACE(CodedLayout, times), start + sizeof(format::CodedHeader));
   return keeps(rules_of(kCodedPart), at<std::byte>(start));
 }
 
 bool Checker::frame_times() {
   const auto& h = record<format::CodedHeader>();
-  const auto* const times = array<float>(0);
+  const auto* const times = array<float>(MARROW_PLACE(CodedLayout, times));
   if (h.time_count > 0 && times[0] != h.start_s) return fail(times, "frame 0 at start_s");
   for (std::uint32_t i = 1; i < h.time_count; ++i)
     if (!(times[i - 1] < times[i])) return fail(times + i, "times must increase");
@@ -67,7 +68,7 @@ bool Checker::frame_times() {
 
 bool Checker::masks() {
   const auto& h = record<format::CodedHeader>();
-  const auto* const groups = array<GroupMasks>(2);
+  const auto* const groups = array<GroupMasks>(MARROW_PLACE(CodedLayout, masks));
   std::uint32_t moving = 0, constant = 0;
   for (std::uint32_t g = 0; g < soa_count(joint_count()); ++g) {
     const std::uint32_t left = joint_count() - 4 * g, lanes = left < 4 ? (1u << left) - 1 : 15u;
@@ -82,8 +83,9 @@ bool Checker::masks() {
 }
 
 bool Checker::constants() {
-  const auto* next = array<format::Constant>(3);
-  for (const GroupMasks* g = array<GroupMasks>(2); g != array<GroupMasks>(3); ++g) {
+  const auto* next = array<format::Constant>(MARROW_PLACE(CodedLayout, constants));
+  for (const GroupMasks* g = array<GroupMasks>(MARROW_PLACE(CodedLayout, masks));
+       g != array<GroupMasks>(MARROW_PLACE(CodedLayout, constants)); ++g) {
     std::uint32_t rotations = count_bits(g->constant & 15u);
     for (std::uint32_t left = count_bits(g->constant); left > 0; --left, ++next) {
       const std::int16_t(&v)[4] = next->v;
@@ -101,14 +103,14 @@ bool Checker::constants() {
 // Segments follow one another without a gap, so one pass sees every byte once.
 bool Checker::segments() {
   const auto& h = record<format::CodedHeader>();
-  const auto* offsets = array<std::uint32_t>(1);
+  const auto* offsets = array<std::uint32_t>(MARROW_PLACE(CodedLayout, offsets));
   const std::uint64_t limit = h.payload_bytes - format::kPayloadPadding;
   std::uint64_t end = 0;
   for (std::uint32_t i = 0; i < format::segment_count(h); ++i) {
     if (offsets[i] != end) return fail(offsets + i, "segments stand back to back");
     end += 4 + std::uint64_t{h.track_count} * sizeof(format::TrackHeader);
     if (end > limit) return fail(offsets + i, "a segment outside the payload");
-    const auto* segment = at<std::byte>(places_[4] + offsets[i]);
+    const auto* segment = at<std::byte>(places_[MARROW_PLACE(CodedLayout, payload)] + offsets[i]);
     std::uint32_t frame_bytes;
     std::memcpy(&frame_bytes, segment, 4);
     std::uint64_t bits = 0;

@@ -37,14 +37,15 @@ bool Checker::indices() {
   const auto& h = header<GeometryHeader>();
   constexpr const char* kRule = "an index outside the vertices";
   const std::uint64_t slots = std::uint64_t{h.block_count} * 4;
-  return index_bytes() == 2 ? below(array<std::uint16_t>(10), h.index_count, slots, kRule)
-                            : below(array<std::uint32_t>(10), h.index_count, slots, kRule);
+  return index_bytes() == 2
+             ? below(array<std::uint16_t>(MARROW_PLACE(GeometryLayout, indices)), h.index_count, slots, kRule)
+             : below(array<std::uint32_t>(MARROW_PLACE(GeometryLayout, indices)), h.index_count, slots, kRule);
 }
 
 bool Checker::runs() {
   const auto& h = header<GeometryHeader>();
   std::uint64_t vertices = 0, blocks = 0, influence_blocks = 0, entries = 0;
-  for (const Run& run : Span<const Run>{array<Run>(7), h.run_count}) {
+  for (const Run& run : Span<const Run>{array<Run>(MARROW_PLACE(GeometryLayout, runs)), h.run_count}) {
     const std::uint64_t run_blocks = (std::uint64_t{run.vertex_count} + 3) / 4;
     vertices += run.vertex_count;
     blocks += run_blocks;
@@ -57,12 +58,14 @@ bool Checker::runs() {
 
 bool Checker::sets() {
   const auto& h = header<GeometryHeader>();
-  return below(array<std::uint16_t>(9), h.set_count, h.joint_count, "a set refers to a joint outside the palette");
+  return below(array<std::uint16_t>(MARROW_PLACE(GeometryLayout, sets)), h.set_count, h.joint_count,
+               "a set refers to a joint outside the palette");
 }
 
 bool Checker::source_slots() {
   const auto& h = header<GeometryHeader>();
-  for (const std::uint32_t& slot : Span<const std::uint32_t>{array<std::uint32_t>(8), h.source_vertex_count})
+  for (const std::uint32_t& slot : Span<const std::uint32_t>{
+           array<std::uint32_t>(MARROW_PLACE(GeometryLayout, source_slots)), h.source_vertex_count})
     if (slot >= std::uint64_t{h.block_count} * 4 && slot != kNoSlot) return fail(&slot, "a slot outside the vertices");
   return true;
 }
@@ -144,7 +147,7 @@ bool Checker::next_part() {
 }
 
 bool Checker::mesh_joints() {
-  return below(array<std::uint16_t>(2), header<MeshHeader>().joint_count, joint_count(),
+  return below(array<std::uint16_t>(MARROW_PLACE(MeshLayout, joints)), header<MeshHeader>().joint_count, joint_count(),
                "a joint outside the skeleton");
 }
 

@@ -18,11 +18,11 @@ bool Checker::joints(const std::uint16_t* parents, const std::uint32_t* joint_na
 }
 
 bool Checker::reference_joints() {
-  const auto* const parents = array<std::uint16_t>(2);
+  const auto* const parents = array<std::uint16_t>(MARROW_PLACE(ReferenceLayout, parents));
   std::uint32_t roots = 0;
   while (roots < header<format::ReferenceHeader>().joint_count && parents[roots] == kNoParent) ++roots;
   if (roots == 0) return fail(parents, "the first joint has no parent");
-  return joints(parents, array<std::uint32_t>(0), roots);
+  return joints(parents, array<std::uint32_t>(MARROW_PLACE(ReferenceLayout, names)), roots);
 }
 
 // An image that every decoder knows, so that it needs none itself. It may stand behind this one, unchecked as yet.

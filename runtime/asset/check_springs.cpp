@@ -19,7 +19,7 @@ bool is_below(const std::uint16_t* parents, std::uint32_t joint, std::uint32_t a
 
 bool Checker::chain_joints() {
   const auto& chain = record<format::SpringRecord>();
-  const auto* const joints = array<SpringJoint>(1) + so_far_.next_joint;
+  const auto* const joints = array<SpringJoint>(MARROW_PLACE(SpringLayout, joints)) + so_far_.next_joint;
   so_far_.next_joint += chain.joint_count;
   const auto& skeleton = *static_cast<const format::SkeletonHeader*>(base(From::owner));
   const auto* const parents = at<std::uint16_t>(base(From::owner), format::layout(skeleton).parents);

@@ -4,11 +4,10 @@
 #include <cstddef>
 #include <iterator>
 
-#include "asset/format.h"
+#include "asset/rule_words.h"
 
 namespace marrow {
 
-// Words for rules, of their own.
 namespace rule_table {
 namespace {
 
@@ -17,64 +16,6 @@ constexpr std::uint32_t kBelowOne = bit_cast<std::uint32_t>(1.0f) - 1;
 constexpr std::uint32_t kSigmaFrom = bit_cast<std::uint32_t>(format::kLeastSigma),
                         kSigmaTo = bit_cast<std::uint32_t>(format::kMostSigma);
 
-// A rule as it is written.
-struct Limit {
-  Number number;
-  std::uint32_t value = 0;
-  bool is_constant = false;
-  constexpr Limit(Number n) : number(n) {}
-  constexpr Limit(std::uint32_t constant) : number{}, value(constant), is_constant(true) {}
-};
-struct Line {
-  How how;
-  Number number;
-  Limit limit;
-  std::size_t count = 0;
-  const char* text = "";
-  std::size_t back = 0;
-  constexpr Line at(std::size_t bytes_before) const {
-    Line out = *this;
-    out.back = bytes_before;
-    return out;
-  }
-};
-
-// No constant expression if the value is more.
-inline void does_not_fit() {}
-constexpr unsigned fitting(std::size_t value, unsigned most) {
-  if (value > most) does_not_fit();
-  return static_cast<unsigned>(value);
-}
-
-constexpr Number number(From from, std::size_t at, std::size_t bytes) {
-  Number out{};
-  out.from = static_cast<unsigned>(from) & 7u;
-  out.bytes = bytes < 4 ? static_cast<unsigned>(bytes) & 7u : 4u;
-  out.at = fitting(at, 1023u) & 1023u;
-  return out;
-}
-// The first constant; also where no number counts.
-constexpr Number kOne = number(From::constants, 0, 4);
-constexpr Number byte(std::size_t at) {
-  return number(From::record, at, 1);
-}
-constexpr Number half(std::size_t at) {
-  return number(From::record, at, 2);
-}
-constexpr Number word(std::size_t at) {
-  return number(From::record, at, 4);
-}
-constexpr Number array(std::size_t n) {
-  return number(From::arrays, 8 * n, 4);
-}
-constexpr Number count_of(format::Kind kind) {
-  return number(From::counts, 4 * std::size_t{kind}, 4);
-}
-// Of a geometry.
-constexpr Number kIndexBytes = array(kIndexBytesPlace);
-// Of the skeleton or reference.
-constexpr Number kJointCount = number(From::owner, offsetof(format::SkeletonHeader, joint_count), 4);
-static_assert(offsetof(format::SkeletonHeader, joint_count) == offsetof(format::ReferenceHeader, joint_count));
 constexpr std::uint32_t kLastInterpolation = static_cast<std::uint32_t>(Interpolation::cubic_spline);
 constexpr const char *kNoInterpolation = "unknown interpolation", *kFrames = "2 to 16777216 frames",
                      *kOutside = "a joint outside the skeleton", *kNoRoot = "a root outside the palette, or of nothing",
@@ -82,117 +23,6 @@ constexpr const char *kNoInterpolation = "unknown interpolation", *kFrames = "2 
                      *kPalette = "as many palette entries as the geometry", *kNoSuchImage = "no such image",
                      *kSigma = "sigma from 0.001 to 1000", *kNoWrap = "unknown wrap mode",
                      *kNoFilter = "unknown filter", *kNotNear = "a collider that is not finite, or beyond 1e6";
-// A member of a record, or of the section's header.
-#define MARROW_IN(type, member) number(From::record, offsetof(type, member), sizeof(type::member))
-#define MARROW_OF_HEADER(type, member) number(From::header, offsetof(type, member), sizeof(type::member))
-
-constexpr Line begins(std::uint32_t kind) {
-  return {How::begins, kOne, 0u, kind};
-}
-constexpr Line equal(Number n, Limit limit, const char* text) {
-  return {How::equal, n, limit, 0, text};
-}
-constexpr Line below(Number n, Limit limit, const char* text) {
-  return {How::below, n, limit, 0, text};
-}
-constexpr Line at_most(Number n, Limit limit, const char* text) {
-  return {How::at_most, n, limit, 0, text};
-}
-constexpr Line at_least(Number n, Limit limit, const char* text) {
-  return {How::at_least, n, limit, 0, text};
-}
-constexpr Line from_1_to(Number n, Limit limit, const char* text) {
-  return {How::from_1_to, n, limit, 0, text};
-}
-constexpr Line only_bits(Number n, Limit limit, const char* text) {
-  return {How::only_bits, n, limit, 0, text};
-}
-constexpr Line differ(Number n, Limit limit, const char* text) {
-  return {How::differ, n, limit, 0, text};
-}
-constexpr Line reserved(Number n) {
-  return at_most(n, 0u, "reserved must be 0");
-}
-constexpr Line where_bits(Number n, Limit limit) {
-  return {How::where_bits, n, limit};
-}
-constexpr Line where_lacks(Number n, Limit limit) {
-  return {How::where_lacks, n, limit};
-}
-constexpr Line where_differ(Number n, Limit limit) {
-  return {How::where_differ, n, limit};
-}
-constexpr Line floats(Number n, std::size_t count, std::uint32_t limit, const char* text) {
-  return {How::floats, n, limit, count, text};
-}
-constexpr Line floats_until(std::size_t first, std::size_t last, std::uint32_t limit, const char* text) {
-  return {How::floats_until, array(first), array(last), limit, text};
-}
-constexpr Line finite(Number n, std::size_t count = 1) {
-  return floats(n, count, kFiniteBits, kNotFinite);
-}
-constexpr Line bounded(Number n, std::size_t count) {
-  return floats(n, count, kBoundedBits, kNotBounded);
-}
-constexpr Line finite_until(std::size_t first, std::size_t last) {
-  return floats_until(first, last, kFiniteBits, kNotFinite);
-}
-constexpr Line bounded_until(std::size_t first, std::size_t last) {
-  return floats_until(first, last, kBoundedBits, kNotBounded);
-}
-constexpr Line not_negative(Number n, const char* text) {
-  return {How::not_negative, n, 0u, 0, text};
-}
-constexpr Line positive(Number n, const char* text) {
-  return {How::positive, n, 0u, 0, text};
-}
-constexpr Line name(Number n) {
-  return {How::name, n, 0u};
-}
-constexpr Line text(Number n) {
-  return {How::text, n, 0u};
-}
-constexpr Line owner(Number n) {
-  return {How::owner, n, 0u, 0, "no such skeleton"};
-}
-constexpr Line owner_or_reference(Number n) {
-  return {How::owner, n, 0u, 1, "no such skeleton"};
-}
-constexpr Line each(std::size_t first, std::size_t last, std::size_t bytes) {
-  return {How::each, array(first), array(last), bytes};
-}
-constexpr Line unit_rotations() {
-  return floats(MARROW_IN(SoaTransform, rotation), 16, kUnitBits, kNoUnit);
-}
-constexpr Line ends() {
-  return {How::ends, kOne, 0u};
-}
-// An array behind the header and those before it: n elements, times as many as `times` says.
-constexpr Line array_of(Number n, std::size_t bytes, Limit times = 1u) {
-  return {How::array, n, times, bytes};
-}
-// So many bytes.
-constexpr Line array_of(std::size_t bytes) {
-  return {How::array, kOne, 1u, bytes};
-}
-constexpr Line array_of_groups(Number n, std::size_t bytes) {
-  return {How::groups, n, 0u, bytes};
-}
-constexpr Line aligned() {
-  return {How::aligned, kOne, 0u};
-}
-constexpr Line fills() {
-  return {How::fills, byte(0), 0u, 0, "section size differs from its counts"};
-}
-constexpr Line call(Check check, const char* text = "", Number n = byte(0), Limit limit = 0u) {
-  return {How::call, n, limit, static_cast<std::size_t>(check), text};
-}
-
-// Of an enum.
-template <class Enum>
-constexpr std::uint32_t last(Enum value) {
-  return static_cast<std::uint32_t>(value);
-}
 
 using namespace format;
 
@@ -210,9 +40,9 @@ constexpr Line kLines[] = {
               "1 root to as many as joints"),
     call(Check::joints),
     name(MARROW_IN(SkeletonHeader, name)),
-    bounded_until(0, 1),
-    bounded_until(1, 2),
-    each(1, 2, sizeof(SoaTransform)),
+    bounded_until(MARROW_PLACE(SkeletonLayout, roots), MARROW_PLACE(SkeletonLayout, rest)),
+    bounded_until(MARROW_PLACE(SkeletonLayout, rest), MARROW_PLACE(SkeletonLayout, names)),
+    each(MARROW_PLACE(SkeletonLayout, rest), MARROW_PLACE(SkeletonLayout, names), sizeof(SoaTransform)),
     unit_rotations(),
     ends(),
 
@@ -238,22 +68,22 @@ constexpr Line kLines[] = {
     at_most(MARROW_IN(ClipHeader, additive), 1u, "additive is 0 or 1"),
     call(Check::clip_reference, "a reference is an additive clip's and has all joints",
          MARROW_IN(ClipHeader, reference_groups)),
-    bounded_until(0, 1),
-    each(0, 1, sizeof(SoaTransform)),
+    bounded_until(MARROW_PLACE(ClipLayout, reference), MARROW_PLACE(ClipLayout, tracks)),
+    each(MARROW_PLACE(ClipLayout, reference), MARROW_PLACE(ClipLayout, tracks), sizeof(SoaTransform)),
     unit_rotations(),
     ends(),
     name(MARROW_IN(ClipHeader, name)),
     bounded(MARROW_IN(ClipHeader, duration_s), 1),
     not_negative(MARROW_IN(ClipHeader, duration_s), "a duration is not negative"),
-    finite_until(3, 5),
-    each(1, 2, sizeof(Track)),
+    finite_until(MARROW_PLACE(ClipLayout, times), MARROW_PLACE(ClipLayout, bytes)),
+    each(MARROW_PLACE(ClipLayout, tracks), MARROW_PLACE(ClipLayout, channels), sizeof(Track)),
     below(MARROW_IN(Track, joint), kJointCount, "track's joint outside the skeleton"),
     at_most(MARROW_IN(Track, path), last(TrackPath::scale), "unknown path").at(offsetof(Track, path)),
     at_most(MARROW_IN(Track, interpolation), kLastInterpolation, kNoInterpolation).at(offsetof(Track, interpolation)),
     call(Check::track),
     ends(),
     call(Check::track_values),
-    each(2, 3, sizeof(Channel)),
+    each(MARROW_PLACE(ClipLayout, channels), MARROW_PLACE(ClipLayout, times), sizeof(Channel)),
     reserved(byte(21)),
     reserved(half(22)).at(1),
     name(MARROW_IN(Channel, name)),
@@ -281,7 +111,7 @@ constexpr Line kLines[] = {
     array_of(MARROW_IN(CodedHeader, constant_count), sizeof(Constant)),
     array_of(MARROW_IN(CodedHeader, payload_bytes), 1),
     fills(),
-    finite_until(0, 1),
+    finite_until(MARROW_PLACE(CodedLayout, times), MARROW_PLACE(CodedLayout, offsets)),
     call(Check::frame_times),
     call(Check::masks),
     call(Check::constants),
@@ -303,7 +133,7 @@ constexpr Line kLines[] = {
     where_lacks(MARROW_IN(GeometryHeader, flags), kHasSourceSlots),
     at_most(MARROW_IN(GeometryHeader, source_vertex_count), 0u, "source vertices without slots"),
     call(Check::indices),
-    each(7, 8, sizeof(Run)),
+    each(MARROW_PLACE(GeometryLayout, runs), MARROW_PLACE(GeometryLayout, source_slots), sizeof(Run)),
     at_least(MARROW_IN(Run, vertex_count), 1u, "a run has vertices").at(offsetof(Run, vertex_count)),
     from_1_to(MARROW_IN(Run, influences), kMaxInfluences, "1 to 8 influences").at(offsetof(Run, influences)),
     ends(),
@@ -311,7 +141,7 @@ constexpr Line kLines[] = {
     call(Check::sets),
     call(Check::source_slots),
     finite(MARROW_IN(GeometryHeader, box_min), 6),
-    finite_until(0, 6),
+    finite_until(MARROW_PLACE(GeometryLayout, skin), MARROW_PLACE(GeometryLayout, colours)),
     where_bits(MARROW_IN(GeometryHeader, flags), kHasMorphTargets),
     call(Check::morphs),
     where_bits(MARROW_IN(GeometryHeader, flags), kHasPoseSpace),
@@ -371,21 +201,21 @@ constexpr Line kLines[] = {
     call(Check::palette, kPalette, MARROW_IN(MeshHeader, joint_count), MARROW_IN(MeshHeader, geometry)),
     call(Check::target_count, "as many morph targets as the geometry", MARROW_IN(MeshHeader, target_count),
          MARROW_IN(MeshHeader, geometry)),
-    each(1, 2, sizeof(MeshTarget)),
+    each(MARROW_PLACE(MeshLayout, targets), MARROW_PLACE(MeshLayout, joints), sizeof(MeshTarget)),
     name(MARROW_IN(MeshTarget, name)),
     name(MARROW_IN(MeshTarget, channel)),
     finite(MARROW_IN(MeshTarget, weight)),
     ends(),
     where_bits(MARROW_IN(MeshHeader, flags), std::uint32_t{kHelpersHaveCentres}),
     call(Check::helper_count, "centres without helpers", MARROW_IN(MeshHeader, flags)),
-    each(3, 4, sizeof(Helper)),
+    each(MARROW_PLACE(MeshLayout, helpers), MARROW_PLACE(MeshLayout, centres), sizeof(Helper)),
     below(MARROW_IN(Helper, first), MARROW_OF_HEADER(MeshHeader, joint_count), kNoHelper),
     below(MARROW_IN(Helper, second), MARROW_OF_HEADER(MeshHeader, joint_count), kNoHelper).at(offsetof(Helper, second)),
     from_1_to(MARROW_IN(Helper, share), kBelowOne, kNoHelper).at(offsetof(Helper, share)),
     differ(MARROW_IN(Helper, first), MARROW_IN(Helper, second), kNoHelper),
     ends(),
-    bounded_until(4, 5),
-    each(5, 6, sizeof(MeshLod)),
+    bounded_until(MARROW_PLACE(MeshLayout, centres), MARROW_PLACE(MeshLayout, lods)),
+    each(MARROW_PLACE(MeshLayout, lods), MARROW_PLACE(MeshLayout, bytes), sizeof(MeshLod)),
     below(MARROW_IN(MeshLod, geometry), count_of(kGeometries), kNoGeometry),
     call(Check::palette, "a level has the mesh's palette", word(0), MARROW_IN(MeshLod, geometry)),
     call(Check::level_targets, "a level has the mesh's morph targets or none", word(0), MARROW_IN(MeshLod, geometry)),
@@ -395,7 +225,7 @@ constexpr Line kLines[] = {
     name(MARROW_IN(MeshHeader, name)),
     name(MARROW_IN(MeshHeader, material)),
     finite(MARROW_IN(MeshHeader, base_colour), 4),
-    bounded_until(0, 1),
+    bounded_until(MARROW_PLACE(MeshLayout, inverse_bind), MARROW_PLACE(MeshLayout, targets)),
     call(Check::mesh_joints),
 
     begins(kMaterials),
@@ -410,11 +240,11 @@ constexpr Line kLines[] = {
     name(MARROW_IN(MaterialHeader, name)),
     finite(MARROW_IN(MaterialHeader, alpha_cutoff)),
     not_negative(MARROW_IN(MaterialHeader, alpha_cutoff), "a cutoff is not negative"),
-    finite_until(1, 2),
-    each(1, 2, sizeof(float)),
+    finite_until(MARROW_PLACE(MaterialLayout, emissive), MARROW_PLACE(MaterialLayout, bytes)),
+    each(MARROW_PLACE(MaterialLayout, emissive), MARROW_PLACE(MaterialLayout, bytes), sizeof(float)),
     not_negative(word(0), "light that is emitted is not negative"),
     ends(),
-    each(0, 1, sizeof(Texture)),
+    each(MARROW_PLACE(MaterialLayout, textures), MARROW_PLACE(MaterialLayout, emissive), sizeof(Texture)),
     below(MARROW_IN(Texture, image), count_of(kImages), kNoSuchImage),
     at_most(MARROW_IN(Texture, role), last(TextureRole::specular_glossiness), "unknown role of a texture"),
     at_most(MARROW_IN(Texture, wrap_u), last(Wrap::mirrored_repeat), kNoWrap),
@@ -447,7 +277,7 @@ constexpr Line kLines[] = {
     name(MARROW_IN(NodeHeader, name)),
     bounded(MARROW_IN(NodeHeader, joint_from_node), 12),
     // A text's number is short; else it is finite, and 0 or 1 of a truth.
-    each(0, 1, sizeof(Property)),
+    each(MARROW_PLACE(NodeLayout, properties), MARROW_PLACE(NodeLayout, bytes), sizeof(Property)),
     reserved(byte(5)),
     reserved(half(6)).at(1),
     at_most(MARROW_IN(Property, type), last(PropertyType::text), "unknown type of a property"),
@@ -467,7 +297,7 @@ constexpr Line kLines[] = {
     fills(),
     call(Check::only_of_owner, "one section of limits a skeleton, in their order"),
     at_least(MARROW_IN(LimitHeader, limit_count), 1u, "a section of limits without one"),
-    each(0, 1, sizeof(JointLimit)),
+    each(MARROW_PLACE(LimitLayout, limits), MARROW_PLACE(LimitLayout, bytes), sizeof(JointLimit)),
     below(MARROW_IN(JointLimit, joint), kJointCount, kOutside),
     call(Check::ascends, "limits ascend by joint"),
     call(Check::limit, "no limit of a joint"),
@@ -482,7 +312,7 @@ constexpr Line kLines[] = {
     at_least(MARROW_IN(SpringHeader, chain_count), 1u, "a section of springs without a chain"),
     at_most(MARROW_IN(SpringHeader, joint_count), kJointCount, "more joints than the skeleton has"),
     at_most(MARROW_IN(SpringHeader, collider_count), kMaxSpringColliders, "at most 64 colliders"),
-    each(0, 1, sizeof(SpringRecord)),
+    each(MARROW_PLACE(SpringLayout, chains), MARROW_PLACE(SpringLayout, joints), sizeof(SpringRecord)),
     call(Check::chain_order, "chains share out the joints, one after the other"),
     floats(MARROW_IN(SpringRecord, tip), 3, kNearBits, "a tip that is not finite, or beyond 1e6")
         .at(offsetof(SpringRecord, tip)),
@@ -492,7 +322,7 @@ constexpr Line kLines[] = {
     call(Check::chain_joints),
     ends(),
     call(Check::used_joints, "joints of no chain", MARROW_IN(SpringHeader, joint_count)),
-    each(2, 3, sizeof(SpringCollider)),
+    each(MARROW_PLACE(SpringLayout, colliders), MARROW_PLACE(SpringLayout, bytes), sizeof(SpringCollider)),
     below(MARROW_IN(SpringCollider, joint), kJointCount, kOutside),
     reserved(MARROW_IN(SpringCollider, reserved)).at(offsetof(SpringCollider, reserved)),
     floats(MARROW_IN(SpringCollider, from), 7, kNearBits, kNotNear).at(offsetof(SpringCollider, from)),
@@ -505,7 +335,7 @@ constexpr Line kLines[] = {
     call(Check::only_of_owner, "one section of bounds a skeleton, in their order"),
     from_1_to(MARROW_IN(BoundsHeader, clip_count), count_of(kClips), "1 to as many as clips"),
     from_1_to(MARROW_IN(BoundsHeader, mesh_count), count_of(kMeshes), "1 to as many as meshes"),
-    each(0, 1, sizeof(BoundsCodes)),
+    each(MARROW_PLACE(BoundsLayout, codes), MARROW_PLACE(BoundsLayout, bytes), sizeof(BoundsCodes)),
     call(Check::box, "no box"),
     ends(),
     begins(kPartCount),

@@ -119,6 +119,8 @@ static_assert(sizeof(Rule) == 8);
 
 // Lists of rules: of each kind of section, by format::Kind, and of parts of sections, whose header the record is.
 enum Part : std::uint8_t { kCodedPart = 13, kMorphArrays, kMorphPart, kPoseArrays, kPosePart, kPartCount };
+// Which of the arrays of a section one is, by the layout of format.h.
+#define MARROW_PLACE(layout, member) (offsetof(::marrow::format::layout, member) / sizeof(std::uint64_t))
 // Where the arrays of a geometry's parts stand among its own, and how many bytes an index of it has.
 inline constexpr std::size_t kMorphPlace = 12, kPosePlace = 16, kIndexBytesPlace = 22, kPlaceCount = 23;
 const Rule* rules_of(std::uint32_t kind_or_part);

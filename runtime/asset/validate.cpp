@@ -211,7 +211,8 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
   using namespace format;
   switch (check) {
     case Check::joints:
-      return joints(array<std::uint16_t>(3), array<std::uint32_t>(2), header<SkeletonHeader>().root_count);
+      return joints(array<std::uint16_t>(MARROW_PLACE(SkeletonLayout, parents)),
+                    array<std::uint32_t>(MARROW_PLACE(SkeletonLayout, names)), header<SkeletonHeader>().root_count);
     case Check::reference_joints:
       return reference_joints();
     case Check::clip_size:
@@ -223,7 +224,8 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
     case Check::track:
       return track();
     case Check::track_values: {
-      const std::uint64_t first = places_[4] + 4 * so_far_.first_value, last = places_[4] + 4 * so_far_.values_end;
+      const std::uint64_t first = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.first_value,
+                          last = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.values_end;
       const void* const beyond = first < last ? first_beyond(kBoundedBits, at<float>(first), last - first) : nullptr;
       return beyond == nullptr || fail(beyond, kNotBounded);
     }
@@ -292,7 +294,7 @@ bool Checker::keeps(Check check, std::uint32_t limit) {
     case Check::only_of_owner:
       return only_of_owner();
     case Check::ascends:
-      return base(From::record) == array<JointLimit>(0) ||
+      return base(From::record) == array<JointLimit>(MARROW_PLACE(LimitLayout, limits)) ||
              record<JointLimit>().joint > (&record<JointLimit>() - 1)->joint;
     case Check::limit:
       return is_valid(record<JointLimit>());

@@ -162,8 +162,8 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
 // What blend_group, blend_even and blend_two do, in one loop, the same operations in the same order. share: as of
 // blend_even; else 0.
 enum class Blending { any, even, two };
-void blend_small(Blending how, Span<const BlendLayer> layers, const SoaTransform* rest, float threshold, float share,
-                 std::size_t groups, SoaTransform* out) {
+[[maybe_unused]] void blend_small(Blending how, Span<const BlendLayer> layers, const SoaTransform* rest,
+                                  float threshold, float share, std::size_t groups, SoaTransform* out) {
   constexpr std::size_t kVectors = sizeof *out / sizeof(float[4]);
   const f32x4 zero = splat(0.0f), least = splat(threshold);
   for (std::size_t g = 0; g < groups; ++g) {

@@ -70,10 +70,10 @@ inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_
 struct Unpacked {
   f32x4 a[3], b[3], rest[4];  // the least, and the step
 };
-inline f32x4 lanes_of(f32x4 number) {
+[[maybe_unused]] inline f32x4 lanes_of(f32x4 number) {
   return number;
 }
-inline f32x4 lanes_of(const float (&number)[4]) {
+[[maybe_unused]] inline f32x4 lanes_of(const float (&number)[4]) {
   return load_aligned(number);
 }
 
@@ -100,7 +100,7 @@ struct TrackCursor {
 };
 
 // Passes over as many tracks as there are bits in `lanes`.
-void skip(TrackCursor& cursor, std::uint32_t lanes) {
+[[maybe_unused]] void skip(TrackCursor& cursor, std::uint32_t lanes) {
   const auto& bits = kTables.bits_times_16;
   for (; lanes != 0; lanes &= lanes - 1) {
     std::uint32_t codes;
@@ -156,7 +156,8 @@ struct TwoLanes {
 };
 
 // The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
-[[gnu::always_inline]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
+[[gnu::always_inline, maybe_unused]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes,
+                                                        Unpacked& out) {
   const std::uint8_t(&offsets)[4] = t.header[lanes];
   const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
                          *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
@@ -194,14 +195,14 @@ struct TwoLanes {
   }
 }
 
-inline void load_kept(const FramePair& from, Unpacked& out) {
+[[maybe_unused]] inline void load_kept(const FramePair& from, Unpacked& out) {
   for (int c = 0; c < 3; ++c) {
     out.a[c] = load_aligned(from.a[c]);
     out.b[c] = load_aligned(from.b[c]);
   }
   for (int i = 0; i < 4; ++i) out.rest[i] = load_aligned(from.rest[i]);
 }
-inline void keep(const Unpacked& four, FramePair& to) {
+[[maybe_unused]] inline void keep(const Unpacked& four, FramePair& to) {
   for (int c = 0; c < 3; ++c) {
     store(to.a[c], four.a[c]);
     store(to.b[c], four.b[c]);
@@ -210,7 +211,7 @@ inline void keep(const Unpacked& four, FramePair& to) {
 }
 
 // The same as unpack() and keep(), one number after the other, in a fifth of the code.
-[[gnu::noinline]] void unpack_each(TrackCursor& cursor, std::uint32_t lanes, FramePair& out) {
+[[gnu::noinline, maybe_unused]] void unpack_each(TrackCursor& cursor, std::uint32_t lanes, FramePair& out) {
   out = {};
   std::uint64_t bit = cursor.bit_times_16 / 16;
   for (std::uint32_t lane = 0; lane < 4; ++lane) {
@@ -289,11 +290,11 @@ inline void store3(const Vector<f32x4>& v, float (&to)[3][4]) {
   store(to[2], v.z);
 }
 
-inline Rotations kept_rotations(const FramePair& from) {
+[[maybe_unused]] inline Rotations kept_rotations(const FramePair& from) {
   return {load3(from.a), load3(from.b), load_aligned(from.rest[0]), load_aligned(from.rest[1]),
           load_aligned(from.rest[2])};
 }
-inline void keep(const Rotations& r, FramePair& to) {
+[[maybe_unused]] inline void keep(const Rotations& r, FramePair& to) {
   store3(r.a, to.a);
   store3(r.b, to.b);
   store(to.rest[0], r.factor_a);
@@ -346,8 +347,8 @@ inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float 
   store_lanes(t, out, lanes, vector);
 }
 
-[[gnu::noinline]] void blend_kept(const FramePair& two, std::uint32_t kind, const FrameBlend& blend,
-                                  const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
+[[gnu::noinline, maybe_unused]] void blend_kept(const FramePair& two, std::uint32_t kind, const FrameBlend& blend,
+                                                const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
   const Tables& t = tables();
   if (kind == 0) return rotate_rest(t, rotations(t, two), blend, rest.rotation, lanes, out.rotation);
   add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
