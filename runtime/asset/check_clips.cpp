@@ -137,4 +137,41 @@ bool Checker::segments() {
   return end == limit || fail(&h.payload_bytes, "payload behind the last segment");
 }
 
+bool Checker::keeps_of_clip(Check check) {
+  using namespace format;
+  switch (check) {
+    case Check::clip_size:
+      return clip_size();
+    case Check::clip_reference: {
+      const auto& h = header<ClipHeader>();
+      return h.reference_groups == 0 || (h.additive != 0 && h.reference_groups == soa_count(joint_count()));
+    }
+    case Check::track:
+      return track();
+    case Check::track_values: {
+      const std::uint64_t first = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.first_value,
+                          last = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.values_end;
+      const void* const beyond = first < last ? first_beyond(kBoundedBits, at<float>(first), last - first) : nullptr;
+      return beyond == nullptr || fail(beyond, kNotBounded);
+    }
+    case Check::channel:
+      return keys(&record<Channel>().key_count, floats_per_key(record<Channel>().interpolation));
+    case Check::used_times:
+      return so_far_.times_end == header<ClipHeader>().time_count;
+    case Check::coded:
+      return section_->codec == kCodecRaw || coded();
+    case Check::segment_offsets:
+      add_array(std::uint64_t{segment_count(record<CodedHeader>())} * sizeof(std::uint32_t));
+      return true;
+    case Check::frame_times:
+      return frame_times();
+    case Check::masks:
+      return masks();
+    case Check::constants:
+      return constants();
+    default:
+      return segments();
+  }
+}
+
 }  // namespace marrow

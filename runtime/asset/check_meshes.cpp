@@ -151,4 +151,43 @@ bool Checker::mesh_joints() {
                "a joint outside the skeleton");
 }
 
+bool Checker::keeps_of_mesh(Check check, std::uint32_t limit) {
+  using namespace format;
+  switch (check) {
+    case Check::geometry_size:
+      return geometry_size();
+    case Check::triangles:
+      return header<GeometryHeader>().index_count % 3 == 0;
+    case Check::indices:
+      return indices();
+    case Check::runs:
+      return runs();
+    case Check::sets:
+      return sets();
+    case Check::source_slots:
+      return source_slots();
+    case Check::morphs:
+      return keeps(rules_of(kMorphPart), at<MorphHeader>(places_[kMorphPlace]) - 1);
+    case Check::pose_space:
+      return keeps(rules_of(kPosePart), at<PoseSpaceHeader>(places_[kPosePlace]) - 1);
+    case Check::targets:
+      return targets();
+    case Check::examples:
+      return examples();
+    case Check::next_part:
+      return next_part();
+    case Check::palette:
+      return std::uint64_t{header<MeshHeader>().joint_count} + header<MeshHeader>().helper_count ==
+             geometry(limit).joint_count;
+    case Check::target_count:
+      return target_count(limit) == header<MeshHeader>().target_count;
+    case Check::level_targets:
+      return target_count(limit) == 0 || target_count(limit) == header<MeshHeader>().target_count;
+    case Check::helper_count:
+      return header<MeshHeader>().helper_count != 0;
+    default:
+      return mesh_joints();
+  }
+}
+
 }  // namespace marrow

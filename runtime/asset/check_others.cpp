@@ -50,4 +50,53 @@ bool Checker::box() const {
   return true;
 }
 
+bool Checker::keeps_of_others(Check check) {
+  using namespace format;
+  switch (check) {
+    case Check::joints:
+      return joints(array<std::uint16_t>(MARROW_PLACE(SkeletonLayout, parents)),
+                    array<std::uint32_t>(MARROW_PLACE(SkeletonLayout, names)), header<SkeletonHeader>().root_count);
+    case Check::reference_joints:
+      return reference_joints();
+    case Check::role: {
+      const std::uint32_t role = 1u << static_cast<std::uint32_t>(record<Texture>().role), before = so_far_.roles;
+      so_far_.roles |= role;
+      return (before & role) == 0;
+    }
+    case Check::fallback:
+      return fallback();
+    case Check::truth: {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &record<Property>().number, sizeof bits);
+      return bits == 0 || bits == bit_cast<std::uint64_t>(1.0);
+    }
+    case Check::only_of_owner:
+      return only_of_owner();
+    case Check::ascends:
+      return base(From::record) == array<JointLimit>(MARROW_PLACE(LimitLayout, limits)) ||
+             record<JointLimit>().joint > (&record<JointLimit>() - 1)->joint;
+    case Check::limit:
+      return is_valid(record<JointLimit>());
+    case Check::box:
+      return box();
+    case Check::chain_order: {
+      const auto& chain = record<SpringRecord>();
+      return chain.first_joint == so_far_.next_joint && chain.joint_count != 0 &&
+             chain.joint_count <= header<SpringHeader>().joint_count - so_far_.next_joint;
+    }
+    case Check::chain_colliders: {
+      const std::uint32_t count = header<SpringHeader>().collider_count;
+      return count == kMaxSpringColliders || record<SpringRecord>().colliders >> count == 0;
+    }
+    case Check::bone: {
+      const auto& chain = record<SpringRecord>();
+      return chain.joint_count != 1 || chain.tip[0] != 0 || chain.tip[1] != 0 || chain.tip[2] != 0;
+    }
+    case Check::chain_joints:
+      return chain_joints();
+    default:
+      return so_far_.next_joint == header<SpringHeader>().joint_count;
+  }
+}
+
 }  // namespace marrow

@@ -1,10 +1,10 @@
-// Keeps files to the rules of docs/format.md: a table of them (rules.h), and those that are code (check_*.cpp).
+// Keeps files to the rules of docs/format.md: a table of them (file_rules.h), and those that are code (check_*.cpp).
 #pragma once
 
 #include <cstring>
 
+#include "asset/file_rules.h"
 #include "asset/format.h"
-#include "asset/rules.h"
 #include "core/builtins.h"
 
 namespace marrow {
@@ -41,8 +41,13 @@ class Checker {
 
   // Rules from `rule` to the end of the list, about `record`.
   bool keeps(const Rule* rule, const void* record);
+  static bool agree(How how, std::uint32_t a, std::uint32_t b);
+  bool keeps_other(const Rule& rule, const void*& where, std::uint32_t a, std::uint32_t b);
   bool keeps_each(const Rule* rule);
   bool keeps(Check check, std::uint32_t limit);
+  bool keeps_of_clip(Check check);
+  bool keeps_of_mesh(Check check, std::uint32_t limit);
+  bool keeps_of_others(Check check);
   const void* place(Number n) const { return at<std::byte>(bases_[n.from], n.at); }
   std::uint32_t value(Number n) const;
   // Arrays begin behind a header.

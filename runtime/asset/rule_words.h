@@ -1,10 +1,10 @@
-// The words that rules.cpp writes rules in.
+// The words that file_rules.cpp writes rules in.
 #pragma once
 
 #include <cstddef>
 
+#include "asset/file_rules.h"
 #include "asset/format.h"
-#include "asset/rules.h"
 
 // Of their own namespace, for they are short.
 namespace marrow::rule_table {

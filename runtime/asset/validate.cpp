@@ -101,95 +101,88 @@ bool Checker::keeps_each(const Rule* rule) {
   return true;
 }
 
+// Of a number and a limit.
+bool Checker::agree(How how, std::uint32_t a, std::uint32_t b) {
+  switch (how) {
+    case How::equal:
+      return a == b;
+    case How::below:
+      return a < b;
+    case How::at_most:
+      return a <= b;
+    case How::at_least:
+      return a >= b;
+    case How::where_differ:
+    case How::differ:
+      return a != b;
+    case How::from_1_to:
+      return a - 1 < b;
+    case How::only_bits:
+      return (a & ~b) == 0;
+    case How::where_bits:
+      return (a & b) != 0;
+    case How::where_lacks:
+      return (a & b) == 0;
+    case How::not_negative:
+      return bit_cast<float>(a) >= 0;
+    default:
+      return bit_cast<float>(a) > 0;
+  }
+}
+
+// What is no matter of a number and a limit. where: the place that is told, which may be another one.
+bool Checker::keeps_other(const Rule& rule, const void*& where, std::uint32_t a, std::uint32_t b) {
+  switch (static_cast<How>(rule.how)) {
+    case How::floats:
+    case How::floats_until: {
+      const bool until = static_cast<How>(rule.how) == How::floats_until;
+      const void* const beyond = until ? first_beyond(constants_of_rules()[rule.count], at<float>(a), b - a)
+                                       : first_beyond(b, where, std::uint64_t{rule.count} * 4);
+      if (beyond != nullptr && rule.back == 0) where = beyond;
+      return beyond == nullptr;
+    }
+    case How::name:
+      return name(*static_cast<const std::uint32_t*>(where));
+    case How::text:
+      return text(*static_cast<const std::uint32_t*>(where));
+    case How::owner:
+      return find_owner(a, rule.count != 0);
+    case How::each:
+      return keeps_each(&rule);
+    case How::array:
+      add_array(std::uint64_t{a} * b * rule.count);
+      return true;
+    case How::groups:
+      add_array(soa_count(a) * rule.count);
+      return true;
+    case How::aligned:
+      places_[arrays_] = format::align4(places_[arrays_]);
+      return true;
+    case How::fills:
+      return section_->bytes == places_[arrays_];
+    default:
+      return keeps(static_cast<Check>(rule.count), b);
+  }
+}
+
 bool Checker::keeps(const Rule* rule, const void* record) {
   const void* const before = base(From::record);
   base(From::record) = record;
-  for (;; ++rule) {
+  for (; static_cast<How>(rule->how) > How::ends; ++rule) {
     const void* where = place(rule->number);
-    const char* const words = text_of(*rule);
+    const auto how = static_cast<How>(rule->how);
     const std::uint32_t a = value(rule->number), b = value(rule->limit);
-    bool good = true;
-    switch (static_cast<How>(rule->how)) {
-      case How::begins:
-      case How::ends:
-        base(From::record) = before;
-        return true;
-      case How::equal:
-        good = a == b;
-        break;
-      case How::below:
-        good = a < b;
-        break;
-      case How::at_most:
-        good = a <= b;
-        break;
-      case How::at_least:
-        good = a >= b;
-        break;
-      case How::differ:
-        good = a != b;
-        break;
-      case How::from_1_to:
-        good = a - 1 < b;
-        break;
-      case How::only_bits:
-        good = (a & ~b) == 0;
-        break;
-      case How::where_bits:
-        rule += (a & b) == 0;
-        break;
-      case How::where_lacks:
-        rule += (a & b) != 0;
-        break;
-      case How::where_differ:
-        rule += a == b;
-        break;
-      case How::floats:
-      case How::floats_until: {
-        const bool until = static_cast<How>(rule->how) == How::floats_until;
-        const void* const beyond = until ? first_beyond(constants_of_rules()[rule->count], at<float>(a), b - a)
-                                         : first_beyond(b, where, std::uint64_t{rule->count} * 4);
-        good = beyond == nullptr;
-        if (!good && rule->back == 0) where = beyond;
-        break;
-      }
-      case How::not_negative:
-        good = bit_cast<float>(a) >= 0;
-        break;
-      case How::positive:
-        good = bit_cast<float>(a) > 0;
-        break;
-      case How::name:
-        good = name(*static_cast<const std::uint32_t*>(where));
-        break;
-      case How::text:
-        good = text(*static_cast<const std::uint32_t*>(where));
-        break;
-      case How::owner:
-        good = find_owner(a, rule->count != 0);
-        break;
-      case How::each:
-        good = keeps_each(rule);
-        while (static_cast<How>(rule->how) != How::ends) ++rule;
-        break;
-      case How::array:
-        add_array(std::uint64_t{a} * b * rule->count);
-        break;
-      case How::groups:
-        add_array(soa_count(a) * rule->count);
-        break;
-      case How::aligned:
-        places_[arrays_] = format::align4(places_[arrays_]);
-        break;
-      case How::fills:
-        good = section_->bytes == places_[arrays_];
-        break;
-      case How::call:
-        good = keeps(static_cast<Check>(rule->count), b);
-        break;
+    const bool good = how < How::floats ? agree(how, a, b) : keeps_other(*rule, where, a, b);
+    if (how < How::equal) {
+      rule += !good;
+    } else if (!good) {
+      return fail(static_cast<const std::byte*>(where) - rule->back, text_of(*rule));
+    } else if (how == How::each) {
+      while (static_cast<How>(rule->how) != How::ends) ++rule;
     }
-    if (!good) return fail(static_cast<const std::byte*>(where) - rule->back, words);
   }
+  base(From::record) = before;
+  return true;
 }
 
 bool Checker::all() {
@@ -208,117 +201,8 @@ bool Checker::all() {
 
 // Whether it holds; if not, it may have said where and why.
 bool Checker::keeps(Check check, std::uint32_t limit) {
-  using namespace format;
-  switch (check) {
-    case Check::joints:
-      return joints(array<std::uint16_t>(MARROW_PLACE(SkeletonLayout, parents)),
-                    array<std::uint32_t>(MARROW_PLACE(SkeletonLayout, names)), header<SkeletonHeader>().root_count);
-    case Check::reference_joints:
-      return reference_joints();
-    case Check::clip_size:
-      return clip_size();
-    case Check::clip_reference: {
-      const auto& h = header<ClipHeader>();
-      return h.reference_groups == 0 || (h.additive != 0 && h.reference_groups == soa_count(joint_count()));
-    }
-    case Check::track:
-      return track();
-    case Check::track_values: {
-      const std::uint64_t first = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.first_value,
-                          last = places_[MARROW_PLACE(ClipLayout, values)] + 4 * so_far_.values_end;
-      const void* const beyond = first < last ? first_beyond(kBoundedBits, at<float>(first), last - first) : nullptr;
-      return beyond == nullptr || fail(beyond, kNotBounded);
-    }
-    case Check::channel:
-      return keys(&record<Channel>().key_count, floats_per_key(record<Channel>().interpolation));
-    case Check::used_times:
-      return so_far_.times_end == header<ClipHeader>().time_count;
-    case Check::coded:
-      return section_->codec == kCodecRaw || coded();
-    case Check::segment_offsets:
-      add_array(std::uint64_t{segment_count(record<CodedHeader>())} * sizeof(std::uint32_t));
-      return true;
-    case Check::frame_times:
-      return frame_times();
-    case Check::masks:
-      return masks();
-    case Check::constants:
-      return constants();
-    case Check::segments:
-      return segments();
-    case Check::geometry_size:
-      return geometry_size();
-    case Check::triangles:
-      return header<GeometryHeader>().index_count % 3 == 0;
-    case Check::indices:
-      return indices();
-    case Check::runs:
-      return runs();
-    case Check::sets:
-      return sets();
-    case Check::source_slots:
-      return source_slots();
-    case Check::morphs:
-      return keeps(rules_of(kMorphPart), at<MorphHeader>(places_[kMorphPlace]) - 1);
-    case Check::pose_space:
-      return keeps(rules_of(kPosePart), at<PoseSpaceHeader>(places_[kPosePlace]) - 1);
-    case Check::targets:
-      return targets();
-    case Check::examples:
-      return examples();
-    case Check::next_part:
-      return next_part();
-    case Check::palette:
-      return std::uint64_t{header<MeshHeader>().joint_count} + header<MeshHeader>().helper_count ==
-             geometry(limit).joint_count;
-    case Check::target_count:
-      return target_count(limit) == header<MeshHeader>().target_count;
-    case Check::level_targets:
-      return target_count(limit) == 0 || target_count(limit) == header<MeshHeader>().target_count;
-    case Check::helper_count:
-      return header<MeshHeader>().helper_count != 0;
-    case Check::mesh_joints:
-      return mesh_joints();
-    case Check::role: {
-      const std::uint32_t role = 1u << static_cast<std::uint32_t>(record<Texture>().role), before = so_far_.roles;
-      so_far_.roles |= role;
-      return (before & role) == 0;
-    }
-    case Check::fallback:
-      return fallback();
-    case Check::truth: {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, &record<Property>().number, sizeof bits);
-      return bits == 0 || bits == bit_cast<std::uint64_t>(1.0);
-    }
-    case Check::only_of_owner:
-      return only_of_owner();
-    case Check::ascends:
-      return base(From::record) == array<JointLimit>(MARROW_PLACE(LimitLayout, limits)) ||
-             record<JointLimit>().joint > (&record<JointLimit>() - 1)->joint;
-    case Check::limit:
-      return is_valid(record<JointLimit>());
-    case Check::box:
-      return box();
-    case Check::chain_order: {
-      const auto& chain = record<SpringRecord>();
-      return chain.first_joint == so_far_.next_joint && chain.joint_count != 0 &&
-             chain.joint_count <= header<SpringHeader>().joint_count - so_far_.next_joint;
-    }
-    case Check::chain_colliders: {
-      const std::uint32_t count = header<SpringHeader>().collider_count;
-      return count == kMaxSpringColliders || record<SpringRecord>().colliders >> count == 0;
-    }
-    case Check::bone: {
-      const auto& chain = record<SpringRecord>();
-      return chain.joint_count != 1 || chain.tip[0] != 0 || chain.tip[1] != 0 || chain.tip[2] != 0;
-    }
-    case Check::chain_joints:
-      return chain_joints();
-    case Check::used_joints:
-      return so_far_.next_joint == header<SpringHeader>().joint_count;
-  }
-  return false;
+  if (check < Check::geometry_size) return keeps_of_clip(check);
+  return check < Check::joints ? keeps_of_mesh(check, limit) : keeps_of_others(check);
 }
 
 namespace {

@@ -15,18 +15,13 @@ namespace marrow {
 
 // c[0] + y (c[1] + y (…)).
 template <class F>
-inline F horner(const float* c, std::size_t count, F y) {
+MARROW_CALLED_WHERE_SMALL inline F horner(const float* c, std::size_t count, F y) {
   F sum = all_lanes<F>(c[count - 1]);
   for (std::size_t i = count - 1; i-- > 0;) sum = all_lanes<F>(c[i]) + y * sum;
   return sum;
 }
-template <class F>
-[[gnu::noinline]] F called_horner(const float* c, std::size_t count, F y) {
-  return horner(c, count, y);
-}
 template <std::size_t N, class F>
 inline F horner(const float (&c)[N], F y) {
-  if constexpr (kSmall) return called_horner(c, N, y);
   return horner(c, N, y);
 }
 

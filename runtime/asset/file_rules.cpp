@@ -1,4 +1,4 @@
-#include "asset/rules.h"
+#include "asset/file_rules.h"
 
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The rules of docs/format.md as lines of a table, which Checker keeps to; rules.cpp holds the table.
+// The rules of docs/format.md as lines of a table, which Checker keeps to; file_rules.cpp holds the table.
 #pragma once
 
 #include <cstddef>
@@ -24,26 +24,27 @@ struct Number {
   std::uint16_t from : 3, bytes : 3, at : 10;
 };
 
+// In this order: what ends a list, what decides on the next rule, what compares, and others.
 enum class How : std::uint8_t {
   begins,  // a list of rules; ends the one before it
   ends,    // the rules of each element
-  // Of a number and a limit:
+  // The next rule counts if number and limit
+  where_bits,    // share some bits
+  where_lacks,   // share none
+  where_differ,  // differ
+  // Number and limit:
   equal,
   below,
   at_most,
   at_least,
   differ,
   from_1_to,
-  only_bits,  // none that the limit lacks
-  // Whether the next rule counts:
-  where_bits,    // some that the limit has
-  where_lacks,   // none of those
-  where_differ,  // number and limit
+  only_bits,     // none that the limit lacks
+  not_negative,  // a float
+  positive,      // a float
   // Others:
   floats,        // from the number on, `count` of them, without their signs less than the one with the limit's bits
   floats_until,  // the same, from one array to another; `count` is the limit's place among constants
-  not_negative,  // a float
-  positive,      // a float
   name,
   text,
   owner,  // the number of a skeleton; where `count` is 1, of a reference in files that have those
@@ -58,8 +59,7 @@ enum class How : std::uint8_t {
 
 // Rules that are code; most say whether they hold, and the rule where and why.
 enum class Check : std::uint8_t {
-  joints,
-  reference_joints,
+  // Of clips.
   clip_size,
   clip_reference,
   track,
@@ -72,6 +72,7 @@ enum class Check : std::uint8_t {
   masks,
   constants,
   segments,
+  // Of geometries and meshes.
   geometry_size,
   triangles,
   indices,
@@ -88,6 +89,9 @@ enum class Check : std::uint8_t {
   level_targets,
   helper_count,
   mesh_joints,
+  // Of others.
+  joints,
+  reference_joints,
   role,
   fallback,
   truth,
