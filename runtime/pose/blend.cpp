@@ -159,24 +159,27 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
   }
 }
 
+// Translation, rotation and scale are one array of vectors: three, four, three.
+constexpr std::size_t kVectors = sizeof(SoaTransform) / sizeof(float[4]);
+[[maybe_unused]] inline const float* vector_of(const SoaTransform& t, std::size_t i) {
+  return reinterpret_cast<const float*>(&t) + 4 * i;
+}
+
 // What blend_group, blend_even and blend_two do, in one loop, the same operations in the same order. share: as of
 // blend_even; else 0.
 enum class Blending { any, even, two };
 [[maybe_unused]] void blend_small(Blending how, Span<const BlendLayer> layers, const SoaTransform* rest,
                                   float threshold, float share, std::size_t groups, SoaTransform* out) {
-  constexpr std::size_t kVectors = sizeof *out / sizeof(float[4]);
   const f32x4 zero = splat(0.0f), least = splat(threshold);
   for (std::size_t g = 0; g < groups; ++g) {
     f32x4 sum[kVectors];
     for (f32x4& s : sum) s = splat(how == Blending::any ? 0.0f : -0.0f);  // -0 and what is added are that, -0 too
     f32x4 total = zero, weight[2] = {zero, zero};
     const auto add = [&](const SoaTransform& x, f32x4 w, bool is_first) {
-      const float(*const from)[4] = x.translation;
       const Quaternion<f32x4> q = load_rotations(x.rotation);
       const f32x4 turned = is_first ? w : flip(w, dot(q, {sum[3], sum[4], sum[5], sum[6]}));
-      for (std::size_t i = 0; i < kVectors; ++i) {
-        sum[i] = sum[i] + load_aligned(from[i]) * (i - 3 < 4 ? turned : w);
-      }
+      for (std::size_t i = 0; i < kVectors; ++i)
+        sum[i] = sum[i] + load_aligned(vector_of(x, i)) * (i >= 3 && i < 7 ? turned : w);
       total = total + w;
     };
     bool is_first = how != Blending::any;
@@ -192,18 +195,16 @@ enum class Blending { any, even, two };
     if (misses) add(rest[g], select(short_of, least - total, zero), false);
     const f32x4 factor = how == Blending::even ? splat(share) : splat(1.0f) / total;
     const Quaternion<f32x4> rotation = {sum[3], sum[4], sum[5], sum[6]};
-    if (how == Blending::two) {
-      const f32x4 u = weight[0] / total, v = weight[1] / total;
-      const auto *const x = layers[0].pose[g].translation, *const y = layers[1].pose[g].translation;
-      const auto* const from = rest[g].translation;
-      for (std::size_t i = 0; i < kVectors; ++i) {
-        const f32x4 a = load_aligned(x[i]), b = load_aligned(y[i]), r = load_aligned(from[i]);
-        sum[i] = misses ? r + (a - r) * u + (b - r) * v : a + (b - a) * v;
+    const f32x4 u = weight[0] / total, v = weight[1] / total;
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      f32x4 mixed = sum[i] * factor;
+      if (how == Blending::two) {
+        const f32x4 a = load_aligned(vector_of(layers[0].pose[g], i)),
+                    b = load_aligned(vector_of(layers[1].pose[g], i)), r = load_aligned(vector_of(rest[g], i));
+        mixed = misses ? r + (a - r) * u + (b - r) * v : a + (b - a) * v;
       }
-    } else {
-      for (f32x4& s : sum) s = s * factor;
+      store(reinterpret_cast<float*>(out + g) + 4 * i, mixed);
     }
-    for (std::size_t i = 0; i < kVectors; ++i) store(out[g].translation[i], sum[i]);
     store_rotation(rotation, out[g]);
   }
 }

@@ -527,9 +527,13 @@ Place find(const CodedTracks& coded, float time_s) {
 }  // namespace
 
 void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
+  if (lanes == 15) {
+    to = from;
+    return;
+  }
   constexpr std::size_t kNumbers = sizeof from / sizeof(float);
-  const float* const source = from.translation[0];
-  float* const target = to.translation[0];
+  const auto* const source = reinterpret_cast<const float*>(&from);
+  auto* const target = reinterpret_cast<float*>(&to);
   for (std::size_t i = 0; i < kNumbers; ++i)
     if ((lanes >> i % 4 & 1u) != 0) target[i] = source[i];
 }
