@@ -3,6 +3,7 @@
 #include "asset/example_format.h"
 #include "core/check.h"
 #include "core/mark.h"
+#include "math/finite.h"
 
 namespace marrow {
 
@@ -44,16 +45,18 @@ ExampleSpace view(const std::byte* base) {
 bool Checker::example_space(std::uint32_t index) {
   const File::Section& section = nth(format::kExamples, index);
   if (!has_header(section, sizeof(format::ExampleHeader), format::kCodecRaw)) return false;
-  const auto* h = header<format::ExampleHeader>(section);
-  if (h == nullptr || !name(h->name)) return false;
+  const auto* h = at<format::ExampleHeader>(start_of(section), 0);
+  const format::ExampleLayout l = layout(*h);
+  if (section.bytes != l.bytes) return fail(h, "section size differs from its counts");
+  if (!name(h->name)) return false;
   if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
   if (h->parameter_count == 0 || h->parameter_count > kMaxExampleParameters)
     return fail(&h->parameter_count, "1 to 8 parameters");
   if (h->example_count == 0 || h->example_count > kMaxExamples) return fail(&h->example_count, "1 to 64 examples");
   if (h->target_count == 0 || h->target_count > kMaxExamples) return fail(&h->target_count, "1 to 64 targets");
   if (h->mesh_count == 0) return fail(&h->mesh_count, "a space of no mesh");
-  const format::ExampleLayout l = layout(*h);
-  if (!finite(at<float>(section, l.linear), l.parameters - l.linear)) return false;
+  if (const void* const beyond = first_beyond(kFiniteBits, at<float>(h, l.linear), l.parameters - l.linear))
+    return fail(beyond, kNotFinite);
   const ExampleSpace s = view(block_.data + section.offset);
   const std::uint32_t row = format::example_row(h->target_count);
   for (std::uint64_t i = 0; i < (l.places - l.linear) / 4; ++i)
@@ -61,10 +64,10 @@ bool Checker::example_space(std::uint32_t index) {
   for (const float& width : s.inverse_widths)
     if (!(width > 0)) return fail(&width, "a width that is not above 0");
   for (const ExampleParameter& p : s.parameters)
-    if (!name(p.name) || !finite(&p.rest, sizeof p.rest)) return false;
+    if (!name(p.name) || (!is_finite(p.rest) && !fail(&p.rest, kNotFinite))) return false;
   if (!ascend(s.meshes, counts_[format::kMeshes])) return fail(s.meshes.data, "meshes of the file, ascending");
   for (const std::uint32_t& mesh : s.meshes) {
-    const std::uint32_t targets = at<format::MeshHeader>(nth(format::kMeshes, mesh), 0)->target_count;
+    const std::uint32_t targets = at<format::MeshHeader>(start_of(nth(format::kMeshes, mesh)), 0)->target_count;
     if (!ascend(s.targets, targets)) return fail(s.targets.data, "targets of each mesh, ascending");
   }
   return true;

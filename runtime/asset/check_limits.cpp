@@ -1,11 +1,9 @@
-// Rules of LIMI sections.
+// The rule of a joint's limit.
 #include <cmath>
 
-#include "asset/checker.h"
+#include "marrow/file.h"
 
 namespace marrow {
-
-using format::layout;
 
 namespace {
 
@@ -38,21 +36,6 @@ bool is_valid(const JointLimit& limit) {
   if (limit.kind != LimitKind::euler && limit.order != AxisOrder::xyz) return false;
   return is_unit(limit.limit_from_parent) && is_unit(limit.joint_from_limit) && is_limited_rate(limit.rate) &&
          are_ranges(limit);
-}
-
-bool Checker::limits(const File::Section& s) {
-  const auto* h = header<format::LimitHeader>(s);
-  if (h == nullptr) return false;
-  const auto* skeleton = only_of_skeleton(s, "one section of limits a skeleton, in their order");
-  if (skeleton == nullptr) return false;
-  if (h->limit_count == 0) return fail(&h->limit_count, "a section of limits without one");
-  const auto* limits = at<JointLimit>(h, layout(*h).limits);
-  for (std::uint32_t i = 0; i < h->limit_count; ++i) {
-    if (limits[i].joint >= skeleton->joint_count) return fail(&limits[i], "a joint outside the skeleton");
-    if (i > 0 && limits[i].joint <= limits[i - 1].joint) return fail(&limits[i], "limits ascend by joint");
-    if (!is_valid(limits[i])) return fail(&limits[i], "no limit of a joint");
-  }
-  return true;
 }
 
 }  // namespace marrow

@@ -12,6 +12,13 @@ inline constexpr bool kSmall = true;
 inline constexpr bool kSmall = false;
 #endif
 
+// Before a function that is to be called, however short it is, where code is to be small.
+#ifdef __OPTIMIZE_SIZE__
+#define MARROW_CALLED_WHERE_SMALL [[gnu::noinline]]
+#else
+#define MARROW_CALLED_WHERE_SMALL
+#endif
+
 // A number that is known when code is compiled, and is used like any other.
 template <auto Value>
 using Fixed = std::integral_constant<decltype(Value), Value>;

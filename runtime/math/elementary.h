@@ -8,16 +8,21 @@
 #include <cstddef>
 
 #include "core/builtins.h"
+#include "core/fixed.h"
 #include "math/lane.h"
 
 namespace marrow {
 
 // c[0] + y (c[1] + y (…)).
+template <class F>
+MARROW_CALLED_WHERE_SMALL inline F horner(const float* c, std::size_t count, F y) {
+  F sum = all_lanes<F>(c[count - 1]);
+  for (std::size_t i = count - 1; i-- > 0;) sum = all_lanes<F>(c[i]) + y * sum;
+  return sum;
+}
 template <std::size_t N, class F>
 inline F horner(const float (&c)[N], F y) {
-  F sum = all_lanes<F>(c[N - 1]);
-  for (std::size_t i = N - 1; i-- > 0;) sum = all_lanes<F>(c[i]) + y * sum;
-  return sum;
+  return horner(c, N, y);
 }
 
 // Each of the first three is exactly 1 at 0: rotations by nothing stay what they are.
@@ -25,24 +30,24 @@ inline F horner(const float (&c)[N], F y) {
 // cos √y for y in [0, π²], within 1.2e-8 and rounding. Minimax fit of degree 6.
 template <class F>
 inline F cos_of_root(F y) {
-  constexpr float kFit[] = {1.0f,          -0.499999925f,   0.0416665179f, -1.3887906e-3f,
-                            2.4771644e-5f, -2.70934882e-7f, 1.72906225e-9f};
+  static constexpr float kFit[] = {1.0f,          -0.499999925f,   0.0416665179f, -1.3887906e-3f,
+                                   2.4771644e-5f, -2.70934882e-7f, 1.72906225e-9f};
   return horner(kFit, y);
 }
 
 // sin √y / √y for y in [0, π²], within 8.1e-10 and rounding. Minimax fit of degree 6.
 template <class F>
 inline F sinc_of_root(F y) {
-  constexpr float kFit[] = {1.0f,           -0.166666662f,   8.33332324e-3f, -1.98406033e-4f,
-                            2.75370391e-6f, -2.47385713e-8f, 1.36438182e-10f};
+  static constexpr float kFit[] = {1.0f,           -0.166666662f,   8.33332324e-3f, -1.98406033e-4f,
+                                   2.75370391e-6f, -2.47385713e-8f, 1.36438182e-10f};
   return horner(kFit, y);
 }
 
 // asin √z / √z for z in [0, ½], within 1.7e-8 and rounding. Minimax fit of degree 7.
 template <class F>
 inline F asinc_of_root(F z) {
-  constexpr float kFit[] = {1.0f,          0.16666916f, 0.0748808732f,  0.0465528862f,
-                            0.0160917654f, 0.07785701f, -0.0939145603f, 0.112058543f};
+  static constexpr float kFit[] = {1.0f,          0.16666916f, 0.0748808732f,  0.0465528862f,
+                                   0.0160917654f, 0.07785701f, -0.0939145603f, 0.112058543f};
   return horner(kFit, z);
 }
 
@@ -52,14 +57,15 @@ inline F asinc_of_root(F z) {
 // sin √y / √y for y in [0, (π/2)²], within 5e-9. Minimax fit of degree 4.
 template <class F>
 inline F sinc_to_quarter_turn(F y) {
-  constexpr float kFit[] = {0.999999996f, -0.166666580f, 8.33305098e-3f, -1.98090690e-4f, 2.60521026e-6f};
+  static constexpr float kFit[] = {0.999999996f, -0.166666580f, 8.33305098e-3f, -1.98090690e-4f, 2.60521026e-6f};
   return horner(kFit, y);
 }
 
 // asin √z / √z for z in [0, ½], within 1.1e-7. Minimax fit of degree 6.
 template <class F>
 inline F asinc_for_slerp(F z) {
-  constexpr float kFit[] = {1.00000011f, 0.16664676f, 0.07559077f, 0.03815005f, 0.06348833f, -0.05957173f, 0.10395446f};
+  static constexpr float kFit[] = {1.00000011f, 0.16664676f,  0.07559077f, 0.03815005f,
+                                   0.06348833f, -0.05957173f, 0.10395446f};
   return horner(kFit, z);
 }
 
@@ -69,16 +75,16 @@ inline F asinc_for_slerp(F z) {
 // sin √q / √q.
 template <class F>
 inline F sinc_of_signed_root(F q) {
-  constexpr float kSeries[] = {1.0f,          -1.0f / 6,        1.0f / 120,          -1.0f / 5040,
-                               1.0f / 362880, -1.0f / 39916800, 1.0f / 6227020800.0f};
+  static constexpr float kSeries[] = {1.0f,          -1.0f / 6,        1.0f / 120,          -1.0f / 5040,
+                                      1.0f / 362880, -1.0f / 39916800, 1.0f / 6227020800.0f};
   return horner(kSeries, q);
 }
 
 // cos √p, and the divided difference (cos √p - cos √q) / (p - q), by Horner's scheme without cancellation.
 template <class F>
 inline F cos_of_signed_root(F p, F q, F& slope) {
-  constexpr float kSeries[] = {1.0f,         -1.0f / 2,       1.0f / 24,       -1.0f / 720,
-                               1.0f / 40320, -1.0f / 3628800, 1.0f / 479001600};
+  static constexpr float kSeries[] = {1.0f,         -1.0f / 2,       1.0f / 24,       -1.0f / 720,
+                                      1.0f / 40320, -1.0f / 3628800, 1.0f / 479001600};
   F sum = all_lanes<F>(kSeries[6]);
   slope = all_lanes<F>(0.0f);
   for (int i = 5; i >= 0; --i) {
@@ -118,8 +124,8 @@ inline float sine_of_turns(float turns) {
 // within 2.7e-9; the rest is rounding.
 inline float power_of_two(float x) {
   const int whole = static_cast<int>(x - 0.5f);  // towards zero
-  constexpr float kFit[] = {1.0f,           0.693147215f,   0.240226528f,   0.0555031055f,
-                            0.00961769297f, 0.00134066439f, 0.000155946775f};
+  static constexpr float kFit[] = {1.0f,           0.693147215f,   0.240226528f,   0.0555031055f,
+                                   0.00961769297f, 0.00134066439f, 0.000155946775f};
   const float fraction = horner(kFit, x - static_cast<float>(whole));
   return fraction * bit_cast<float>((whole + 127) << 23);
 }
@@ -137,7 +143,8 @@ inline f32x4 exp_negative(f32x4 x) {
   const f32x4 magic = splat(12582912.0f), shifted = x * splat(kLog2e) + magic;
   const f32x4 n = shifted - magic;
   const f32x4 f = (x - n * splat(kLn2High)) - n * splat(kLn2Low);
-  constexpr float kFit[] = {1.0f, 1.0f, 0.49999994f, 0.166665196f, 0.0416683927f, 0.00836878177f, 0.00138144684f};
+  static constexpr float kFit[] = {1.0f,          1.0f,           0.49999994f,   0.166665196f,
+                                   0.0416683927f, 0.00836878177f, 0.00138144684f};
   const f32x4 power = bits_as_float(shift_left<23>(float_as_bits(shifted) + splat_int(127)));
   return power * horner(kFit, f);
 }

@@ -32,7 +32,7 @@ struct SlerpSeries {
 };
 inline constexpr float kSlerpSeriesLimit = 0.054f;
 
-inline SlerpSeries slerp_series(float u) {
+MARROW_CALLED_WHERE_SMALL inline SlerpSeries slerp_series(float u) {
   const float u2 = u * u;
   const float c1 = u * ((1.0f - u2) / 6.0f);  // (k² - u²) / (2k (2k + 1)) for k = 1, 2
   const float c2 = c1 * ((4.0f - u2) / 20.0f);

@@ -159,18 +159,74 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
   }
 }
 
+// Translation, rotation and scale are one array of vectors: three, four, three.
+constexpr std::size_t kVectors = sizeof(SoaTransform) / sizeof(float[4]);
+[[maybe_unused]] inline const float* vector_of(const SoaTransform& t, std::size_t i) {
+  return reinterpret_cast<const float*>(&t) + 4 * i;
+}
+
+// What blend_group, blend_even and blend_two do, in one loop, the same operations in the same order. share: as of
+// blend_even; else 0.
+enum class Blending { any, even, two };
+[[maybe_unused]] void blend_small(Blending how, Span<const BlendLayer> layers, const SoaTransform* rest,
+                                  float threshold, float share, std::size_t groups, SoaTransform* out) {
+  const f32x4 zero = splat(0.0f), least = splat(threshold);
+  for (std::size_t g = 0; g < groups; ++g) {
+    f32x4 sum[kVectors];
+    for (f32x4& s : sum) s = splat(how == Blending::any ? 0.0f : -0.0f);  // -0 and what is added are that, -0 too
+    f32x4 total = zero, weight[2] = {zero, zero};
+    const auto add = [&](const SoaTransform& x, f32x4 w, bool is_first) {
+      const Quaternion<f32x4> q = load_rotations(x.rotation);
+      const f32x4 turned = is_first ? w : flip(w, dot(q, {sum[3], sum[4], sum[5], sum[6]}));
+      for (std::size_t i = 0; i < kVectors; ++i)
+        sum[i] = sum[i] + load_aligned(vector_of(x, i)) * (i >= 3 && i < 7 ? turned : w);
+      total = total + w;
+    };
+    bool is_first = how != Blending::any;
+    for (const BlendLayer& layer : layers) {
+      if (!(0.0f < layer.weight)) continue;
+      const f32x4 w = factors(layer.mask, g) * splat(layer.weight);
+      weight[is_first ? 0 : 1] = w;
+      add(layer.pose[g], w, is_first);
+      is_first = false;
+    }
+    const mask4 short_of = total < least;
+    const bool misses = how != Blending::even && any(short_of);
+    if (misses) add(rest[g], select(short_of, least - total, zero), false);
+    const f32x4 factor = how == Blending::even ? splat(share) : splat(1.0f) / total;
+    const Quaternion<f32x4> rotation = {sum[3], sum[4], sum[5], sum[6]};
+    const f32x4 u = weight[0] / total, v = weight[1] / total;
+    for (std::size_t i = 0; i < kVectors; ++i) {
+      f32x4 mixed = sum[i] * factor;
+      if (how == Blending::two) {
+        const f32x4 a = load_aligned(vector_of(layers[0].pose[g], i)),
+                    b = load_aligned(vector_of(layers[1].pose[g], i)), r = load_aligned(vector_of(rest[g], i));
+        mixed = misses ? r + (a - r) * u + (b - r) * v : a + (b - a) * v;
+      }
+      store(reinterpret_cast<float*>(out + g) + 4 * i, mixed);
+    }
+    store_rotation(rotation, out[g]);
+  }
+}
+
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
   if (layers.count == 1) {
     if (groups > 0) std::memmove(out, layers.pose[0], groups * sizeof(SoaTransform));  // else either may be null
     return;
   }
-  if constexpr (!kSmall) {
-    if (layers.count == 2) return blend_even(Fixed<2u>(), layers, groups, out);
-    if (layers.count == 3) return blend_even(Fixed<3u>(), layers, groups, out);
-    if (layers.count == 4) return blend_even(Fixed<4u>(), layers, groups, out);
-    return blend_even(Fixed<5u>(), layers, groups, out);  // four and the rest pose
+  if constexpr (kSmall) {
+    BlendLayer relative[FewLayers::kMost + 1];
+    float total = 0.0f;
+    for (std::size_t l = 0; l < layers.count; ++l) {
+      relative[l].pose = {layers.pose[l], groups};
+      total += relative[l].weight = layers.weight[l] / layers.weight[0];
+    }
+    return blend_small(Blending::even, {relative, layers.count}, nullptr, 0.0f, 1.0f / total, groups, out);
   }
-  blend_even(layers.count, layers, groups, out);
+  if (layers.count == 2) return blend_even(Fixed<2u>(), layers, groups, out);
+  if (layers.count == 3) return blend_even(Fixed<3u>(), layers, groups, out);
+  if (layers.count == 4) return blend_even(Fixed<4u>(), layers, groups, out);
+  blend_even(Fixed<5u>(), layers, groups, out);  // four and the rest pose
 }
 
 // Weights below this part of the whole do not show in a float, and would make ratios too large.
@@ -194,6 +250,10 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
     masked |= !layer.mask.empty();
   }
   if (masked && layers.size == 2 && layers[0].weight > 0.0f && layers[1].weight > 0.0f) {
+    if constexpr (kSmall) {
+      blend_small(Blending::two, layers, skeleton.rest, threshold, 0.0f, groups, out.data);
+      return Status::ok;
+    }
     blend_two(MaskedLayer(layers[0]), MaskedLayer(layers[1]), skeleton.rest, threshold, groups, out.data);
     return Status::ok;
   }
@@ -209,6 +269,10 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
     ++few.count;
   }
   if (masked || few.count > FewLayers::kMost) {
+    if constexpr (kSmall) {
+      blend_small(Blending::any, layers, skeleton.rest, threshold, 0.0f, groups, out.data);
+      return Status::ok;
+    }
     for (std::size_t g = 0; g < groups; ++g) blend_group(layers, skeleton.rest[g], threshold, g, out[g]);
     return Status::ok;
   }

@@ -5,6 +5,7 @@
 #include "asset/format.h"
 #include "core/builtins.h"
 #include "core/check.h"
+#include "core/fixed.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
 #include "marrow/blend.h"
@@ -18,20 +19,7 @@ namespace {
 
 constexpr std::uint32_t kNoFrame = 0xFFFFFFFF;
 
-// n: 3 or 4 values a key.
-void linear(const Track& track, const Moment& m, const float* keys, int n, float* out) {
-  const float* const a = keys + m.key * static_cast<std::size_t>(n);
-  const float* const b = track.key_count > 1 ? a + n : a;
-  SlerpWeights<float> w = {1.0f - m.u, m.u};
-  if (track.path == TrackPath::rotation) {
-    float chord_squared = 0.0f;
-    for (int i = 0; i < 4; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
-    w = slerp_weights(chord_squared, m.u);
-  }
-  for (int i = 0; i < n; ++i) out[i] = w.a * a[i] + w.b * b[i];
-}
-
-// A key holds in-tangent, value, out-tangent; tangents are per second.
+// Tangents are per second.
 HermiteWeights weights_at(const Moment& m) {
   HermiteWeights w = hermite_weights(m.u);
   w.leave *= m.span_s;
@@ -39,59 +27,55 @@ HermiteWeights weights_at(const Moment& m) {
   return w;
 }
 
-void cubic_spline(const Track& track, const Moment& m, const float* keys, int n, float* out) {
-  const float* const a = keys + m.key * static_cast<std::size_t>(3 * n);
-  const float* const b = track.key_count > 1 ? a + 3 * n : a;
-  const HermiteWeights w = weights_at(m);
-  for (int i = 0; i < n; ++i) out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
-  if (track.path != TrackPath::rotation) return;
-  const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
-  const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
-  for (int i = 0; i < 4; ++i) out[i] *= inverse;
+// n: numbers a key; of cubic splines thrice as many, in-tangent, value and out-tangent. turns: they are quaternions.
+template <class Count>
+void mix_keys(Interpolation interpolation, bool turns, const Moment& m, const float* keys, std::uint32_t key_count,
+              Count n, float* out) {
+  const std::size_t per_key = interpolation == Interpolation::cubic_spline ? 3 * std::size_t{n} : n;
+  const float* const a = keys + m.key * per_key;
+  const float* const b = key_count > 1 ? a + per_key : a;
+  if (interpolation == Interpolation::cubic_spline) {
+    const HermiteWeights w = weights_at(m);
+    for (std::size_t i = 0; i < n; ++i)
+      out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
+    if (!turns) return;
+    const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
+    const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
+    for (std::size_t i = 0; i < n; ++i) out[i] *= inverse;
+    return;
+  }
+  if (interpolation == Interpolation::step) {
+    std::memcpy(out, m.u >= 1.0f ? b : a, sizeof(float) * n);
+    return;
+  }
+  SlerpWeights<float> w = {1.0f - m.u, m.u};
+  if (turns) {
+    float chord_squared = 0.0f;
+    for (std::size_t i = 0; i < n; ++i) chord_squared += (b[i] - a[i]) * (b[i] - a[i]);
+    w = slerp_weights(chord_squared, m.u);
+  }
+  for (std::size_t i = 0; i < n; ++i) out[i] = w.a * a[i] + w.b * b[i];
 }
 
 void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTransform* out) {
   const float* const keys = clip.values + track.first_value;
-  const int n = track.path == TrackPath::rotation ? 4 : 3;
+  const bool turns = track.path == TrackPath::rotation;
+  const std::size_t n = turns ? 4 : 3;
   float value[4];
-  switch (track.interpolation) {
-    case Interpolation::step: {
-      const std::size_t key = m.key + (m.u >= 1.0f ? 1 : 0);
-      std::memcpy(value, keys + key * static_cast<std::size_t>(n), sizeof(float) * static_cast<std::size_t>(n));
-      break;
-    }
-    case Interpolation::linear:
-      linear(track, m, keys, n, value);
-      break;
-    case Interpolation::cubic_spline:
-      cubic_spline(track, m, keys, n, value);
-      break;
+  if constexpr (kSmall) {
+    mix_keys(track.interpolation, turns, m, keys, track.key_count, n, value);
+  } else if (turns) {
+    mix_keys(track.interpolation, true, m, keys, track.key_count, Fixed<std::size_t{4}>(), value);
+  } else {
+    mix_keys(track.interpolation, false, m, keys, track.key_count, Fixed<std::size_t{3}>(), value);
   }
   SoaTransform& four = out[track.joint / 4];
-  float(*const lanes)[4] = track.path == TrackPath::translation ? four.translation
-                           : track.path == TrackPath::rotation  ? four.rotation
-                                                                : four.scale;
-  for (int i = 0; i < n; ++i) lanes[i][track.joint % 4] = value[i];
+  float(*const lanes)[4] = track.path == TrackPath::translation ? four.translation : turns ? four.rotation : four.scale;
+  for (std::size_t i = 0; i < n; ++i) lanes[i][track.joint % 4] = value[i];
 }
 
 bool wanted(const SampleOptions& options, std::uint32_t joint) {
   return options.joints.empty() || (options.joints[joint / 32] >> (joint % 32) & 1u) != 0;
-}
-
-float channel_value(const Channel& channel, const Moment& m, const float* keys) {
-  const std::size_t next = channel.key_count > 1 ? m.key + 1 : m.key;
-  switch (channel.interpolation) {
-    case Interpolation::step:
-      return keys[m.u >= 1.0f ? next : m.key];
-    case Interpolation::linear:
-      return (1.0f - m.u) * keys[m.key] + m.u * keys[next];
-    case Interpolation::cubic_spline: {
-      const float *const a = keys + 3 * m.key, *const b = keys + 3 * next;
-      const HermiteWeights w = weights_at(m);
-      return w.from * a[1] + w.leave * a[2] + w.to * b[1] + w.arrive * b[0];
-    }
-  }
-  return channel.rest;
 }
 
 // Finds the moment of a time in list after list; one search serves neighbours that share theirs.
@@ -209,8 +193,8 @@ Status sample_channels(const Clip& clip, float time_s, Span<float> out) {
   MomentFinder moment(clip, time_s);
   for (std::size_t i = 0; i < clip.channels.size; ++i) {
     const Channel& channel = clip.channels[i];
-    out[i] =
-        channel_value(channel, moment.in(channel.first_time, channel.key_count), clip.values + channel.first_value);
+    mix_keys(channel.interpolation, false, moment.in(channel.first_time, channel.key_count),
+             clip.values + channel.first_value, channel.key_count, Fixed<std::size_t{1}>(), out.data + i);
   }
   return Status::ok;
 }

@@ -3,10 +3,12 @@
 #include <cstring>
 
 #include "asset/format.h"
+#include "core/fixed.h"
 #include "core/opaque.h"
 #include "math/keys.h"
 #include "math/slerp.h"
 #include "math/vector.h"
+#include "pose/sample_each.h"
 
 namespace marrow {
 namespace {
@@ -65,10 +67,16 @@ inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_
   return reinterpret_cast<const std::uint64_t*>(reinterpret_cast<const std::byte*>(table) + code_times_16);
 }
 
-// Two neighbouring frames of four sub-tracks, one lane each: (a or b + least) · step.
+// Two neighbouring frames of four sub-tracks, one lane each, (a or b + least) · step: in registers as in a FramePair.
 struct Unpacked {
-  f32x4 a[3], b[3], least[3], step;
+  f32x4 a[3], b[3], rest[4];  // the least, and the step
 };
+[[maybe_unused]] inline f32x4 lanes_of(f32x4 number) {
+  return number;
+}
+[[maybe_unused]] inline f32x4 lanes_of(const float (&number)[4]) {
+  return load_aligned(number);
+}
 
 // Of codes times 65536.
 inline f32x4 step_sizes(i32x4 codes) {
@@ -76,24 +84,8 @@ inline f32x4 step_sizes(i32x4 codes) {
                        splat_int(static_cast<std::int32_t>(format::kFirstStep)));
 }
 
-// Stands at a track's header and at its integers in two neighbouring frames.
-struct TrackCursor {
-  const std::byte* header;
-  std::size_t frame_bytes;
-  const std::byte* record;         // in the first frame
-  std::uint64_t bit_times_16 = 0;  // from there
-
-  TrackCursor(const std::byte* segment, std::uint32_t track_count, std::uint32_t frame) {
-    std::uint32_t bytes;
-    std::memcpy(&bytes, segment, 4);
-    header = segment + 4;
-    frame_bytes = bytes;
-    record = header + std::size_t{track_count} * kHeaderBytes + frame_bytes * frame;
-  }
-};
-
 // Passes over as many tracks as there are bits in `lanes`.
-void skip(TrackCursor& cursor, std::uint32_t lanes) {
+[[maybe_unused]] void skip(TrackCursor& cursor, std::uint32_t lanes) {
   const auto& bits = kTables.bits_times_16;
   for (; lanes != 0; lanes &= lanes - 1) {
     std::uint32_t codes;
@@ -149,7 +141,8 @@ struct TwoLanes {
 };
 
 // The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
-[[gnu::always_inline]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes, Unpacked& out) {
+[[gnu::always_inline, maybe_unused]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes,
+                                                        Unpacked& out) {
   const std::uint8_t(&offsets)[4] = t.header[lanes];
   const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
                          *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
@@ -163,8 +156,8 @@ struct TwoLanes {
   const f32x4 power = bits_as_float(shift_left<23>(heads & splat_int(15)) + splat_int((127 - 16) << 23));
   i32x4 least[4];
   widen(t, load_two(h0 + 3, h1 + 3), load_two(h2 + 3, h3 + 3), least);
-  for (int c = 0; c < 3; ++c) out.least[c] = to_float(least[c]) * power;
-  out.step = step_sizes(heads & splat_int(0xFF0000));
+  for (int c = 0; c < 3; ++c) out.rest[c] = to_float(least[c]) * power;
+  out.rest[3] = step_sizes(heads & splat_int(0xFF0000));
 
   const std::byte* record = cursor.record;
   std::uint64_t bit = cursor.bit_times_16;
@@ -187,6 +180,21 @@ struct TwoLanes {
   }
 }
 
+[[maybe_unused]] inline void load_kept(const FramePair& from, Unpacked& out) {
+  for (int c = 0; c < 3; ++c) {
+    out.a[c] = load_aligned(from.a[c]);
+    out.b[c] = load_aligned(from.b[c]);
+  }
+  for (int i = 0; i < 4; ++i) out.rest[i] = load_aligned(from.rest[i]);
+}
+[[maybe_unused]] inline void keep(const Unpacked& four, FramePair& to) {
+  for (int c = 0; c < 3; ++c) {
+    store(to.a[c], four.a[c]);
+    store(to.b[c], four.b[c]);
+  }
+  for (int i = 0; i < 4; ++i) store(to.rest[i], four.rest[i]);
+}
+
 // Writes the lanes in `lanes` of N components.
 template <std::size_t N>
 inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
@@ -204,9 +212,13 @@ struct Rodrigues {
   f32x4 factor;
 };
 
-inline Rodrigues rodrigues(const Tables& t, const f32x4 (&n)[3], const Unpacked& four) {
-  const Vector<f32x4> m = {(n[0] + four.least[0]) * four.step, (n[1] + four.least[1]) * four.step,
-                           (n[2] + four.least[2]) * four.step};
+// n: a or b of `four`, an Unpacked or a FramePair.
+template <class Numbers, class Four>
+inline Rodrigues rodrigues(const Tables& t, const Numbers& n, const Four& four) {
+  const f32x4 step = lanes_of(four.rest[3]);
+  const Vector<f32x4> m = {(lanes_of(n[0]) + lanes_of(four.rest[0])) * step,
+                           (lanes_of(n[1]) + lanes_of(four.rest[1])) * step,
+                           (lanes_of(n[2]) + lanes_of(four.rest[2])) * step};
   return {m, load_aligned(t.two) / (dot(m, m) + load_aligned(t.one))};
 }
 
@@ -216,7 +228,8 @@ struct Rotations {
   f32x4 factor_a, factor_b, chord_squared;
 };
 
-inline Rotations rotations(const Tables& t, const Unpacked& four) {
+template <class Four>
+inline Rotations rotations(const Tables& t, const Four& four) {
   const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
   // The squared chord between the quaternions, without a difference of large numbers.
   const Vector<f32x4> d = a.m - b.m;
@@ -232,33 +245,16 @@ inline void store3(const Vector<f32x4>& v, float (&to)[3][4]) {
   store(to[2], v.z);
 }
 
-inline Rotations kept_rotations(const FramePair& from) {
+[[maybe_unused]] inline Rotations kept_rotations(const FramePair& from) {
   return {load3(from.a), load3(from.b), load_aligned(from.rest[0]), load_aligned(from.rest[1]),
           load_aligned(from.rest[2])};
 }
-inline void keep(const Rotations& r, FramePair& to) {
+[[maybe_unused]] inline void keep(const Rotations& r, FramePair& to) {
   store3(r.a, to.a);
   store3(r.b, to.b);
   store(to.rest[0], r.factor_a);
   store(to.rest[1], r.factor_b);
   store(to.rest[2], r.chord_squared);
-}
-
-inline void load_kept(const FramePair& from, Unpacked& out) {
-  for (int c = 0; c < 3; ++c) {
-    out.a[c] = load_aligned(from.a[c]);
-    out.b[c] = load_aligned(from.b[c]);
-    out.least[c] = load_aligned(from.rest[c]);
-  }
-  out.step = load_aligned(from.rest[3]);
-}
-inline void keep(const Unpacked& four, FramePair& to) {
-  for (int c = 0; c < 3; ++c) {
-    store(to.a[c], four.a[c]);
-    store(to.b[c], four.b[c]);
-    store(to.rest[c], four.least[c]);
-  }
-  store(to.rest[3], four.step);
 }
 
 // The blend of two frames, the same for every joint.
@@ -295,12 +291,23 @@ inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend&
 }
 
 // Translations or scales.
-inline void add_to_rest(const Tables& t, const Unpacked& four, f32x4 u, const float (&rest)[3][4], std::uint32_t lanes,
+template <class Four>
+inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float (&rest)[3][4], std::uint32_t lanes,
                         float (&vector)[3][4]) {
   f32x4 out[3];
   for (int c = 0; c < 3; ++c)
-    out[c] = load_aligned(rest[c]) + (four.a[c] + (four.b[c] - four.a[c]) * u + four.least[c]) * four.step;
+    out[c] = load_aligned(rest[c]) +
+             (lanes_of(four.a[c]) + (lanes_of(four.b[c]) - lanes_of(four.a[c])) * u + lanes_of(four.rest[c])) *
+                 lanes_of(four.rest[3]);
   store_lanes(t, out, lanes, vector);
+}
+
+[[gnu::noinline, maybe_unused]] void blend_kept(const FramePair& two, std::uint32_t kind, const FrameBlend& blend,
+                                                const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
+  const Tables& t = tables();
+  if (kind == 0) return rotate_rest(t, rotations(t, two), blend, rest.rotation, lanes, out.rotation);
+  add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
+              kind == 2 ? out.scale : out.translation);
 }
 
 // What moves, group after group. One loop for all kinds, since they are unpacked alike.
@@ -326,27 +333,35 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
     for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
       const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
       if (tracks == 0) continue;
-      if (lanes == 0) {
+      if (!kSmall && lanes == 0) {
         skip(cursor, tracks);
         continue;
       }
       // Only if a clip passes for another one by its id, as a file might that was made for that.
       if (pair != nullptr && pair == m.kept_end) [[unlikely]]
         return;
-      Unpacked four;
-      if (!m.is_kept) unpack(cursor, t, tracks, four);
-      if (kind == 0) {
-        const Rotations two = m.is_kept ? kept_rotations(*pair) : rotations(t, four);
-        if (!m.is_kept && pair != nullptr) keep(two, *pair);
-        rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
+      if constexpr (kSmall) {
+        FramePair one;
+        FramePair& two = pair != nullptr ? *pair : one;
+        if (!m.is_kept) unpack_each(cursor, tracks, two);
+        blend_kept(two, kind, m.blend, *rest, lanes, *out);
       } else {
-        if (m.is_kept)
-          load_kept(*pair, four);
-        else if (pair != nullptr)
-          keep(four, *pair);
-        const bool scales = kind == 2;
-        add_to_rest(t, four, m.blend.u, scales ? rest->scale : rest->translation, lanes,
-                    scales ? out->scale : out->translation);
+        Unpacked four;
+        if (!m.is_kept) unpack(cursor, t, tracks, four);
+        if (kind == 0) {
+          const Rotations two = m.is_kept ? kept_rotations(*pair) : rotations(t, four);
+          if (!m.is_kept && pair != nullptr) keep(two, *pair);
+          rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
+        } else {
+          if (m.is_kept) {
+            load_kept(*pair, four);
+          } else if (pair != nullptr) {
+            keep(four, *pair);
+          }
+          const bool scales = kind == 2;
+          add_to_rest(t, four, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+                      scales ? out->scale : out->translation);
+        }
       }
       if (pair != nullptr) ++pair;
     }
@@ -439,12 +454,15 @@ Place find(const CodedTracks& coded, float time_s) {
 }  // namespace
 
 void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
-  for (std::uint32_t lane = 0; lane < 4; ++lane) {
-    if ((lanes >> lane & 1u) == 0) continue;
-    for (int i = 0; i < 3; ++i) to.translation[i][lane] = from.translation[i][lane];
-    for (int i = 0; i < 4; ++i) to.rotation[i][lane] = from.rotation[i][lane];
-    for (int i = 0; i < 3; ++i) to.scale[i][lane] = from.scale[i][lane];
+  if (lanes == 15) {
+    to = from;
+    return;
   }
+  constexpr std::size_t kNumbers = sizeof from / sizeof(float);
+  const auto* const source = reinterpret_cast<const float*>(&from);
+  auto* const target = reinterpret_cast<float*>(&to);
+  for (std::size_t i = 0; i < kNumbers; ++i)
+    if ((lanes >> i % 4 & 1u) != 0) target[i] = source[i];
 }
 
 std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
@@ -456,7 +474,7 @@ std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
 
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
                   SoaTransform* out, bool is_still, SampleCache* cache) {
-  if (!is_still) set_still(skeleton, coded, options, out);
+  if (!is_still) (kSmall ? set_still_each : set_still)(skeleton, coded, options, out);
   const Place place = find(coded, time_s);
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,

@@ -1,6 +1,7 @@
 // Coded tracks at a time → local transforms; the part of `sample` that unpacks.
 #pragma once
 
+#include "core/fixed.h"
 #include "marrow/sample.h"
 #include "math/f32x4.h"
 
@@ -23,7 +24,7 @@ void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform
 
 // All are copied faster than by a call for a few hundred bytes.
 inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
-  if (lanes != 15) return copy_some_lanes(from, lanes, to);
+  if (kSmall || lanes != 15) return copy_some_lanes(from, lanes, to);
   copy(from.translation, to.translation);
   copy(from.rotation, to.rotation);
   copy(from.scale, to.scale);

@@ -1,5 +1,6 @@
 // What unpacking makes of multi-weights and pose space, and what it and load() refuse of them.
 #include <cstring>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +79,38 @@ TEST(UnpackDeformers, DamagedOnesAreRefusedOrHarmless) {
   }
   EXPECT_GT(refused, 1500u);
   EXPECT_GT(harmless, 2000u);
+}
+
+// Of the plain file: sigma and a parent at their limits, and one step beyond.
+TEST(UnpackDeformers, LoadKnowsTheLimitsOfPoseSpace) {
+  Unpacked memory;
+  File file;
+  DataError error;
+  ASSERT_EQ(run(packed_deformers(), memory, file, error), Status::ok);
+  std::uint32_t bytes = 0;
+  std::memcpy(&bytes, memory->data() + 8, sizeof bytes);
+  const Geometry g = file.mesh(0).geometry;
+  const auto place_of = [&](const void* p) {
+    return static_cast<std::size_t>(static_cast<const std::byte*>(p) - memory->data());
+  };
+  const std::size_t parent = place_of(g.pose_space.parents),
+                    sigma = place_of(g.pose_space.examples.data) - sizeof(format::PoseSpaceHeader) + 8;
+  const auto rule_with = [&](std::size_t offset, const auto& now) {
+    test::AlignedBlock block(memory->data(), bytes);
+    std::memcpy(block.data() + offset, &now, sizeof now);
+    test::forge_checksum(block.data(), block.size());
+    File out;
+    DataError found;
+    const Status status = load(block, out, &found);
+    EXPECT_EQ(found.offset, status == Status::ok ? 0 : offset);
+    return std::string(status == Status::ok ? "" : found.rule);
+  };
+  EXPECT_EQ(rule_with(parent, static_cast<std::uint16_t>(g.joint_count - 1)), "");
+  EXPECT_EQ(rule_with(parent, static_cast<std::uint16_t>(g.joint_count)), "a parent outside the palette");
+  EXPECT_EQ(rule_with(parent, kNoParent), "");
+  for (const float good : {1e-3f, 1e3f}) EXPECT_EQ(rule_with(sigma, good), "") << good;
+  for (const float bad : {0.000999f, 1000.1f, -1.0f, 0.0f})
+    EXPECT_EQ(rule_with(sigma, bad), "sigma from 0.001 to 1000") << bad;
 }
 
 TEST(UnpackDeformers, RefusesWhatTheyMustNotBe) {
