@@ -93,10 +93,6 @@ template <bool plain>
 inline f32x4 inverse_root(f32x4 squared) {
   return plain ? splat(1.0f) / sqrt(squared) : only_where(splat(kTinySquare) < squared, splat(1.0f) / sqrt(squared));
 }
-template <bool plain>
-inline Vector<f32x4> inverse_roots(const Vector<f32x4>& squared) {
-  return {inverse_root<plain>(squared.x), inverse_root<plain>(squared.y), inverse_root<plain>(squared.z)};
-}
 template <class F>
 inline F x_of(const Vector<F>& a) {
   return a.x;
@@ -144,10 +140,6 @@ inline Vector<One> roots(Vector<One> squared) {
 }
 template <bool plain>
 inline One inverse_root(One squared) {
-  return {inverse_root<plain>(squared.v)};
-}
-template <bool plain>
-inline Vector<One> inverse_roots(Vector<One> squared) {
   return {inverse_root<plain>(squared.v)};
 }
 inline One x_of(Vector<One> a) {
