@@ -13,7 +13,7 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marr
 marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
   unit/cook/clip_packer_test.cpp
   unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/shapes_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp unit/cook/paint_file_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp
+  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp unit/cook/merge_runs_test.cpp
   unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/residual_apart_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/skin_apart_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
   unit/cook/subdivide_mesh_test.cpp unit/cook/bounds_packer_test.cpp unit/cook/add_skeleton_test.cpp unit/cook/weights_over_time_test.cpp unit/cook/eigen_targets_test.cpp)
 # To cook twice, and the newt with a fit, takes minutes under a sanitizer, which sees the same code in all the others. Two halves, as it takes as

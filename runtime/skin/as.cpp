@@ -6,14 +6,11 @@ namespace marrow {
 namespace {
 
 // A row of M_j - M_last times four coordinates.
-inline f32x4 dot4(const Factors& row, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
+template <class Row>
+inline f32x4 dot4(const Row& row, f32x4 x, f32x4 y, f32x4 z, f32x4 w) {
   return (times<0>(x, row) + times<1>(y, row)) + (times<2>(z, row) + times<3>(w, row));
 }
 
-inline void add_direction(FourRows& row, f32x4 w, const Factors& m) {
-  Vector<f32x4>& v = row.linear;
-  v = {v.x + times<0>(w, m), v.y + times<1>(w, m), v.z + times<2>(w, m)};
-}
 // Not aligned: coordinates may lie anywhere.
 inline Vector<f32x4> load_anywhere(const float* v) {
   return {load(v), load(v + 4), load(v + 8)};
@@ -24,46 +21,53 @@ inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to)
   to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
 }
 
-struct AnimationSpace {
-  template <class D>
-  static void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-                  const Affine* palette, Cursor& at) {
-    JointSet joints;
-    load_joint_set(set, influences, palette, joints);
-    if constexpr (!kSmall &&
-                  D() == Directions::none) {  // with directions there are too few registers to gain from this
-      if (influences == 1) return blend(directions, Fixed<1u>(), joints, blocks, at);
-      if (influences == 2) return blend(directions, Fixed<2u>(), joints, blocks, at);
-      if (influences == 3) return blend(directions, Fixed<3u>(), joints, blocks, at);
-      if (influences == 4) return blend(directions, Fixed<4u>(), joints, blocks, at);
-    }
-    blend(directions, influences, joints, blocks, at);
-  }
+class AnimationSpace {
+ public:
+  static constexpr bool kHasKernels = true;
 
   template <class D, class Count>
-  [[gnu::noinline]] static void blend(D directions, Count influences, const JointSet& joints, std::uint32_t blocks,
-                                      Cursor& cursor) {
+  [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
+                                         const Affine* palette, Cursor& at) {
+    const JointSet<Row<D, Count>> joints(set, influences, palette);
     const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
-    Cursor at = cursor;
     for (; blocks > 0; --blocks) {
       Blend m = joints.last;
-      Vector<f32x4> p = transform(m, load_anywhere(at.stream));
-      at.stream += 12;
-      for (std::uint32_t j = 0; j + 1 < influences; ++j, at.stream += 16) {
-        const Factors(&other)[3] = joints.others[j];
-        add_turned(other, at.stream, p);
-        if (directions != Directions::none) {
-          const f32x4 w = load(at.stream + 12);
-          add_direction(m.a, w, other[0]);
-          add_direction(m.b, w, other[1]);
-          add_direction(m.c, w, other[2]);
-        }
+      const float* const q = at.stream;
+      Vector<f32x4> p;
+      if constexpr (kSmall) {
+        f32x4* const to[3] = {&p.x, &p.y, &p.z};
+        FourRows* const rows[3] = {&m.a, &m.b, &m.c};
+        for (int r = 0; r < 3; ++r) *to[r] = add(directions, influences, joints, r, q, *rows[r]);
+      } else {
+        p = {add(directions, influences, joints, 0, q, m.a), add(directions, influences, joints, 1, q, m.b),
+             add(directions, influences, joints, 2, q, m.c)};
       }
       store_xyz(at.out_positions, p);
+      at.stream += 16 * influences - 4;
       at.out_positions += 12;
       write_directions(directions, m, mirror, at);
     }
-    cursor = at;
+  }
+
+ private:
+  template <class D, class Count>
+  using Row = std::conditional_t<std::is_same_v<Count, std::uint32_t> || D() != Directions::none, Factors, f32x4>;
+
+  // A row of the blended matrix, which is the last joint's before; returns the positions' coordinate.
+  template <class D, class Count, class Joints>
+  [[gnu::always_inline]] static f32x4 add(D directions, Count influences, const Joints& joints, int row, const float* q,
+                                          FourRows& m) {
+    Vector<f32x4>& v = m.linear;
+    f32x4 p = dot(v, load_anywhere(q)) + m.origin;
+    q += 12;
+    for (std::uint32_t j = 0; j + 1 < influences; ++j, q += 16) {
+      const auto& other = joints.others[j][row];
+      const f32x4 w = load(q + 12);
+      p = p + dot4(other, load(q), load(q + 4), load(q + 8), w);
+      if (directions != Directions::none)
+        v = {v.x + times<0>(w, other), v.y + times<1>(w, other), v.z + times<2>(w, other)};
+    }
+    return p;
   }
 };
 
@@ -72,34 +76,14 @@ class WithTangents {
  public:
   explicit WithTangents(const float* tangents) : tangents_(tangents) {}
 
-  template <class D>
-  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-           const Affine* palette, Cursor& at) {
-    JointSet joints;
-    load_joint_set(set, influences, palette, joints);
-    tangents_ = blend(directions, joints, influences, blocks, tangents_, at);
-  }
+  static constexpr bool kHasKernels = false;
 
- private:
   template <class D>
-  static void write(D directions, const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
-    const Vector<f32x4> n = cross(t0, t1);
-    store_xyz(at.out_normals, n * flip(inverse_length(dot(n, n)), mirror));
-    at.out_normals += 12;
-    if (has_tangents(directions)) {
-      const Vector<f32x4> t = normalised(t0);
-      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), mirror));
-      at.tangents += 16;
-      at.out_tangents += 16;
-    }
-  }
-
-  // Returns where the next run's tangents begin.
-  template <class D>
-  [[gnu::noinline]] static const float* blend(D directions, const JointSet& joints, std::uint32_t influences,
-                                              std::uint32_t blocks, const float* tau, Cursor& cursor) {
+  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+                                  std::uint32_t blocks, const Affine* palette, Cursor& at) {
+    const JointSet<Factors> joints(set, influences, palette);
     const f32x4 mirror = determinant(joints.last);
-    Cursor at = cursor;
+    const float* tau = tangents_;
     for (; blocks > 0; --blocks) {
       Vector<f32x4> p = transform(joints.last, load_anywhere(at.stream));
       Vector<f32x4> t0 = turn(joints.last, load_anywhere(tau)), t1 = turn(joints.last, load_anywhere(tau + 12));
@@ -114,8 +98,21 @@ class WithTangents {
       at.out_positions += 12;
       write(directions, t0, t1, mirror, at);
     }
-    cursor = at;
-    return tau;
+    tangents_ = tau;
+  }
+
+ private:
+  template <class D>
+  static void write(D directions, const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
+    const Vector<f32x4> n = cross(t0, t1);
+    store_xyz(at.out_normals, n * flip(inverse_length(dot(n, n)), mirror));
+    at.out_normals += 12;
+    if (has_tangents(directions)) {
+      const Vector<f32x4> t = normalised(t0);
+      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), mirror));
+      at.tangents += 16;
+      at.out_tangents += 16;
+    }
   }
 
   const float* tangents_;

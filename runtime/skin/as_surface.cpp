@@ -111,16 +111,20 @@ void AsSurface::opposite(std::uint32_t slot, std::uint32_t corner, std::uint32_t
 void AsSurface::read(std::uint32_t slot, AsVertex& out) const {
   const Block& b = block(slot);
   const float* from = part(slot).coordinates.data + b.coordinates + slot % 4;
-  out.set = geometry(slot).sets + b.set;
-  out.influences = b.influences;
-  float(&last)[4] = out.q[b.influences - 1];
-  for (std::size_t c = 0; c < 3; ++c) last[c] = from[4 * c];
-  last[3] = 1;
-  for (std::uint32_t j = 0; j + 1 < b.influences; ++j) {
-    for (int c = 0; c < 4; ++c) {
-      out.q[j][c] = from[12 + 16 * j + 4 * static_cast<std::uint32_t>(c)];
-      last[c] -= out.q[j][c];
+  const std::uint16_t* const set = geometry(slot).sets + b.set;
+  float last[4] = {from[0], from[4], from[8], 1};
+  out.influences = 0;
+  for (std::uint32_t j = 0; j < b.influences; ++j) {
+    float(&q)[4] = out.q[out.influences];
+    bool counts = j + 1 == b.influences;
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      q[c] = counts ? last[c] : from[16 * j + 12 + 4 * c];
+      last[c] -= q[c];
     }
+    for (const float c : q) counts = counts || c != 0;
+    if (!counts) continue;
+    out.set[out.influences] = set[j];
+    out.place[out.influences++] = static_cast<std::uint8_t>(j);
   }
 }
 

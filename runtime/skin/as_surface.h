@@ -7,10 +7,11 @@ namespace marrow {
 
 inline constexpr std::uint32_t kNoNumber = 0xFFFFFFFF;
 
-// Animation-space coordinates of one slot, all influences: x y z w.
+// Animation-space coordinates of one slot: x y z w of all influences that have any, and the last.
 struct AsVertex {
   float q[kMaxInfluences][4];
-  const std::uint16_t* set;  // palette entries
+  std::uint16_t set[kMaxInfluences];   // palette entries
+  std::uint8_t place[kMaxInfluences];  // among the run's
   std::uint32_t influences;
 };
 

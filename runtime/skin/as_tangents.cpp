@@ -52,7 +52,7 @@ Frame frame_of(const Geometry& g, std::uint32_t slot) {
   });
   return {axes.x, {axes.y, axes.z}};
 }
-// τ_aj of both tangents.
+// τ_aj of both tangents, of each influence of the run.
 using Tangents = float[2][kMaxInfluences][4];
 
 class Derivation {
@@ -107,17 +107,18 @@ class Derivation {
     stand_ins_.add(neighbour, q);
     for (std::uint32_t j = 0; j < vertex_.influences; ++j)
       for (int c = 0; c < 4; ++c) {
-        out[0][j][c] += factors[0] * q[j][c];
-        out[1][j][c] += factors[1] * q[j][c];
+        out[0][vertex_.place[j]][c] += factors[0] * q[j][c];
+        out[1][vertex_.place[j]][c] += factors[1] * q[j][c];
       }
   }
 
   // A direction through the blended matrix.
   void add_blend(Vector3 direction, float (&tau)[kMaxInfluences][4]) const {
     for (std::uint32_t j = 0; j < vertex_.influences; ++j) {
-      tau[j][0] += vertex_.q[j][3] * direction.x;
-      tau[j][1] += vertex_.q[j][3] * direction.y;
-      tau[j][2] += vertex_.q[j][3] * direction.z;
+      float(&to)[4] = tau[vertex_.place[j]];
+      to[0] += vertex_.q[j][3] * direction.x;
+      to[1] += vertex_.q[j][3] * direction.y;
+      to[2] += vertex_.q[j][3] * direction.z;
     }
   }
 

@@ -80,15 +80,55 @@ inline void write_directions(D directions, const Blend& m, f32x4 mirror, Cursor&
   }
 }
 
-// deformer.run(directions, set, influences, blocks, palette, cursor) deforms one run; runs come in order.
+// Runs that have as many influences each; returns the run behind them.
+template <class D, class Count, class Deformer>
+[[gnu::noinline]] const Run* deform_alike(D directions, Count influences, Deformer& deformer, const Run* run,
+                                          const Run* end, const std::uint16_t*& set, const Affine* palette,
+                                          Cursor& cursor) {
+  Cursor at = cursor;
+  const std::uint16_t* joints = set;
+  do {
+    deformer.run(directions, influences, joints, (run->vertex_count + 3) / 4, palette, at);
+    joints += influences;
+  } while (++run < end && run->influences == influences);
+  cursor = at;
+  set = joints;
+  return run;
+}
+
+// deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. influences:
+// any; with Deformer::kHasKernels a Fixed number up to 4.
 template <class D, class Deformer>
 void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {
   Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out.tangents.data};
   const std::uint16_t* set = g.sets;
-  for (const Run& run : g.runs) {
-    deformer.run(directions, set, run.influences, (run.vertex_count + 3) / 4, palette, at);
-    set += run.influences;
+  const Run *run = g.runs.begin(), *const end = g.runs.end();
+  const auto alike = [&](auto influences) {
+    run = deform_alike(directions, influences, deformer, run, end, set, palette, at);
+  };
+  while (run < end) {
+    if constexpr (kSmall || !Deformer::kHasKernels) {
+      alike(run->influences);
+    } else {
+      switch (run->influences) {
+        case 1:
+          alike(Fixed<1u>());
+          break;
+        case 2:
+          alike(Fixed<2u>());
+          break;
+        case 3:
+          alike(Fixed<3u>());
+          break;
+        case 4:
+          alike(Fixed<4u>());
+          break;
+        default:
+          alike(run->influences);
+          break;
+      }
+    }
   }
 }
 

@@ -6,21 +6,66 @@
 namespace marrow {
 
 // All matrices but the last are kept as differences from the last, so that a block needs one weight fewer:
-// Σ w_j M_j = M_last + Σ_{j<last} w_j (M_j - M_last). Loaded once a run; stays in memory, where multiplications can
-// take it from: there are not enough registers for it.
+// Σ w_j M_j = M_last + Σ_{j<last} w_j (M_j - M_last). Loaded once a run; stays in memory, as there are not enough
+// registers for it. Row: f32x4, which loads fast, or Factors, which multiply faster.
+template <class Row>
 struct JointSet {
-  Blend last;                             // the same in all lanes
-  Factors others[kMaxInfluences - 1][3];  // rows
+  Blend last;                         // the same in all lanes
+  Row others[kMaxInfluences - 1][3];  // rows
+
+  template <class Count>
+  [[gnu::always_inline]] JointSet(const std::uint16_t* set, Count influences, const Affine* palette) {
+    if constexpr (kSmall) {
+      load_called(set, influences, palette);
+    } else {
+      load(set, influences, palette);
+    }
+  }
+
+ private:
+  // For all kernels alike.
+  [[gnu::noinline]] void load_called(const std::uint16_t* set, std::uint32_t influences, const Affine* palette) {
+    load(set, influences, palette);
+  }
+  template <class Count>
+  [[gnu::always_inline]] void load(const std::uint16_t* set, Count influences, const Affine* palette) {
+    const Affine& m = palette[set[influences - 1]];
+    const f32x4 a = load_aligned(m.rows[0]), b = load_aligned(m.rows[1]), c = load_aligned(m.rows[2]);
+    last = {splat_row(a), splat_row(b), splat_row(c)};
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) {
+      const Affine& other = palette[set[j]];
+      keep(load_aligned(other.rows[0]) - a, others[j][0]);
+      keep(load_aligned(other.rows[1]) - b, others[j][1]);
+      keep(load_aligned(other.rows[2]) - c, others[j][2]);
+    }
+#if defined(__GNUC__)
+    // Where an instruction multiplies by a lane, it is to: GCC would spread the lanes of many rows over registers
+    // before the loop, and spill those.
+    if (!kMemoryOperands && influences > 2) asm("" : : "r"(this) : "memory");
+#endif
+  }
+
+  static void keep(f32x4 row, f32x4& to) {
+    to = row;
+  }
+  static void keep(f32x4 row, Factors& to) {
+    to = factors(row);
+  }
 };
 
-void load_joint_set(const std::uint16_t* set, std::uint32_t influences, const Affine* palette, JointSet& out);
+template <int Lane>
+inline f32x4 times(f32x4 v, f32x4 row) {
+  return times<Lane>(v, factors(row));
+}
 
-inline FourRows add_scaled(const FourRows& row, f32x4 w, const Factors& m) {
+template <class Row>
+inline FourRows add_scaled(const FourRows& row, f32x4 w, const Row& m) {
   const Vector<f32x4>& v = row.linear;
   return {{v.x + times<0>(w, m), v.y + times<1>(w, m), v.z + times<2>(w, m)}, row.origin + times<3>(w, m)};
 }
 
-inline Blend add_scaled(const Blend& blend, f32x4 w, const Factors (&m)[3]) {
+template <class Row>
+inline Blend add_scaled(const Blend& blend, f32x4 w, const Row (&m)[3]) {
   return {add_scaled(blend.a, w, m[0]), add_scaled(blend.b, w, m[1]), add_scaled(blend.c, w, m[2])};
 }
 

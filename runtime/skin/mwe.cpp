@@ -21,9 +21,11 @@ class MultiWeight {
     for (int row = 0; row < 3; ++row) origin_[row] = load_aligned(root.rows[row]);
   }
 
+  static constexpr bool kHasKernels = false;
+
   template <class D>
-  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-           const Affine* palette, Cursor& at) {
+  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+                                  std::uint32_t blocks, const Affine* palette, Cursor& at) {
     Factors inside[kMaxInfluences][3];
     for (std::uint32_t j = 0; j < influences; ++j) load_inside(palette[set[j]], inside[j]);
     for (; blocks > 0; --blocks) {

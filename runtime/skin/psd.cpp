@@ -71,11 +71,12 @@ class PoseSpaceSkin {
  public:
   PoseSpaceSkin(const Geometry& g, const float* distances) : examples_(g), distances_(distances) {}
 
+  static constexpr bool kHasKernels = false;
+
   template <class D>
-  void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-           const Affine* palette, Cursor& at) {
-    JointSet joints;
-    load_joint_set(set, influences, palette, joints);
+  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+                                  std::uint32_t blocks, const Affine* palette, Cursor& at) {
+    const JointSet<Factors> joints(set, influences, palette);
     const std::size_t count = examples_.size();
     for (std::size_t k = 0; count > 0 && k <= count; ++k) from_[k].load(distances_, count + 1, k, set, influences);
     const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);

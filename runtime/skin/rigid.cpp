@@ -32,13 +32,14 @@ FourJoints largest(const std::uint16_t* set, std::uint32_t influences, const flo
 }
 
 struct Rigid {
+  static constexpr bool kHasKernels = false;
+
   template <class D>
-  static void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-                  const Affine* palette, Cursor& cursor) {
+  [[gnu::always_inline]] static void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+                                         std::uint32_t blocks, const Affine* palette, Cursor& cursor) {
     Cursor at = cursor;
     if (influences == 1) {  // one matrix for the whole run
-      JointSet joints;
-      load_joint_set(set, 1, palette, joints);
+      const JointSet<Factors> joints(set, 1u, palette);
       const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
       for (; blocks > 0; --blocks) write_block(directions, joints.last, mirror, 1, at);
     }

@@ -6,41 +6,47 @@ namespace marrow {
 namespace {
 
 struct Ssd {
-  template <class D>
-  static void run(D directions, const std::uint16_t* set, std::uint32_t influences, std::uint32_t blocks,
-                  const Affine* palette, Cursor& at) {
-    JointSet joints;
-    load_joint_set(set, influences, palette, joints);
-    if constexpr (!kSmall) {
-      if (influences == 1) return blend(directions, Fixed<1u>(), joints, blocks, at);
-      if constexpr (!is_exact(D())) {  // there the loop over joints is a small part of the work
-        if (influences == 2) return blend(directions, Fixed<2u>(), joints, blocks, at);
-        if (influences == 3) return blend(directions, Fixed<3u>(), joints, blocks, at);
-        if (influences == 4) return blend(directions, Fixed<4u>(), joints, blocks, at);
-      }
-    }
-    blend(directions, influences, joints, blocks, at);
-  }
+  static constexpr bool kHasKernels = true;
 
-  // influences: a Fixed number; or any, at least 2 but where code is to be small.
   template <class D, class Count>
-  [[gnu::noinline]] static void blend(D directions, Count influences, const JointSet& joints, std::uint32_t blocks,
-                                      Cursor& cursor) {
-    constexpr bool kMayBeOne = kSmall || std::is_same_v<Count, Fixed<1u>>;
+  [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
+                                         const Affine* palette, Cursor& at) {
+    const JointSet<Row<Count>> joints(set, influences, palette);
     const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
-    Cursor at = cursor;
     for (; blocks > 0; --blocks) {
       const float* const weights = at.stream + 12;
+      const Vector<f32x4> v = load_block(at.stream);
       Blend m = joints.last;
-      std::uint32_t j = 0;
-      if (!kMayBeOne) m = add_scaled(m, load_aligned(weights), joints.others[j++]);
-      for (; j + 1 < influences; ++j) m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
-      store_xyz(at.out_positions, transform(m, load_block(at.stream)));
+      if constexpr (std::is_same_v<Count, std::uint32_t>) {
+        for (std::uint32_t j = 0; j + 1 < influences; ++j)
+          m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
+      } else {
+        blend_row(influences, joints, 0, weights, m.a);
+        blend_row(influences, joints, 1, weights, m.b);
+        blend_row(influences, joints, 2, weights, m.c);
+      }
+      store_xyz(at.out_positions, transform(m, v));
       at.stream += 4 * (influences + 2);
       at.out_positions += 12;
       write_directions(directions, m, mirror, at);
     }
-    cursor = at;
+  }
+
+ private:
+  template <class Count>
+  using Row = std::conditional_t<std::is_same_v<Count, std::uint32_t>, Factors, f32x4>;
+
+  template <class Count>
+  [[gnu::always_inline]] static void blend_row(Count influences, const JointSet<f32x4>& joints, int row,
+                                               const float* weights, FourRows& m) {
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) {
+      const f32x4 w = load_aligned(weights + 4 * j), other = joints.others[j][row];
+      Vector<f32x4>& v = m.linear;
+      v.x = v.x + times<0>(w, other);
+      v.y = v.y + times<1>(w, other);
+      v.z = v.z + times<2>(w, other);
+      m.origin = m.origin + times<3>(w, other);
+    }
   }
 };
 

@@ -79,6 +79,7 @@ std::vector<Influence> influences_of(const Block& block, std::uint32_t lane, con
     const bool last = j + 1 == block.influences;
     const float weight = last ? left : block.skin[12 + 4 * j + lane];
     left -= weight;
+    if (weight == 0) continue;  // a joint of its run's others
     const EntryJoints& entry = entries[block.set[j]];
     add(entry.first, weight * (1 - entry.share), out);
     add(entry.second, weight * entry.share, out);

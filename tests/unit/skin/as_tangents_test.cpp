@@ -1,4 +1,5 @@
 // Normals through tangents against closed forms, and against the derivatives' definition in double precision.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -85,6 +86,37 @@ TEST(AsTangents, RotationUnevenScaleAndMirrorAreTheInverseTranspose) {
     }
   }
   EXPECT_EQ(cases, 6);
+}
+
+// As the cooker merges runs: a joint without a weight, before the last one.
+TEST(AsTangents, JointsWithoutAWeightChangeNothing) {
+  test::Random random(5);
+  std::vector<Map> palette;
+  for (int j = 0; j < 9; ++j)
+    palette.push_back(test::from_trs({0.1 * j, 0, -0.05 * j}, test::axis_angle({1, 2, -3}, 0.2 * j), {1, 1, 1}));
+  std::size_t padded = 0;
+  for (const bool residuals : {false, true}) {
+    const test::Sheet sheet = test::make_sheet(3, 8, 9, 6, residuals);
+    std::vector<SurfaceVertex> vertices = sheet.vertices;
+    for (SurfaceVertex& v : vertices) {
+      const auto joint = static_cast<std::uint16_t>(random.below(9));
+      if (std::find(v.set.begin(), v.set.end(), joint) != v.set.end()) continue;
+      v.set.insert(v.set.begin(), joint);
+      v.vertex.weights.insert(v.vertex.weights.begin(), 0.0);
+      if (residuals) v.vertex.residual.insert(v.vertex.residual.begin(), std::array<double, 4>{});
+      ++padded;
+    }
+    const TestSurface surface(sheet.vertices, sheet.triangles, std::vector<Map>(9), residuals),
+        with_more(vertices, sheet.triangles, std::vector<Map>(9), residuals);
+    const Skinned got = skin(surface.view(), palette), more = skin(with_more.view(), palette);
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t a = 3 * surface.slot(v) + c, b = 3 * with_more.slot(v) + c;
+        EXPECT_EQ(got.positions[a], more.positions[b]) << v;
+        EXPECT_NEAR(got.normals[a], more.normals[b], 1e-5) << v;  // sums over copies have another order
+      }
+  }
+  EXPECT_GT(padded, 50u);
 }
 
 // The definition: of each triangle round a vertex the linear map that takes its edges in the bind pose to those in the

@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/geometry/encode_streams.h"
+#include "cook/geometry/merge_runs.h"
 #include "cook/geometry/part_of_streams.h"
 #include "cook/geometry/record.h"
 #include "cook/geometry/residual_apart.h"
@@ -77,6 +78,8 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
 
 // Of welded streams.
 void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
+  // A smoothed residual is what the file makes of its joints and their weights: more joints would be another guess.
+  if (!grid.residual_source.is_all) merge_runs(streams);
   optimise_order(streams);
   if (is_packed(options)) {
     const bool draco = options.mesh_codec != MeshCodec::meshopt && streams.streams.size() <= kMostDracoStreams &&

@@ -43,7 +43,7 @@ void for_each_slot(const Mesh& mesh, const auto& take) {
         double left = 1;
         for (std::uint32_t j = 0; j + 1 < run.influences; ++j) {
           const double weight = static_cast<double>(block[12 + 4 * j + lane]);
-          add_entry(mesh, set[j], weight, influences);
+          if (weight != 0) add_entry(mesh, set[j], weight, influences);
           left -= weight;
         }
         add_entry(mesh, set[run.influences - 1], left, influences);
