@@ -43,8 +43,8 @@ MARROW_API Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const
 
 // Skeletal subspace deformation, also called linear blend skinning.
 //   position = (Σ_j w_j M_j) (v, 1)
-// Cost: positions 39 / 30; with normals through the blended matrix 50 / 35, and tangents 63 / 43; through the inverse
-// transpose 72 / 50 and 88 / 60. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
+// Cost: positions 39 / 29; with normals through the blended matrix 49 / 35, and tangents 61 / 42; through the inverse
+// transpose 66 / 47 and 83 / 56. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
 // or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
 // transpose.
 MARROW_API Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
@@ -93,8 +93,8 @@ MARROW_API Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch)
 //            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
 // Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
 // coordinates: from as_coordinates() of this geometry.
-// Cost: positions 41 / 32; with normals through the blended matrix 78 / 57, and tangents 93 / 62; through the inverse
-// transpose 100 / 68 and 116 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
+// Cost: positions 40 / 31; with normals through the blended matrix 75 / 56, and tangents 86 / 62; through the inverse
+// transpose 92 / 69 and 108 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
 // more an influence but the last.
 //
 // tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
