@@ -48,8 +48,8 @@ class Checker {
   bool keeps_of_clip(Check check);
   bool keeps_of_mesh(Check check, std::uint32_t limit);
   bool keeps_of_others(Check check);
-  const void* place(Number n) const { return at<std::byte>(bases_[n.from], n.at); }
-  std::uint32_t value(Number n) const;
+  const void* place(RuleNumber n) const { return at<std::byte>(bases_[n.from], n.at); }
+  std::uint32_t value(RuleNumber n) const;
   // Arrays begin behind a header.
   void begin_arrays(std::size_t place, std::uint64_t at) {
     arrays_ = static_cast<std::uint32_t>(place);

@@ -392,7 +392,7 @@ constexpr Written write_rules() {
   Written out;
   for (std::size_t i = 0; i < kRuleCount; ++i) {
     const Line& l = kLines[i];
-    const Number limit =
+    const RuleNumber limit =
         l.limit.is_constant ? number(From::constants, 4 * out.constants.place_of(l.limit.value), 4) : l.limit.number;
     const std::size_t count =
         l.how == How::floats_until ? out.constants.place_of(static_cast<std::uint32_t>(l.count)) : l.count;

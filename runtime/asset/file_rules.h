@@ -20,7 +20,7 @@ enum class From : std::uint8_t {
 };
 
 // An unsigned number of 1, 2 or 4 bytes, and where it stands.
-struct Number {
+struct RuleNumber {
   std::uint16_t from : 3, bytes : 3, at : 10;
 };
 
@@ -32,7 +32,7 @@ enum class How : std::uint8_t {
   where_bits,    // share some bits
   where_lacks,   // share none
   where_differ,  // differ
-  // Number and limit:
+  // A number and its limit:
   equal,
   below,
   at_most,
@@ -116,7 +116,7 @@ inline constexpr const char *kNotFinite = "a number that is not finite",
                             *kNoUnit = "a rotation that is no unit quaternion";
 
 struct Rule {
-  Number number, limit;
+  RuleNumber number, limit;
   std::uint32_t how : 5, count : 8, back : 5, text : 14;  // back: bytes from the number to the place that is told
 };
 static_assert(sizeof(Rule) == 8);

@@ -11,15 +11,15 @@ namespace marrow::rule_table {
 
 // A rule as it is written.
 struct Limit {
-  Number number;
+  RuleNumber number;
   std::uint32_t value = 0;
   bool is_constant = false;
-  constexpr Limit(Number n) : number(n) {}
+  constexpr Limit(RuleNumber n) : number(n) {}
   constexpr Limit(std::uint32_t constant) : number{}, value(constant), is_constant(true) {}
 };
 struct Line {
   How how;
-  Number number;
+  RuleNumber number;
   Limit limit;
   std::size_t count = 0;
   const char* text = "";
@@ -38,34 +38,34 @@ constexpr unsigned fitting(std::size_t value, unsigned most) {
   return static_cast<unsigned>(value);
 }
 
-constexpr Number number(From from, std::size_t at, std::size_t bytes) {
-  Number out{};
+constexpr RuleNumber number(From from, std::size_t at, std::size_t bytes) {
+  RuleNumber out{};
   out.from = static_cast<unsigned>(from) & 7u;
   out.bytes = bytes < 4 ? static_cast<unsigned>(bytes) & 7u : 4u;
   out.at = fitting(at, 1023u) & 1023u;
   return out;
 }
 // The first constant; also where no number counts.
-inline constexpr Number kOne = number(From::constants, 0, 4);
-constexpr Number byte(std::size_t at) {
+inline constexpr RuleNumber kOne = number(From::constants, 0, 4);
+constexpr RuleNumber byte(std::size_t at) {
   return number(From::record, at, 1);
 }
-constexpr Number half(std::size_t at) {
+constexpr RuleNumber half(std::size_t at) {
   return number(From::record, at, 2);
 }
-constexpr Number word(std::size_t at) {
+constexpr RuleNumber word(std::size_t at) {
   return number(From::record, at, 4);
 }
-constexpr Number array(std::size_t n) {
+constexpr RuleNumber array(std::size_t n) {
   return number(From::arrays, 8 * n, 4);
 }
-constexpr Number count_of(format::Kind kind) {
+constexpr RuleNumber count_of(format::Kind kind) {
   return number(From::counts, 4 * std::size_t{kind}, 4);
 }
 // Of a geometry.
-inline constexpr Number kIndexBytes = array(kIndexBytesPlace);
+inline constexpr RuleNumber kIndexBytes = array(kIndexBytesPlace);
 // Of the skeleton or reference.
-inline constexpr Number kJointCount = number(From::owner, offsetof(format::SkeletonHeader, joint_count), 4);
+inline constexpr RuleNumber kJointCount = number(From::owner, offsetof(format::SkeletonHeader, joint_count), 4);
 static_assert(offsetof(format::SkeletonHeader, joint_count) == offsetof(format::ReferenceHeader, joint_count));
 // A member of a record, or of the section's header.
 #define MARROW_IN(type, member) number(From::record, offsetof(type, member), sizeof(type::member))
@@ -74,49 +74,49 @@ static_assert(offsetof(format::SkeletonHeader, joint_count) == offsetof(format::
 constexpr Line begins(std::uint32_t kind) {
   return {How::begins, kOne, 0u, kind};
 }
-constexpr Line equal(Number n, Limit limit, const char* text) {
+constexpr Line equal(RuleNumber n, Limit limit, const char* text) {
   return {How::equal, n, limit, 0, text};
 }
-constexpr Line below(Number n, Limit limit, const char* text) {
+constexpr Line below(RuleNumber n, Limit limit, const char* text) {
   return {How::below, n, limit, 0, text};
 }
-constexpr Line at_most(Number n, Limit limit, const char* text) {
+constexpr Line at_most(RuleNumber n, Limit limit, const char* text) {
   return {How::at_most, n, limit, 0, text};
 }
-constexpr Line at_least(Number n, Limit limit, const char* text) {
+constexpr Line at_least(RuleNumber n, Limit limit, const char* text) {
   return {How::at_least, n, limit, 0, text};
 }
-constexpr Line from_1_to(Number n, Limit limit, const char* text) {
+constexpr Line from_1_to(RuleNumber n, Limit limit, const char* text) {
   return {How::from_1_to, n, limit, 0, text};
 }
-constexpr Line only_bits(Number n, Limit limit, const char* text) {
+constexpr Line only_bits(RuleNumber n, Limit limit, const char* text) {
   return {How::only_bits, n, limit, 0, text};
 }
-constexpr Line differ(Number n, Limit limit, const char* text) {
+constexpr Line differ(RuleNumber n, Limit limit, const char* text) {
   return {How::differ, n, limit, 0, text};
 }
-constexpr Line reserved(Number n) {
+constexpr Line reserved(RuleNumber n) {
   return at_most(n, 0u, "reserved must be 0");
 }
-constexpr Line where_bits(Number n, Limit limit) {
+constexpr Line where_bits(RuleNumber n, Limit limit) {
   return {How::where_bits, n, limit};
 }
-constexpr Line where_lacks(Number n, Limit limit) {
+constexpr Line where_lacks(RuleNumber n, Limit limit) {
   return {How::where_lacks, n, limit};
 }
-constexpr Line where_differ(Number n, Limit limit) {
+constexpr Line where_differ(RuleNumber n, Limit limit) {
   return {How::where_differ, n, limit};
 }
-constexpr Line floats(Number n, std::size_t count, std::uint32_t limit, const char* text) {
+constexpr Line floats(RuleNumber n, std::size_t count, std::uint32_t limit, const char* text) {
   return {How::floats, n, limit, count, text};
 }
 constexpr Line floats_until(std::size_t first, std::size_t last, std::uint32_t limit, const char* text) {
   return {How::floats_until, array(first), array(last), limit, text};
 }
-constexpr Line finite(Number n, std::size_t count = 1) {
+constexpr Line finite(RuleNumber n, std::size_t count = 1) {
   return floats(n, count, kFiniteBits, kNotFinite);
 }
-constexpr Line bounded(Number n, std::size_t count) {
+constexpr Line bounded(RuleNumber n, std::size_t count) {
   return floats(n, count, kBoundedBits, kNotBounded);
 }
 constexpr Line finite_until(std::size_t first, std::size_t last) {
@@ -125,22 +125,22 @@ constexpr Line finite_until(std::size_t first, std::size_t last) {
 constexpr Line bounded_until(std::size_t first, std::size_t last) {
   return floats_until(first, last, kBoundedBits, kNotBounded);
 }
-constexpr Line not_negative(Number n, const char* text) {
+constexpr Line not_negative(RuleNumber n, const char* text) {
   return {How::not_negative, n, 0u, 0, text};
 }
-constexpr Line positive(Number n, const char* text) {
+constexpr Line positive(RuleNumber n, const char* text) {
   return {How::positive, n, 0u, 0, text};
 }
-constexpr Line name(Number n) {
+constexpr Line name(RuleNumber n) {
   return {How::name, n, 0u};
 }
-constexpr Line text(Number n) {
+constexpr Line text(RuleNumber n) {
   return {How::text, n, 0u};
 }
-constexpr Line owner(Number n) {
+constexpr Line owner(RuleNumber n) {
   return {How::owner, n, 0u, 0, "no such skeleton"};
 }
-constexpr Line owner_or_reference(Number n) {
+constexpr Line owner_or_reference(RuleNumber n) {
   return {How::owner, n, 0u, 1, "no such skeleton"};
 }
 constexpr Line each(std::size_t first, std::size_t last, std::size_t bytes) {
@@ -153,14 +153,14 @@ constexpr Line ends() {
   return {How::ends, kOne, 0u};
 }
 // An array behind the header and those before it: n elements, times as many as `times` says.
-constexpr Line array_of(Number n, std::size_t bytes, Limit times = 1u) {
+constexpr Line array_of(RuleNumber n, std::size_t bytes, Limit times = 1u) {
   return {How::array, n, times, bytes};
 }
 // So many bytes.
 constexpr Line array_of(std::size_t bytes) {
   return {How::array, kOne, 1u, bytes};
 }
-constexpr Line array_of_groups(Number n, std::size_t bytes) {
+constexpr Line array_of_groups(RuleNumber n, std::size_t bytes) {
   return {How::groups, n, 0u, bytes};
 }
 constexpr Line aligned() {
@@ -169,7 +169,7 @@ constexpr Line aligned() {
 constexpr Line fills() {
   return {How::fills, byte(0), 0u, 0, "section size differs from its counts"};
 }
-constexpr Line call(Check check, const char* text = "", Number n = byte(0), Limit limit = 0u) {
+constexpr Line call(Check check, const char* text = "", RuleNumber n = byte(0), Limit limit = 0u) {
   return {How::call, n, limit, static_cast<std::size_t>(check), text};
 }
 

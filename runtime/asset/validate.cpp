@@ -78,7 +78,7 @@ bool Checker::names(const File::Section& s) {
          fail(letters, "names must begin with the empty one and end with a zero");
 }
 
-std::uint32_t Checker::value(Number n) const {
+std::uint32_t Checker::value(RuleNumber n) const {
   const auto* const p = static_cast<const std::uint8_t*>(place(n));
   std::uint32_t out = p[0];
   if (n.bytes > 1) out |= std::uint32_t{p[1]} << 8;

@@ -39,6 +39,7 @@ bool near(const Affine& a) {
 
 BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const Skeleton& skeleton = call.skeleton;
+  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
   if (const BadCall bad = check_chain(skeleton, call.local, call.scene_from_joint, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));

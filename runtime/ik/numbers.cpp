@@ -7,7 +7,7 @@
 namespace marrow {
 namespace {
 
-constexpr Number four_times(float x) {
+constexpr SplatConstant four_times(float x) {
   return {{x, x, x, x}};
 }
 

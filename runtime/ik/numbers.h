@@ -6,32 +6,32 @@
 
 namespace marrow {
 
-struct alignas(16) Number {
+struct alignas(16) SplatConstant {
   float lanes[4];
 };
 struct Numbers {
-  Number one, half, four;
-  Number tiny;              // kTinySquare
-  Number huge;              // of what is as good as infinite, squared; of few bits
-  Number straight;          // sine of the bend below which the preferred bend axis has a say
-  Number least_reach;       // of a limb's length
-  Number cone_squared;      // of the sine of the angle between target and pole below which the pole loses its say
-  Number far;               // 1 + cosine of the angle between directions that are far apart
-  Number no_side;           // kNoSide
-  Number no_angle_squared;  // of an angle between directions that are as good as one
-  Number near;              // of a limb's length: what counts as reached
+  SplatConstant one, half, four;
+  SplatConstant tiny;          // kTinySquare
+  SplatConstant huge;          // of what is as good as infinite, squared; of few bits
+  SplatConstant straight;      // sine of the bend below which the preferred bend axis has a say
+  SplatConstant least_reach;   // of a limb's length
+  SplatConstant cone_squared;  // of the sine of the angle between target and pole below which the pole loses its say
+  SplatConstant far;           // 1 + cosine of the angle between directions that are far apart
+  SplatConstant no_side;       // kNoSide
+  SplatConstant no_angle_squared;  // of an angle between directions that are as good as one
+  SplatConstant near;              // of a limb's length: what counts as reached
 };
 // Hidden, so that shared libraries need not look up where they are.
 [[gnu::visibility("hidden")]] extern const Numbers kNumbers;
 
 template <class F>
-F number(const Number& n);
+F number(const SplatConstant& n);
 template <>
-inline f32x4 number(const Number& n) {
+inline f32x4 number(const SplatConstant& n) {
   return load_aligned(n.lanes);
 }
 template <>
-inline One number(const Number& n) {
+inline One number(const SplatConstant& n) {
   return {load_aligned(n.lanes)};
 }
 

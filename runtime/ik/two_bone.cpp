@@ -194,6 +194,7 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
 
 BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
               Span<Affine> scene_from_joint, bool* reached) {
+  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
   if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, {chain, 3})) return bad;
   const Affine* const joints = scene_from_joint.data;
