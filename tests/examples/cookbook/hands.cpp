@@ -19,8 +19,8 @@ void rail(Newt& newt, const char* folder) {
   for (float time_s = 0; time_s < 1.2f; time_s += 1.0f / 60, ++frames) {
     newt.play("walk", time_s);
     marrow::TwoBone reach;
-    reach.target[0] = 0.38f;                                       // the rail runs along z, 0.38 m to the left
-    reach.target[1] = 0.62f;                                       // and 0.62 m high
+    reach.target[0] = 0.38f;                                       // the wrist goes along z, 0.38 m to the left
+    reach.target[1] = 0.62f;                                       // and 0.62 m high, 5 cm above the rail's middle
     reach.target[2] = 0.5f * newt.at(arm.end, 2) + 0.06f;          // the hand swings half as far as it would
     reach.pole[0] = 0.5f, reach.pole[1] = -1, reach.pole[2] = -1;  // the elbow points out, down and back
     set_bend_axis(newt, arm.mid, reach);
