@@ -44,13 +44,14 @@ float total_length(const IkHeuristic& h) {
   return sum;
 }
 
-// Makes bones longer if the distance is more than `most`, shorter if it is less than `least`.
+// Makes bones longer if the distance is more than `most`, shorter if it is less than `least`. Once: for later starts
+// they are.
 void stretch(IkHeuristic& h, float distance, float least, float most, float limit) {
   IkTree& tree = *h.tree;
   float factor = 1;
   if (distance > most) factor = std::min(distance / most, limit);
   if (distance < least) factor = std::max(distance / least, 1.0f / limit);
-  if (factor == 1) return;
+  if (factor == 1 || tree.stretch != 1) return;
   tree.stretch = factor;
   for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
   tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);

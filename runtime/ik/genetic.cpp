@@ -129,7 +129,9 @@ std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& 
 Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                         const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, skeleton, local, scene_from_joint, problem, options, scratch,
+  IkOptions once = options;
+  once.starts = 1;
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, skeleton, local, scene_from_joint, problem, once, scratch,
                                   ik_genetic_scratch_bytes(skeleton, problem), report));
   return Status::ok;
 }

@@ -197,14 +197,14 @@ template <class F>
 struct Axes {
   Linear<F> rows;
   Vector<F> lengths, inverse_lengths;  // their w may be anything
-  F handed;                            // its sign: whether they are a right-handed triple
+  F handed;                            // its sign: whether they are a right-handed triple; those of flat joints are
 };
 
-// 1 / root, of a square that is not 0 if `plain`; else 0 for what is too small.
+// 1 / root, of a square that is not 0 if `plain`; else 0 for 0.
 template <bool plain>
 inline f32x4 reciprocal(f32x4 root, f32x4 squared) {
   const f32x4 inverse = number<f32x4>(kNumbers.one) / root;
-  return plain ? inverse : only_where(number<f32x4>(kNumbers.tiny) < squared, inverse);
+  return plain ? inverse : only_where(splat(0.0f) < squared, inverse);
 }
 template <bool plain>
 inline Vector<f32x4> reciprocals(const Vector<f32x4>& roots, const Vector<f32x4>& squared) {
@@ -221,7 +221,8 @@ template <bool plain, class F>
 inline Axes<F> axes_of(const Linear<F>& rows) {
   const Vector<F>&x = rows.x, &y = rows.y, &z = rows.z;
   const Vector<F> squared = by_component(x, x) + by_component(y, y) + by_component(z, z), lengths = roots(squared);
-  return {rows, lengths, reciprocals<plain>(lengths, squared), dot(cross(x, y), z)};
+  const F volume = dot(cross(x, y), z);
+  return {rows, lengths, reciprocals<plain>(lengths, squared), plain ? volume : volume + all_lanes<F>(0)};
 }
 
 // A direction, from the scene to the joint's local space, but for its scale; its w may be anything.

@@ -13,7 +13,6 @@ namespace marrow {
 namespace {
 
 constexpr int kMostSteps = 10;
-constexpr float kAsBent = 0.99999f;  // cosine of half the angle by which a bent limb may still be bent
 
 template <bool plain>
 inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
@@ -166,6 +165,16 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
   set_direction(local, joint, {from.v * splat(1 - share) + to.v * flip(all_lanes<One>(share), same).v});
 }
 
+// Whether the limb, once it is stretched, meets the target: where secants have not come to an end, it does not.
+[[gnu::noinline]] bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
+  const Vector<One> start = wide_origin(u.scene_from_joint[u.limb.start]),
+                    upper = wide_origin(u.scene_from_joint[u.limb.mid]) - start,
+                    way = wide_origin(u.scene_from_joint[u.limb.end]) - start, lower = way - upper,
+                    miss = wide(goal.target) - start - way * all_lanes<One>(stretch);
+  const One near = (sqrt(dot(upper, upper)) + sqrt(dot(lower, lower))) * number<One>(kNumbers.near);
+  return dot(miss, miss) < near * near;
+}
+
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
 void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation(u.local, u.limb.start), mid = wide_rotation(u.local, u.limb.mid);
@@ -177,8 +186,9 @@ void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) 
   store(whole.pole, vector3(pole));
   const bool seen = solve_through(u, u.from_above, whole, wide(goal.target), turns);
   turn_limb(u.local, u.limb, turns);
+  (void)local_to_model_below(u.skeleton, u.local, u.limb.start, u.scene_from_joint);
+  turns.reached = turns.reached && is_met(u, goal, turns.stretch);
   if (!seen) return;  // what is above is flat: as if it were even
-  turns.reached = turns.reached && turns.mid[3] > kAsBent;
   blend_back(u.local, u.limb.start, start, goal.weight);
   blend_back(u.local, u.limb.mid, mid, goal.weight);
   turns.stretch = 1 + (turns.stretch - 1) * goal.weight;

@@ -85,6 +85,12 @@ TEST(IkGenetic, OutOfReachComesAsNearAsItCan) {
   EXPECT_EQ(report.why, IkStop::iterations);
   EXPECT_EQ(report.iterations, 100u);
   EXPECT_NEAR(report.error_m, chain.length_m, 0.01 * chain.length_m);
+  solve.rest();
+  solve.options.starts = 0;
+  EXPECT_EQ(solve.to({root[0] + far, root[1], root[2]}).iterations, 100u);
+  solve.rest();
+  solve.options.starts = 3;
+  EXPECT_EQ(solve.to({root[0] + far, root[1], root[2]}).iterations, 100u) << "starts have no meaning";
 }
 
 TEST(IkGenetic, WeightNoneKeepsEveryBitAndShortMemoryIsRefused) {

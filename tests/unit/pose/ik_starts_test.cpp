@@ -87,6 +87,38 @@ TEST(IkStarts, TheBestIsKept) {
   EXPECT_GE(better, 10);
 }
 
+// Bones become longer once: by the distance over the chain's length, whichever start is kept.
+TEST(IkStarts, StretchOnce) {
+  int better = 0, cases = 0;
+  for (const IkMethod method : {IkMethod::fabrik, IkMethod::ccd}) {
+    test::Random random(9);
+    test::LimitRandom limit_random(4);
+    for (int i = 0; i < 50; ++i, ++cases) {
+      const test::LimitedChain limited(random, limit_random, 6, LimitKind::hinge);
+      test::Solve solve(limited.chain, method);
+      const std::vector<test::Map> maps = test::scene_maps(limited.chain.skeleton, solve.local.data());
+      const test::Vec3 root = test::origin_of(maps[limited.chain.joints[0]]);
+      const double far = 1.25 * limited.chain.length_m;
+      const test::Vec3 target = {root[0] + far, root[1], root[2]};
+      solve.limits = limited.limits;
+      solve.options.max_iterations = 32;
+      solve.options.stretch = i % 2 == 0 ? 2.0f : 1.125f;
+      const float one = solve.to(target).error_m;
+      solve.rest();
+      solve.options.starts = 4;
+      const IkReport four = solve.to(target);
+      EXPECT_NEAR(four.error_m, solve.distance(target), 1e-5 * limited.chain.length_m);
+      const std::uint16_t joint = limited.chain.joints[1];
+      const test::Vec3 was = limited.chain.skeleton.joints[joint].translation,
+                       is = test::joint_of(solve.local.data(), joint).translation;
+      EXPECT_NEAR(test::length(is) / test::length(was), i % 2 == 0 ? 1.25 : 1.125, 1e-5);
+      better += four.error_m < 0.999f * one;
+    }
+  }
+  EXPECT_EQ(cases, 100);
+  EXPECT_GE(better, 10);
+}
+
 TEST(IkStarts, ChangeNothingWhereOneReaches) {
   int cases = 0;
   for (const IkMethod method : {IkMethod::fabrik, IkMethod::gauss_newton}) {

@@ -99,6 +99,12 @@ TEST(TwoBone, FourAtOnceAreTheSameNumbers) {
       if (random.below(8) < static_cast<std::uint32_t>(i % 9)) goal.max_stretch = 1.25f;
       if (i % 50 == k) put(goal.target, was.start);
     }
+    if (i % 10 == 0) {  // one of a joint's axes has no length, or hardly any
+      const float length = i % 20 == 0 ? 0.0f : 1e-20f;
+      Affine& m = limbs[random.below(4)].scene[1 + random.below(2)];
+      const std::uint32_t axis = random.below(3);
+      for (float(&row)[4] : m.rows) row[axis] *= length;
+    }
     for (std::size_t k = 0; k < 4; ++k) joints[k] = {&limbs[k].scene[1], &limbs[k].scene[2], &limbs[k].scene[3]};
     TwoBoneTurns four[4];
     ASSERT_EQ(two_bone_x4(joints, goals, four), Status::ok);

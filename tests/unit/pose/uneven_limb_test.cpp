@@ -58,6 +58,30 @@ TEST(UnevenLimb, IsMet) {
               mean / cases, worst[0], worst[1], worst[2], off, cases);
 }
 
+// However unevenly it is scaled, and where what is above is flat.
+TEST(UnevenLimb, SaysWhetherItIsMet) {
+  test::Random random(8);
+  int met = 0, cases = 0;
+  for (; cases < 20000; ++cases) {
+    Chain c = uneven_limb(random, 4, 2);
+    if (cases % 10 == 0) {
+      std::vector<test::TestJoint> joints = c.test.joints;
+      joints[0].scale[random.below(3)] = 0;
+      c = Chain(joints);
+    }
+    const Places was(c);
+    TwoBone goal;
+    put(goal.target, plus(was.start, times(test::random_direction(random), was.limb * random.between(0.2, 0.9))));
+    bool reached = false;
+    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+    if (!reached) continue;
+    const Places is(c);
+    EXPECT_LT(length(minus(is.end, test::vec3(goal.target))), 1.1e-4 * is.limb) << cases;
+    ++met;
+  }
+  EXPECT_GT(met, 5000);
+}
+
 // The start joint's own scale makes up for that above, as long as it is not turned.
 TEST(UnevenLimb, ThatThePoseHidesIsMetToo) {
   std::vector<test::TestJoint> joints(4);
