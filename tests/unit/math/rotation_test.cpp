@@ -64,12 +64,12 @@ TEST(Rotation, ShortestArcTakesOneToTheOther) {
     }
   }
   EXPECT_EQ(pairs, 36);
-  EXPECT_EQ(shortest_arc({}, {1, 0, 0}).w, 1);
+  EXPECT_EQ(shortest_arc(Vector3{}, Vector3{1, 0, 0}).w, 1);
 }
 
 TEST(Rotation, JointsOfAPoseAreReadAndWrittenInTheirLane) {
   std::array<SoaTransform, 2> pose = {};
-  set_rotation(pose, 6, {1, 2, 3, 4});
+  set_rotation(pose, 6, Rotation{1, 2, 3, 4});
   EXPECT_EQ(pose[1].rotation[0][2], 1);
   EXPECT_EQ(pose[1].rotation[3][2], 4);
   pose[1].translation[1][2] = 5;
