@@ -7,24 +7,9 @@
 
 namespace marrow {
 
-// a · b, with the operations of the product of two Rotation in their order.
-inline Quaternion<One> product(Quaternion<One> a, Quaternion<One> b) {
-  const f32x4 a_yzx = rotated_xyz(a.v), b_yzx = rotated_xyz(b.v), each = a.v * b.v;
-  const f32x4 axis = w_of(a).v * b.v + a.v * w_of(b).v + a_yzx * rotated_xyz(b_yzx) - rotated_xyz(a_yzx) * b_yzx;
-  return {with_w(axis, splat_lane<3>(each) - splat_lane<0>(each) - splat_lane<1>(each) - splat_lane<2>(each))};
-}
-
-inline Quaternion<One> wide_rotation(Span<const SoaTransform> pose, std::size_t joint) {
-  const Rotation q = rotation_of(pose, joint);
-  return {lanes(q.x, q.y, q.z, q.w)};
-}
 // A quaternion of any length; the identity of one that is too short, or not finite.
-[[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, Quaternion<One> q) {
-  const f32x4 each = q.v * q.v;
-  const float squared = first_lane(each + splat_lane<1>(each) + splat_lane<2>(each) + splat_lane<3>(each));
-  float now[4] = {0, 0, 0, 1};
-  if (has_direction(squared)) store(now, q.v * splat(1.0f / sqrt(squared)));
-  set_rotation(pose, joint, rotation(now));
+[[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
+  set_rotation(pose, joint, normalised(q));
 }
 
 // The kernels know the axes of a matrix, which hide whether a joint mirrors itself by its own scale: there the turn
@@ -32,7 +17,7 @@ inline Quaternion<One> wide_rotation(Span<const SoaTransform> pose, std::size_t 
 inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
   const f32x4 mirrored = flip(lanes(s.y, s.z, s.x, 1), lanes(s.z, s.x, s.y, 1));
-  set_direction(local, joint, product(wide_rotation(local, joint), {flip(load(turn), mirrored)}));
+  set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});
 }
 
 // Whether `joint` is below `above`, at any depth. Both are joints of the skeleton.

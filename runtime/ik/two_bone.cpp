@@ -160,7 +160,7 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
 
 // From one rotation to another by a share.
 [[gnu::noinline]] void blend_back(Span<SoaTransform> local, std::size_t joint, Quaternion<One> from, float share) {
-  const Quaternion<One> to = wide_rotation(local, joint);
+  const Quaternion<One> to = wide_rotation_of(local, joint);
   const One same = {sum_of_lanes(from.v * to.v)};
   set_direction(local, joint, {from.v * splat(1 - share) + to.v * flip(all_lanes<One>(share), same).v});
 }
@@ -177,7 +177,7 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
 void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
-  const Quaternion<One> start = wide_rotation(u.local, u.limb.start), mid = wide_rotation(u.local, u.limb.mid);
+  const Quaternion<One> start = wide_rotation_of(u.local, u.limb.start), mid = wide_rotation_of(u.local, u.limb.mid);
   bend_uneven(u, goal);
   TwoBone whole = goal;
   whole.weight = 1;
