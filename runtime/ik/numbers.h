@@ -21,8 +21,11 @@ struct Numbers {
   SplatConstant no_angle_squared;  // of an angle between directions that are as good as one
   SplatConstant near;              // of a limb's length: what counts as reached
 };
-// Hidden, so that shared libraries need not look up where they are.
-[[gnu::visibility("hidden")]] extern const Numbers kNumbers;
+// Hidden, so that shared libraries need not look up where they are. Windows' libraries never do.
+#ifndef _WIN32
+[[gnu::visibility("hidden")]]
+#endif
+extern const Numbers kNumbers;
 
 template <class F>
 F number(const SplatConstant& n);
