@@ -327,7 +327,7 @@ inline void Stage::reopen(bool there_is_another) {
 
 inline unsigned Stage::compile(const char* vertex, const char* fragment) {
   const unsigned program = gl.CreateProgram();
-  for (const unsigned kind : {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}) {
+  for (const GLenum kind : {GLenum{GL_VERTEX_SHADER}, GLenum{GL_FRAGMENT_SHADER}}) {
     const unsigned shader = gl.CreateShader(kind);
     gl.ShaderSource(shader, 1, kind == GL_VERTEX_SHADER ? &vertex : &fragment, nullptr);
     gl.CompileShader(shader);

@@ -71,7 +71,7 @@ bool is_good(const SavedPath& saved) {
 }  // namespace
 
 const char* to_string(Verdict verdict) {
-  const char* const reasons[kVerdictCount] = {"",
+  const char* const reasons[kVerdictCount] = {"usable",
                                               "not asked for",
                                               "crashed when last tried",
                                               "needs what the context has not",

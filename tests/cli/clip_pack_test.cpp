@@ -132,7 +132,7 @@ TEST_F(CliClipPack, WrongCallsSayWhatToDo) {
       std::string::npos);
   EXPECT_NE(complaint({"pose", in("arm.mrw"), "--clips", in("pack.mrw"), "--clip", "fly", "-o", out}, 1).find("wave"),
             std::string::npos);
-  complaint({"cook", tiny_gltf(), "-o", out, "--clips-only", "--skeleton", in("pack.mrw")}, 3);
+  complaint({"cook", tiny_gltf(), "-o", in("bad.mrw"), "--clips-only", "--skeleton", in("pack.mrw")}, 3);
   complaint({"pose", in("arm.mrw"), "--clips", in("none.mrw"), "--clip", "wave", "-o", out}, 2);
 }
 

@@ -49,7 +49,9 @@ marrow::Status move(Walker& w, const marrow::Animation& idle, const marrow::Anim
 }
 
 int main(int argc, char** argv) {
-  std::ifstream stream(argc > 1 ? argv[1] : "newt.mrw", std::ios::binary);
+  const char* const path = argc > 1 ? argv[1] : "newt.mrw";
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::perror(path), 1;
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
   marrow::File file;
   if (load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file) != marrow::Status::ok) return 1;

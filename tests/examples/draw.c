@@ -82,7 +82,10 @@ static mrw_file read_file(const char* name) {
   mrw_file out;
   void* block;
   size_t size;
-  if (file == NULL || fseek(file, 0, SEEK_END) != 0) exit(1);
+  if (file == NULL || fseek(file, 0, SEEK_END) != 0) {
+    perror(name);
+    exit(1);
+  }
   size = (size_t)ftell(file);
   block = block_of(size);
   rewind(file);

@@ -6,6 +6,12 @@ function(expect_printed program pattern)
   endif()
   message("${text}")
 endfunction()
+function(expect_missing program)
+  execute_process(COMMAND ${${program}} nowhere.mrw ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE error)
+  if(code EQUAL 0 OR NOT error MATCHES "nowhere\\.mrw: No such file or directory")
+    message(FATAL_ERROR "${program} says of a file that is not there: ${code} ${text}${error}")
+  endif()
+endfunction()
 
 file(REMOVE_RECURSE ${FOLDER}/guides)
 file(MAKE_DIRECTORY ${FOLDER}/guides)
@@ -31,6 +37,9 @@ tail: at most ${near} mm off its point, and 1\\.[45][0-9] m/s fast
 limits ignored: the hand ${near} mm off, the elbow [5-9][0-9]\\.[0-9] degrees beyond its limit
 limits kept: the hand ${near} mm off, the elbow 0\\.0 degrees beyond its limit
 ")
+foreach(program cookbook_hands cookbook_look cookbook_legs cookbook_body moving_frame)
+  expect_missing(${program})
+endforeach()
 expect_printed(moving_frame "44 joints, 40 matrices, vertex 0 at [0-9. -]+ m
 ")
 
@@ -46,6 +55,9 @@ if(NOT text STREQUAL said AND NOT text STREQUAL silent)
 endif()
 
 if(DEFINED gles_start)
+  foreach(program gles_start gles_passes gles_crowd)
+    expect_missing(${program} ${FOLDER}/guides)
+  endforeach()
   set(rows "[a-z]+ [^\n]* [0-9.e-]+ m off\n")
   set(end "taken: [a-z]+\nglBindTexture: error 0x0500\n")
   # On a busy machine a path may count as slow.

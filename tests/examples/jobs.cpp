@@ -71,6 +71,7 @@ struct Loading {
 bool begin(const char* path, Loading& out) {
   static const marrow::MeshDecoder decoders[] = {marrow::draco_decoder(), marrow::meshopt_decoder()};
   std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::perror(path), false;
   out.packed.assign(std::istreambuf_iterator<char>(stream), {});
   const marrow::Span<const std::byte> packed(reinterpret_cast<const std::byte*>(out.packed.data()), out.packed.size());
   marrow::UnpackSizes sizes;

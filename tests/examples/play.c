@@ -32,7 +32,10 @@ static void must(mrw_status status) {
 static mrw_bytes read_file(const char* name) {
   mrw_bytes out = {NULL, 0};
   FILE* const file = fopen(name, "rb");
-  if (file == NULL || fseek(file, 0, SEEK_END) != 0) exit(1);
+  if (file == NULL || fseek(file, 0, SEEK_END) != 0) {
+    perror(name);
+    exit(1);
+  }
   out.size = (size_t)ftell(file);
   out.data = block_of(out.size);
   rewind(file);

@@ -104,7 +104,7 @@ TEST(SelfTestResult, EveryVerdictHasAReason) {
   std::set<std::string> reasons;
   for (std::uint32_t i = 0; i < gles3::kVerdictCount; ++i) reasons.insert(to_string(static_cast<Verdict>(i)));
   EXPECT_EQ(reasons.size(), gles3::kVerdictCount);
-  EXPECT_STREQ(to_string(Verdict::usable), "");
+  EXPECT_STREQ(to_string(Verdict::usable), "usable");
   EXPECT_STREQ(to_string(Verdict::crashed), "crashed when last tried");
 }
 

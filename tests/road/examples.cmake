@@ -18,6 +18,14 @@ function(expect_printed program files pattern)
   message("${text}")
 endfunction()
 
+# ARGN: what comes after the file
+function(expect_missing program)
+  execute_process(COMMAND ${program} nowhere.mrw ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE error)
+  if(code EQUAL 0 OR NOT error MATCHES "nowhere\\.mrw: No such file or directory")
+    message(FATAL_ERROR "${program} says of a file that is not there: ${code} ${text}${error}")
+  endif()
+endfunction()
+
 expect_shown(README.md play.cpp)
 expect_shown(docs/c.md play.c)
 expect_shown(docs/c.md draw.c)
@@ -29,6 +37,10 @@ execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-cod
   COMMAND_ERROR_IS_FATAL ANY)
 expect_printed(${PLAY} ${sample}_plain.mrw "^vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
 expect_printed(${PLAY_C} ${sample}.mrw "^[a-z]+: vertex 0 at -?[0-9.e-]+ -?[0-9.e-]+ -?[0-9.e-]+ m\n$")
+foreach(program ${PLAY} ${PLAY_C} ${CROWD} ${DRAW} ${DRAW_C})
+  expect_missing(${program})
+endforeach()
+expect_missing(${JOBS} nowhere.mrw)
 expect_printed(${CROWD} ${sample}_plain.mrw "^100 characters, 200 feet on the ground\n$")
 execute_process(COMMAND ${MARROW} cook ${sample}.glb --clip-codec raw --mesh-codec meshopt -o ${sample}_fast.mrw
   COMMAND_ERROR_IS_FATAL ANY)

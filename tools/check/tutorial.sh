@@ -8,7 +8,7 @@ PATH=$(dirname "$(realpath "$1")"):$PATH
 programs=$MARROW/tests/examples/tutorial work=${2:-$MARROW/build}/tutorial
 pages="docs/tutorial/hello.md docs/tutorial/window.md docs/tutorial/gpu.md docs/tutorial/feet.md docs/tutorial/look.md
   docs/tutorial/crowd.md docs/tutorial/lost.md docs/tutorial/shipping.md"
-export MARROW PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work CXXFLAGS="-Wall -Wextra"
+export MARROW PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work CXXFLAGS="-Wall -Wextra -Wconversion -Wsign-conversion"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ninja >/dev/null; then export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}; fi
 if command -v ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}; fi

@@ -36,14 +36,13 @@ void add_option(CLI::App* command, const cook::Option& option, cook::Given& give
 }  // namespace
 
 void add_cook_files(CLI::App* command, CookArguments& a) {
-  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf, .glb and .bvh")
+  command->add_option("inputs", a.inputs, "files, or folders that are searched for .gltf, .glb, .vrm and .bvh")
       ->required()
       ->type_name("IN");
   command
-      ->add_option(
-          "-o,--output", a.out,
-          "the cooked file to write; for several inputs, a folder among them or a name that ends in / a folder, "
-          "under which the trees below the inputs are mirrored")
+      ->add_option("-o,--output", a.out,
+                   "the cooked file to write; for several inputs, a folder among them, a folder that is there or a "
+                   "name that ends in / a folder, under which the trees below the inputs are mirrored")
       ->required()
       ->type_name("OUT.mrw|DIR/");
   command

@@ -36,6 +36,19 @@ constexpr Format kForeign[] = {
     {".usdz", "Universal Scene Description"},
     {".x", "DirectX"},
 };
+// What often has a model's name and is none, by its first bytes.
+constexpr LooksLike kTaken[] = {
+    {"Kaydara FBX Binary", "Autodesk FBX", "turn it into glTF by tools/fbx_to_glb.sh (docs/cooking/from_dcc.md)"},
+    {"; FBX", "Autodesk FBX", "turn it into glTF by tools/fbx_to_glb.sh (docs/cooking/from_dcc.md)"},
+    {"BLENDER", "Blender's own file", "export glTF from it (docs/cooking/from_dcc.md)"},
+    {"PK\x03\x04", "a zip archive", "unpack it"},
+    {"\x1F\x8B", "packed by gzip", "unpack it"},
+    {"\x28\xB5\x2F\xFD", "packed by Zstandard", "unpack it; where Blender saved it, export glTF from there"},
+    {"\x89PNG", "a PNG picture", "name the model"},
+    {"\xFF\xD8\xFF", "a JPEG picture", "name the model"},
+    {"version https://git-lfs", "a pointer of Git LFS", "fetch the file: git lfs pull"},
+    {"<", "XML or a web page", "download or export the file again"},
+};
 // Files that are glTF inside.
 constexpr const char* kGltf[] = {".gltf", ".glb", ".vrm"};
 
@@ -80,6 +93,12 @@ bool has_extension(std::string_view path, std::string_view extension) {
   return path.size() > extension.size() &&
          std::ranges::equal(path.substr(path.size() - extension.size()), extension,
                             [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+const LooksLike* looks_like(std::span<const std::byte> bytes) {
+  const auto found = std::ranges::find_if(
+      kTaken, [&](const LooksLike& other) { return starts_with(bytes, other.begins.data(), other.begins.size()); });
+  return found == std::end(kTaken) ? nullptr : found;
 }
 
 bool is_named_gltf(const std::string& path) {

@@ -19,6 +19,13 @@ bool is_named_bvh(const std::string& path);
 // One of these: what the cooker reads.
 bool is_named_source(const std::string& path);
 
+// What other files begin with, what they are and what to do about it.
+struct LooksLike {
+  std::string_view begins, name, advice;
+};
+// Of a file that is neither glTF nor cooked; null if its beginning says nothing.
+const LooksLike* looks_like(std::span<const std::byte> bytes);
+
 // Throws Failure (usage) that lists `extensions`, if the name has none of them.
 void expect_extension(const std::string& path, std::initializer_list<const char*> extensions);
 

@@ -1,7 +1,6 @@
 #include "jobs/batch.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -14,12 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_searched_for(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".gltf" || extension == ".glb" || extension == ".bvh";
-}
-
 [[noreturn]] void cannot_read(const fs::path& folder, const std::error_code& error) {
   throw Failure(Exit::io, folder.string(), "", "cannot read the folder", error.message());
 }
@@ -31,7 +24,7 @@ std::vector<fs::path> scenes_below(const fs::path& folder) {
   if (error) cannot_read(folder, error);
   while (at != fs::recursive_directory_iterator()) {
     std::error_code ignored;
-    if (is_searched_for(at->path()) && at->is_regular_file(ignored)) out.push_back(at->path());
+    if (is_named_source(at->path().string()) && at->is_regular_file(ignored)) out.push_back(at->path());
     at.increment(error);
     if (error) cannot_read(folder, error);
   }
@@ -48,9 +41,9 @@ fs::path canonical(const std::string& path) {
 
 bool is_batch(const std::vector<std::string>& inputs, const std::string& output) {
   std::error_code ignored;
-  return inputs.size() > 1 || output.ends_with('/') || std::ranges::any_of(inputs, [&](const std::string& input) {
-           return fs::is_directory(input, ignored) && !input.empty();
-         });
+  const auto is_folder = [&](const std::string& path) { return !path.empty() && fs::is_directory(path, ignored); };
+  return inputs.size() > 1 || output.ends_with('/') || (is_folder(output) && !has_extension(output, ".mrw")) ||
+         std::ranges::any_of(inputs, is_folder);
 }
 
 CookJob plan_one(const std::string& input, const std::string& output) {
@@ -73,7 +66,7 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
     const std::vector<fs::path> found = scenes_below(input);
     if (found.empty() && !may_be_empty)
       throw Failure(Exit::invalid, input, "", "nothing to cook",
-                    "there is no .gltf, .glb or .bvh file in it or below it");
+                    "there is no .gltf, .glb, .vrm or .bvh file in it or below it");
     for (const fs::path& in : found) {
       const fs::path name = in.lexically_relative(input);
       jobs.push_back({in.string(), (output / fs::path(name).replace_extension(".mrw")).string(), input});
@@ -94,8 +87,9 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
 }
 
 void expect_cooked_name(const std::string& output) {
-  if (is_named_source(output))
-    throw Failure(Exit::usage, output, "", "unknown format", "a cooked file is no source; its name ends with .mrw");
+  if (!has_extension(output, ".mrw"))
+    throw Failure(Exit::usage, output, "", "unknown format",
+                  "a cooked file's name ends with .mrw; that of a folder which is not there yet with /");
 }
 
 void expect_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read) {

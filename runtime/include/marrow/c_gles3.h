@@ -1120,7 +1120,7 @@ struct mrw_gles3_path_need {
 };
 void mrw_gles3_path_need_init(mrw_gles3_path_need* out);
 
-// Why a path is ruled out, in a few words; "" for usable.
+// "usable", or why a path is ruled out, in a few words; "" for a value that is none.
 const char* mrw_gles3_verdict_text(mrw_gles3_verdict verdict);
 
 // Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.

@@ -28,7 +28,7 @@ enum class Verdict : std::uint8_t {
 };
 // How many values Verdict has.
 inline constexpr std::uint32_t kVerdictCount = 8;
-// Why a path is ruled out, in a few words; "" for usable.
+// "usable", or why a path is ruled out, in a few words; "" for a value that is none.
 MARROW_API const char* to_string(Verdict verdict);
 
 // What one path did.

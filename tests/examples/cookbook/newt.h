@@ -31,6 +31,7 @@ struct Newt {
 
   explicit Newt(const char* path) {
     std::ifstream stream(path, std::ios::binary);
+    if (!stream) std::perror(path);
     bytes.assign(std::istreambuf_iterator<char>(stream), {});
     must(load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file));
     shared.resize(animations_bytes(file, file));

@@ -9,6 +9,7 @@
 int main(int argc, char** argv) {
   if (argc < 2) return 1;
   std::ifstream stream(argv[1], std::ios::binary);
+  if (!stream) return std::perror(argv[1]), 1;
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
   marrow::File file;
   if (load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file) != marrow::Status::ok) return 1;

@@ -18,6 +18,7 @@ struct Asset {
 
   marrow::Status open(const char* path) {
     std::ifstream stream(path, std::ios::binary);
+    if (!stream) std::perror(path);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
     return open({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()});
   }

@@ -221,6 +221,13 @@ def check_loading(c):
     c.near("vertices", [float(re.search(r"(\d+) vertices are skinned", c.printed["characters"]).group(1))], [total], 0)
 
 
+def check_missing_file(c):
+    ran = subprocess.run([c.programs / "marrow_stage_loading", "nowhere.mrw"], cwd=c.work, text=True, capture_output=True, check=False)
+    c.count += 1
+    if ran.returncode != 1 or "nowhere.mrw: No such file or directory" not in ran.stderr:
+        c.failures.append(f"loading says of a file that is not there: {ran.stderr}")
+
+
 def check_sampling(c, gltf):
     hand = gltf.number["hand.L"]
     walk = gltf.pose("walk", 0.3)
@@ -402,6 +409,7 @@ def main():
     run_programs(c)
     gltf = Gltf(work / "hero.glb")
     check_loading(c)
+    check_missing_file(c)
     check_sampling(c, gltf)
     check_blending(c, gltf)
     check_transitions(c, gltf)

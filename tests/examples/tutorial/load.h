@@ -4,8 +4,10 @@
 #include <marrow/draco.h>
 #include <marrow/marrow.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <fstream>
 #include <iterator>
@@ -28,7 +30,7 @@ inline marrow::Span<std::byte> memory_of(std::size_t bytes) {
 
 inline marrow::File load_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) fail(path + ": cannot be opened");
+  if (!stream) fail(path + ": " + std::strerror(errno));
   static std::deque<std::vector<char>> read;
   const std::vector<char>& bytes =
       read.emplace_back(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());

@@ -137,7 +137,7 @@ class Window {
 
   unsigned compile(const std::string& vertex, const std::string& fragment) const {
     const unsigned program = gl.CreateProgram();
-    for (const unsigned kind : {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}) {
+    for (const GLenum kind : {GLenum{GL_VERTEX_SHADER}, GLenum{GL_FRAGMENT_SHADER}}) {
       const std::string text = "#version 300 es\n" + (kind == GL_VERTEX_SHADER ? vertex : fragment);
       const char* const begin = text.c_str();
       const unsigned shader = gl.CreateShader(kind);

@@ -95,7 +95,32 @@ TEST(GltfContainer, EveryPrefixIsRefused) {
 }
 
 TEST(GltfContainer, OtherFilesAreNamedAsSuch) {
-  expect_refused("\x89PNG\r\n\x1a\n", Exit::invalid, "@0", "not a glTF file");
+  // As the formats' own documents have their first bytes.
+  const struct {
+    std::string bytes;
+    const char *says, *advice;
+  } others[] = {{std::string("Kaydara FBX Binary  \0\x1a\0", 23), "Autodesk FBX", "tools/fbx_to_glb.sh"},
+                {"; FBX 7.4.0 project file\n", "Autodesk FBX", "tools/fbx_to_glb.sh"},
+                {"BLENDER-v304", "Blender's own file", "docs/cooking/from_dcc.md"},
+                {std::string("PK\x03\x04\x14\0", 6), "a zip archive", "unpack"},
+                {"\x1f\x8b\x08", "packed by gzip", "unpack"},
+                {"\x28\xb5\x2f\xfd", "packed by Zstandard", "unpack"},
+                {"\x89PNG\r\n\x1a\n", "a PNG picture", "model"},
+                {"\xff\xd8\xff\xe0", "a JPEG picture", "model"},
+                {"version https://git-lfs.github.com/spec/v1\n", "a pointer of Git LFS", "git lfs pull"},
+                {"<!DOCTYPE html>", "XML or a web page", "export"}};
+  for (const auto& other : others) {
+    expect_refused(other.bytes, Exit::invalid, "@0", "not a glTF file but, as it begins, " + std::string(other.says));
+    std::string advice;
+    try {
+      read_text(other.bytes);
+    } catch (const Failure& failure) {
+      advice = failure.advice();
+    }
+    EXPECT_NE(advice.find(other.advice), std::string::npos) << other.says << ": " << advice;
+  }
+  for (const char* const unknown : {"PK", "Kaydara", "\x1f", "hello"})
+    expect_refused(unknown, Exit::invalid, "@0", "not a glTF file");
   expect_refused("", Exit::invalid, "@0", "empty file");
 }
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "support/call_errors.h"
 #include "unit/pose/ik_solving.h"
 
 namespace marrow {
@@ -34,6 +35,21 @@ Reached reach(IkMethod method, std::uint8_t starts, int cases) {
     out.worst_excess = std::max(out.worst_excess, limited.excess(solve.local.data()));
   }
   return out;
+}
+
+// As C's `= {0}` leaves them.
+TEST(IkStarts, OptionsFullOfZerosAreToldWhatSetsThem) {
+  test::Random random(9);
+  const test::RandomChain chain(random, 4);
+  test::Solve solve(chain, IkMethod::ccd);
+  solve.to({0, 0, 0});
+  const IkOptions zeros = {IkMethod::damped_least_squares, 0, 0, 0, 0, 0, 0, 0};
+  test::CallErrors errors;
+  EXPECT_EQ(solve_ik(solve.skeleton, solve.local, solve.scene, solve.problem, zeros, solve.scratch),
+            Status::bad_argument);
+  const std::vector<test::CallError> told = errors.take();
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].condition.find("mrw_ik_options_init"), std::string::npos) << told[0].condition;
 }
 
 TEST(IkStarts, LeadOutOfCorners) {

@@ -6,7 +6,7 @@ namespace marrow::tools {
 
 void add_cook(CLI::App& app, int& exit_code) {
   static CookArguments a;  // as long as the options that point at it
-  CLI::App* const command = app.add_subcommand("cook", "Cook .gltf, .glb and .bvh files into .mrw files");
+  CLI::App* const command = app.add_subcommand("cook", "Cook .gltf, .glb, .vrm and .bvh files into .mrw files");
   add_cook_files(command, a);
   command->add_option("--report", a.report, "also write a report as JSON; of several inputs a list")
       ->type_name("R.json");

@@ -41,8 +41,8 @@ void expect_all_writable(const std::vector<std::string>& paths) {
 int cook_one(const CookArguments& a) {
   const std::vector<std::string> written = {a.out, a.report, a.depfile};
   expect_distinct(written, a.inputs);
-  expect_all_writable(written);
   expect_cooked_name(a.out);
+  expect_all_writable(written);
   SettingsOf settings(a.settings);
   Order order = settings.order(plan_one(a.inputs[0], a.out), a.given);
   Cook cook(a);

@@ -218,8 +218,29 @@ ordered_json describe_shapes(const LoadedFile& loaded) {
   return out;
 }
 
+// How fast the first root goes from where the clip begins to where it ends; null where that is less than a centimetre,
+// and of clips that are added to others or whose skeleton is in another file.
+ordered_json describe_speed(Character& character, const File& file, std::uint32_t clip) {
+  const Clip c = file.clip(clip);
+  if (c.additive || c.skeleton >= file.skeleton_count() || !(c.duration_s > 0)) return nullptr;
+  const Play play = play_together(file, clip);
+  character.pose(play, 0);
+  const Affine first = character.scene_from_joint(c.skeleton)[0];
+  character.pose(play, c.duration_s);
+  const Affine last = character.scene_from_joint(c.skeleton)[0];
+  double squared = 0;
+  for (int r = 0; r < 3; ++r) {
+    const double along = static_cast<double>(last.rows[r][3]) - static_cast<double>(first.rows[r][3]);
+    squared += along * along;
+  }
+  constexpr double kStays = 0.01;
+  if (!(squared > kStays * kStays)) return nullptr;
+  return std::sqrt(squared) / static_cast<double>(c.duration_s);
+}
+
 ordered_json describe_clips(const LoadedFile& loaded) {
   const File& file = loaded.file;
+  Character character(file);
   const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
   ordered_json out = ordered_json::array();
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
@@ -234,6 +255,7 @@ ordered_json describe_clips(const LoadedFile& loaded) {
                    {"frames", coded.frame_count},
                    {"skeleton", c.skeleton},
                    {"bytes", sections[i].bytes},
+                   {"speed_m_s", describe_speed(character, file, i)},
                    {"additive", c.additive},
                    {"reference", c.reference != nullptr ? "own" : "rest"},
                    {"channels", channels},

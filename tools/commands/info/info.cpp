@@ -42,6 +42,12 @@ std::string reach_of(const ordered_json& clip) {
   return fmt::format(", reaches {} × {} × {}", plain_number(size[0]), plain_number(size[1]), plain_number(size[2]));
 }
 
+// Of a clip that goes somewhere: ", moves at 1.4 m/s".
+std::string speed_of(const ordered_json& clip) {
+  const ordered_json& speed = clip["speed_m_s"];
+  return speed.is_null() ? "" : fmt::format(", moves at {:.3g} m/s", speed.get<double>());
+}
+
 // "12 springs in 3 chains, 4 colliders, ", or nothing.
 std::string springs_of(const ordered_json& skeleton) {
   const auto chains = skeleton["spring_chains"].get<int>();
@@ -185,9 +191,9 @@ class Tree {
       const int frames = c["frames"].get<int>();
       leaf(last, fmt::format("clip {} \"{}\"", i, text(c["name"])), size_of(c["bytes"]),
            source_bytes("clip_bytes", c["name"]),
-           fmt::format("{:.3f} s, {}{} tracks, {}{}{}", c["duration_s"].get<double>(),
+           fmt::format("{:.3f} s, {}{} tracks, {}{}{}{}", c["duration_s"].get<double>(),
                        frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
-                       kind, reach_of(c), of_skeleton(c)));
+                       kind, reach_of(c), speed_of(c), of_skeleton(c)));
       for (const auto& channel : c["channels"])
         lines_.push_back({fmt::format("│  {}  channel \"{}\"", last ? " " : "│", text(channel)), "", "", ""});
     }

@@ -6748,7 +6748,7 @@ public static unsafe class Marrow {
     [DllImport(Library, EntryPoint = "mrw_gles3_path_need_init", CallingConvention = CallingConvention.Cdecl)]
     public static extern void Gles3PathNeedInit(Gles3PathNeed* @out);
     /// <summary>
-    /// Why a path is ruled out, in a few words; "" for usable.
+    /// "usable", or why a path is ruled out, in a few words; "" for a value that is none.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_gles3_verdict_text", CallingConvention = CallingConvention.Cdecl)]
     public static extern byte* Gles3VerdictText(Gles3Verdict verdict);

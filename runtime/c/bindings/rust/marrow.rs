@@ -5496,7 +5496,7 @@ extern "C" {
     pub fn gles3_self_test_options_init(out: *mut Gles3SelfTestOptions);
     #[link_name = "mrw_gles3_path_need_init"]
     pub fn gles3_path_need_init(out: *mut Gles3PathNeed);
-    /// Why a path is ruled out, in a few words; "" for usable.
+    /// "usable", or why a path is ruled out, in a few words; "" for a value that is none.
     #[link_name = "mrw_gles3_verdict_text"]
     pub fn gles3_verdict_text(verdict: Gles3Verdict) -> *const c_char;
     /// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.

@@ -5613,7 +5613,7 @@ export class Marrow {
    */
   gles3_crowd_on_context_restored(api: Gles3Api | null, caps: Gles3Caps | null, crowd: Gles3Crowd | null): Status;
   /**
-   * Why a path is ruled out, in a few words; "" for usable.
+   * "usable", or why a path is ruled out, in a few words; "" for a value that is none.
    */
   gles3_verdict_text(verdict: Gles3Verdict): string;
   /**

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "common/formats.h"
+
 namespace marrow::cook::gltf {
 namespace {
 
@@ -105,6 +107,9 @@ Container split_container(std::span<const std::byte> file, Report& report) {
   container.json = text_of(file);
   const std::size_t start = container.json.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos || container.json[start] != '{') {
+    if (const tools::LooksLike* const other = tools::looks_like(file))
+      report.invalid("@0", "not a glTF file but, as it begins, " + std::string(other->name),
+                     std::string(other->advice));
     report.invalid("@0", "not a glTF file", "a .gltf starts with '{' and a .glb with 'glTF'");
   }
   return container;
