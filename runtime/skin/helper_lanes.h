@@ -44,11 +44,7 @@ struct HelperLanes<f32x4> {
   static Maps maps(const Affine* from, const Helper* h, Joint joint) {
     return load_affines(from[h[0].*joint], from[h[1].*joint], from[h[2].*joint], from[h[3].*joint]);
   }
-  static Linear<f32x4> columns_of(const Maps& m) {
-    return {{m.a.linear.x, m.b.linear.x, m.c.linear.x},
-            {m.a.linear.y, m.b.linear.y, m.c.linear.y},
-            {m.a.linear.z, m.b.linear.z, m.c.linear.z}};
-  }
+  static Linear<f32x4> columns_of(const Maps& m) { return transposed(m.rows); }
   static Vector<f32x4> origin_of(const Maps& m) { return origin(m); }
   static Vector<f32x4> transformed(const Maps& m, const Vector<f32x4>& point) { return transform(m, point); }
   static Vector<f32x4> centres(const float* c) {
