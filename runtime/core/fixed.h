@@ -19,6 +19,13 @@ inline constexpr bool kSmall = false;
 #define MARROW_CALLED_WHERE_SMALL
 #endif
 
+// Before an inline function that is also to stand wherever it is used, however long it is, where code is to be fast.
+#ifdef __OPTIMIZE_SIZE__
+#define MARROW_CALLED_ONLY_WHERE_SMALL [[gnu::noinline]]
+#else
+#define MARROW_CALLED_ONLY_WHERE_SMALL [[gnu::always_inline]]
+#endif
+
 // A number that is known when code is compiled, and is used like any other.
 template <auto Value>
 using Fixed = std::integral_constant<decltype(Value), Value>;

@@ -109,24 +109,14 @@ bool is_limit(const RateLimit& limit) {
 }
 
 // As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left
-// Jacobian of the exponential (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", 2011, 10.86).
-struct Jacobian {
-  f32x4 p;
-  float sinc, cos, squared;  // of half the angle; its whole square
-
-  explicit Jacobian(f32x4 at) : p(at), squared(squared3(at)) {
-    sinc = sinc_of_root(0.25f * squared);
-    cos = cos_of_root(0.25f * squared);
-  }
-  f32x4 turn_of(f32x4 v) const {
-    const f32x4 a = cross3(p, v), b = cross3(p, a);
-    return v + a * (0.5f * sinc * sinc) + b * (squared > 1e-4f ? (1.0f - sinc * cos) / squared : 1.0f / 6.0f);
-  }
-  f32x4 change_of(f32x4 turn) const {
-    const f32x4 a = cross3(p, turn), b = cross3(p, a);
-    return turn - a * 0.5f + b * (squared > 1e-4f ? (1.0f - cos / sinc) / squared : 1.0f / 12.0f);
-  }
-};
+// Jacobian of the exponential (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", 2011, 10.86). Gives
+// J v, or the change of p for a turn by v.
+f32x4 through_jacobian(f32x4 p, f32x4 v, bool inverse) {
+  const f32x4 a = cross3(p, v), b = cross3(p, a);
+  const float squared = squared3(p), sinc = sinc_of_root(0.25f * squared), cos = cos_of_root(0.25f * squared);
+  const float first = inverse ? -0.5f : 0.5f * sinc * sinc, series = inverse ? 1.0f / 12.0f : 1.0f / 6.0f;
+  return v + a * first + b * (squared > 1e-4f ? (1.0f - (inverse ? cos / sinc : sinc * cos)) / squared : series);
+}
 
 BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt_s, const RateLimit& limit) {
   MARROW_CHECK(is_time(dt_s));
@@ -149,10 +139,10 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   const bool was_on_target = state.mode == kOnTarget;
   const f32x4 from = from_target(state.target);
   Motion m = {was_on_target ? from : from_target(state.rotation), load_wide(state.velocity)};
-  m.velocity = Jacobian(m.at).change_of(m.velocity);
+  m.velocity = through_jacobian(m.at, m.velocity, true);
   const bool on_target = follow(m, from, was_on_target, time_s, state.frame_s, limit);
   if (!on_target) {
-    m.velocity = Jacobian(m.at).turn_of(m.velocity);
+    m.velocity = through_jacobian(m.at, m.velocity, false);
     if (!all_finite(m.velocity)) m.velocity = splat(0.0f);  // far too fast
   }
   store(state.rotation, on_target ? to.v : normalised(exp_rotation(m.at) * unit).v);

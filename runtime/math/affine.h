@@ -81,19 +81,24 @@ inline FourRows splat_row(f32x4 row) {
   return {{splat_lane<0>(row), splat_lane<1>(row), splat_lane<2>(row)}, splat_lane<3>(row)};
 }
 
-// Four maps.
+// Four maps, by rows.
 struct FourAffines {
-  FourRows a, b, c;
+  Linear<f32x4> rows;
+  Vector<f32x4> origin;
 };
+inline FourAffines four_affines(const FourRows& a, const FourRows& b, const FourRows& c) {
+  return {{a.linear, b.linear, c.linear}, {a.origin, b.origin, c.origin}};
+}
 inline FourAffines load_affines(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
-  return {load_rows(a.rows[0], b.rows[0], c.rows[0], d.rows[0]), load_rows(a.rows[1], b.rows[1], c.rows[1], d.rows[1]),
-          load_rows(a.rows[2], b.rows[2], c.rows[2], d.rows[2])};
+  return four_affines(load_rows(a.rows[0], b.rows[0], c.rows[0], d.rows[0]),
+                      load_rows(a.rows[1], b.rows[1], c.rows[1], d.rows[1]),
+                      load_rows(a.rows[2], b.rows[2], c.rows[2], d.rows[2]));
 }
-inline Vector<f32x4> origin(const FourAffines& m) {
-  return {m.a.origin, m.b.origin, m.c.origin};
+inline const Vector<f32x4>& origin(const FourAffines& m) {
+  return m.origin;
 }
-inline Linear<f32x4> linear_rows(const FourAffines& m) {
-  return {m.a.linear, m.b.linear, m.c.linear};
+inline const Linear<f32x4>& linear_rows(const FourAffines& m) {
+  return m.rows;
 }
 inline f32x4 determinant(const FourAffines& m) {
   return determinant(linear_rows(m));

@@ -66,6 +66,9 @@ inline One sqrt(One a) {
 inline One select(bool m, One yes, One no) {
   return m ? yes : no;
 }
+inline One only_where(bool m, One a) {
+  return {m ? a.v : splat(0.0f)};
+}
 inline One lesser(One a, One b) {
   return {lesser(a.v, b.v)};
 }

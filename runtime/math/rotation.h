@@ -45,7 +45,8 @@ inline Linear<float> right_axes(const Affine& world, const Affine& scene) {
 // column without length stays zero.
 inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
   const FourAffines m = load_affines(a, b, c, d);
-  const Vector<f32x4> x = {m.a.linear.x, m.b.linear.x, m.c.linear.x}, y = {m.a.linear.y, m.b.linear.y, m.c.linear.y};
+  const Linear<f32x4>& r = m.rows;
+  const Vector<f32x4> x = {r.x.x, r.y.x, r.z.x}, y = {r.x.y, r.y.y, r.z.y};
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
 

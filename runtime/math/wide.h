@@ -87,6 +87,9 @@ inline float dot4(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p) + splat_lane<3>(p));
 }
+inline One dot(WideRotation a, WideRotation b) {
+  return {splat(dot4(a.v, b.v))};
+}
 // Number by number: zeros of either sign are the same.
 inline bool same(WideRotation a, WideRotation b) {
   return !any(a.v < b.v) && !any(b.v < a.v);

@@ -21,6 +21,16 @@ inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to)
   to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
 }
 
+// What the last joint makes of a vector.
+MARROW_CALLED_ONLY_WHERE_SMALL inline Vector<f32x4> turned(const Blend& last, const float* q) {
+  return turn(last, load_anywhere(q));
+}
+// And of what follows the others, each `stride` floats behind the one before.
+MARROW_CALLED_ONLY_WHERE_SMALL inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
+                                                      const float* q, std::size_t stride, Vector<f32x4>& to) {
+  for (std::uint32_t j = 0; j + 1 < influences; ++j, q += stride) add_turned(joints.others[j], q, to);
+}
+
 class AnimationSpace {
  public:
   static constexpr bool kHasKernels = true;
@@ -35,12 +45,13 @@ class AnimationSpace {
       const float* const q = at.stream;
       Vector<f32x4> p;
       if constexpr (kSmall) {
-        f32x4* const to[3] = {&p.x, &p.y, &p.z};
-        FourRows* const rows[3] = {&m.a, &m.b, &m.c};
-        for (int r = 0; r < 3; ++r) *to[r] = add(directions, influences, joints, r, q, *rows[r]);
+        p = turned(m, q) + m.origin;
+        add_others(influences, joints, q + 12, 16, p);
+        if (directions != Directions::none) add_others(influences, joints, q + 24, 16, m);
       } else {
-        p = {add(directions, influences, joints, 0, q, m.a), add(directions, influences, joints, 1, q, m.b),
-             add(directions, influences, joints, 2, q, m.c)};
+        p = {add(directions, influences, joints, 0, q, m.rows.x, m.origin.x),
+             add(directions, influences, joints, 1, q, m.rows.y, m.origin.y),
+             add(directions, influences, joints, 2, q, m.rows.z, m.origin.z)};
       }
       store_xyz(at.out_positions, p);
       at.stream += 16 * influences - 4;
@@ -56,9 +67,8 @@ class AnimationSpace {
   // A row of the blended matrix, which is the last joint's before; returns the positions' coordinate.
   template <class D, class Count, class Joints>
   [[gnu::always_inline]] static f32x4 add(D directions, Count influences, const Joints& joints, int row, const float* q,
-                                          FourRows& m) {
-    Vector<f32x4>& v = m.linear;
-    f32x4 p = dot(v, load_anywhere(q)) + m.origin;
+                                          Vector<f32x4>& v, f32x4 origin) {
+    f32x4 p = dot(v, load_anywhere(q)) + origin;
     q += 12;
     for (std::uint32_t j = 0; j + 1 < influences; ++j, q += 16) {
       const auto& other = joints.others[j][row];
@@ -85,16 +95,14 @@ class WithTangents {
     const f32x4 mirror = determinant(joints.last);
     const float* tau = tangents_;
     for (; blocks > 0; --blocks) {
-      Vector<f32x4> p = transform(joints.last, load_anywhere(at.stream));
-      Vector<f32x4> t0 = turn(joints.last, load_anywhere(tau)), t1 = turn(joints.last, load_anywhere(tau + 12));
-      at.stream += 12;
-      tau += 24;
-      for (std::uint32_t j = 0; j + 1 < influences; ++j, at.stream += 16, tau += 32) {
-        add_turned(joints.others[j], at.stream, p);
-        add_turned(joints.others[j], tau, t0);
-        add_turned(joints.others[j], tau + 16, t1);
-      }
+      Vector<f32x4> p = turned(joints.last, at.stream) + joints.last.origin;
+      add_others(influences, joints, at.stream + 12, 16, p);
       store_xyz(at.out_positions, p);
+      Vector<f32x4> t0 = turned(joints.last, tau), t1 = turned(joints.last, tau + 12);
+      add_others(influences, joints, tau + 24, 32, t0);
+      add_others(influences, joints, tau + 40, 32, t1);
+      at.stream += 16 * influences - 4;
+      tau += 32 * influences - 8;
       at.out_positions += 12;
       write(directions, t0, t1, mirror, at);
     }
@@ -104,12 +112,10 @@ class WithTangents {
  private:
   template <class D>
   static void write(D directions, const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
-    const Vector<f32x4> n = cross(t0, t1);
-    store_xyz(at.out_normals, n * flip(inverse_length(dot(n, n)), mirror));
+    store_normals(at.out_normals, cross(t0, t1), mirror);
     at.out_normals += 12;
     if (has_tangents(directions)) {
-      const Vector<f32x4> t = normalised(t0);
-      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), mirror));
+      store_tangents(at.out_tangents, normalised(t0), at.tangents, mirror);
       at.tangents += 16;
       at.out_tangents += 16;
     }

@@ -41,19 +41,23 @@ struct Cursor {
   float* out_tangents;
 };
 
-// Inverse transpose up to a positive factor: the cofactors, turned round where the blend mirrors. Normalised. Returns
-// the determinant.
-inline f32x4 write_exact_normals(const Blend& m, const float* normals, float* out) {
-  const Linear<f32x4> cofactor = cofactors(linear_rows(m));
-  const Vector<f32x4> n = transposed_times(cofactor, load_block(normals));
-  const f32x4 det = dot(m.a.linear, cofactor.x);
-  store_xyz(out, n * flip(inverse_length(dot(n, n)), det));
-  return det;
+// Of unit length, turned round where `mirror` is negative.
+MARROW_CALLED_WHERE_SMALL inline void store_normals(float* out, const Vector<f32x4>& n, f32x4 mirror) {
+  store_xyz(out, n * flip(inverse_length(dot(n, n)), mirror));
+}
+// With the handedness that a block of tangents has, the other where `mirror` is negative.
+MARROW_CALLED_WHERE_SMALL inline void store_tangents(float* out, const Vector<f32x4>& t, const float* tangents,
+                                                     f32x4 mirror) {
+  store_xyzw(out, t.x, t.y, t.z, flip(load_aligned(tangents + 12), mirror));
 }
 
-inline void write_exact_tangents(const Blend& m, f32x4 det, const float* tangents, float* out) {
-  const Vector<f32x4> t = normalised(turn(m, load_block(tangents)));
-  store_xyzw(out, t.x, t.y, t.z, flip(load_aligned(tangents + 12), det));
+// Inverse transpose up to a positive factor: the cofactors, turned round where the blend mirrors. Returns the
+// determinant.
+inline f32x4 write_exact_normals(const Blend& m, const float* normals, float* out) {
+  const Linear<f32x4> cofactor = cofactors(m.rows);
+  const f32x4 det = dot(m.rows.x, cofactor.x);
+  store_normals(out, transposed_times(cofactor, load_block(normals)), det);
+  return det;
 }
 
 // mirror: negative where the handedness turns; of blended tangents only.
@@ -69,12 +73,8 @@ inline void write_directions(D directions, const Blend& m, f32x4 mirror, Cursor&
   at.normals += 12;
   at.out_normals += 12;
   if (has_tangents(directions)) {
-    if (is_exact(directions)) {
-      write_exact_tangents(m, det, at.tangents, at.out_tangents);
-    } else {
-      const Vector<f32x4> t = turn(m, load_block(at.tangents));
-      store_xyzw(at.out_tangents, t.x, t.y, t.z, flip(load_aligned(at.tangents + 12), det));
-    }
+    const Vector<f32x4> t = turn(m, load_block(at.tangents));
+    store_tangents(at.out_tangents, is_exact(directions) ? normalised(t) : t, at.tangents, det);
     at.tangents += 16;
     at.out_tangents += 16;
   }
@@ -104,12 +104,16 @@ void deform_runs(D directions, Deformer deformer, const Geometry& g, const float
   Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out.tangents.data};
   const std::uint16_t* set = g.sets;
   const Run *run = g.runs.begin(), *const end = g.runs.end();
-  const auto alike = [&](auto influences) {
+  [[maybe_unused]] const auto alike = [&](auto influences) {
     run = deform_alike(directions, influences, deformer, run, end, set, palette, at);
   };
   while (run < end) {
-    if constexpr (kSmall || !Deformer::kHasKernels) {
+    if constexpr (!Deformer::kHasKernels && !kSmall) {
       alike(run->influences);
+    } else if constexpr (kSmall) {  // one run after the other
+      deformer.run(directions, run->influences, set, (run->vertex_count + 3) / 4, palette, at);
+      set += run->influences;
+      ++run;
     } else {
       switch (run->influences) {
         case 1:

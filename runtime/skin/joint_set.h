@@ -31,7 +31,7 @@ struct JointSet {
   [[gnu::always_inline]] void load(const std::uint16_t* set, Count influences, const Affine* palette) {
     const Affine& m = palette[set[influences - 1]];
     const f32x4 a = load_aligned(m.rows[0]), b = load_aligned(m.rows[1]), c = load_aligned(m.rows[2]);
-    last = {splat_row(a), splat_row(b), splat_row(c)};
+    last = four_affines(splat_row(a), splat_row(b), splat_row(c));
     for (std::uint32_t j = 0; j + 1 < influences; ++j) {
       const Affine& other = palette[set[j]];
       keep(load_aligned(other.rows[0]) - a, others[j][0]);
@@ -58,15 +58,21 @@ inline f32x4 times(f32x4 v, f32x4 row) {
   return times<Lane>(v, factors(row));
 }
 
-template <class Row>
-inline FourRows add_scaled(const FourRows& row, f32x4 w, const Row& m) {
-  const Vector<f32x4>& v = row.linear;
-  return {{v.x + times<0>(w, m), v.y + times<1>(w, m), v.z + times<2>(w, m)}, row.origin + times<3>(w, m)};
+MARROW_CALLED_WHERE_SMALL inline void add_scaled(Vector<f32x4>& v, f32x4& origin, f32x4 w, const Factors& row) {
+  v = {v.x + times<0>(w, row), v.y + times<1>(w, row), v.z + times<2>(w, row)};
+  origin = origin + times<3>(w, row);
 }
 
-template <class Row>
-inline Blend add_scaled(const Blend& blend, f32x4 w, const Row (&m)[3]) {
-  return {add_scaled(blend.a, w, m[0]), add_scaled(blend.b, w, m[1]), add_scaled(blend.c, w, m[2])};
+// To four vertices' matrices, which are the last joint's before: the others by their weights, each `stride` floats
+// behind the one before.
+MARROW_CALLED_ONLY_WHERE_SMALL inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
+                                                      const float* weights, std::size_t stride, Blend& m) {
+  for (std::uint32_t j = 0; j + 1 < influences; ++j, weights += stride) {
+    const f32x4 w = load(weights);
+    add_scaled(m.rows.x, m.origin.x, w, joints.others[j][0]);
+    add_scaled(m.rows.y, m.origin.y, w, joints.others[j][1]);
+    add_scaled(m.rows.z, m.origin.z, w, joints.others[j][2]);
+  }
 }
 
 }  // namespace marrow

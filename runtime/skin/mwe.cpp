@@ -7,11 +7,10 @@ namespace marrow {
 namespace {
 
 // A row of the blend and one influence more, element by element.
-inline FourRows add_weighted(const FourRows& row, f32x4 w, const float* residual, const Factors& m) {
-  const Vector<f32x4>& v = row.linear;
+inline FourRows add_weighted(const Vector<f32x4>& v, f32x4 origin, f32x4 w, const float* residual, const Factors& m) {
   return {{v.x + times<0>(w + load_aligned(residual), m), v.y + times<1>(w + load_aligned(residual + 4), m),
            v.z + times<2>(w + load_aligned(residual + 8), m)},
-          row.origin + times<3>(w + load_aligned(residual + 12), m)};
+          origin + times<3>(w + load_aligned(residual + 12), m)};
 }
 
 class MultiWeight {
@@ -31,8 +30,8 @@ class MultiWeight {
     for (; blocks > 0; --blocks) {
       const float* const weights = at.stream + 12;
       const f32x4 zero = splat(0.0f);
-      const FourRows nothing = {{zero, zero, zero}, zero};
-      Blend m = {nothing, nothing, nothing};
+      const Vector<f32x4> nothing = {zero, zero, zero};
+      Blend m = {{nothing, nothing, nothing}, nothing};
       f32x4 rest = splat(1.0f);
       for (std::uint32_t j = 0; j < influences; ++j, residual_ += 48) {
         f32x4 w = rest;
@@ -40,8 +39,9 @@ class MultiWeight {
           w = load_aligned(weights + 4 * j);
           rest = rest - w;
         }
-        m = {add_weighted(m.a, w, residual_, inside[j][0]), add_weighted(m.b, w, residual_ + 16, inside[j][1]),
-             add_weighted(m.c, w, residual_ + 32, inside[j][2])};
+        m = four_affines(add_weighted(m.rows.x, m.origin.x, w, residual_, inside[j][0]),
+                         add_weighted(m.rows.y, m.origin.y, w, residual_ + 16, inside[j][1]),
+                         add_weighted(m.rows.z, m.origin.z, w, residual_ + 32, inside[j][2]));
       }
       write_positions(m, at);
       at.stream += 4 * (influences + 2);
@@ -70,12 +70,12 @@ class MultiWeight {
 
   // The 3×3 part of the blend, in the palette's space.
   Blend in_palette(const Blend& m) const {
-    const Linear<f32x4> rows = linear_rows(m);
+    const Linear<f32x4>& rows = m.rows;
     const Vector<f32x4> x = rotation_ * Vector<f32x4>{rows.x.x, rows.y.x, rows.z.x},
                         y = rotation_ * Vector<f32x4>{rows.x.y, rows.y.y, rows.z.y},
                         z = rotation_ * Vector<f32x4>{rows.x.z, rows.y.z, rows.z.z};
     const f32x4 zero = splat(0.0f);
-    return {{{x.x, y.x, z.x}, zero}, {{x.y, y.y, z.y}, zero}, {{x.z, y.z, z.z}, zero}};
+    return {{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}, {zero, zero, zero}};
   }
 
   const float* residual_;

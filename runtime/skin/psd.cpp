@@ -85,8 +85,7 @@ class PoseSpaceSkin {
       Vector<f32x4> v = load_block(at.stream);
       add_deltas(weights, influences, v);
       Blend m = joints.last;
-      for (std::uint32_t j = 0; j + 1 < influences; ++j)
-        m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
+      add_others(influences, joints, weights, 4, m);
       store_xyz(at.out_positions, transform(m, v));
       at.stream += 4 * (influences + 2);
       at.out_positions += 12;

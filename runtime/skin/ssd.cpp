@@ -18,12 +18,11 @@ struct Ssd {
       const Vector<f32x4> v = load_block(at.stream);
       Blend m = joints.last;
       if constexpr (std::is_same_v<Count, std::uint32_t>) {
-        for (std::uint32_t j = 0; j + 1 < influences; ++j)
-          m = add_scaled(m, load_aligned(weights + 4 * j), joints.others[j]);
+        add_others(influences, joints, weights, 4, m);
       } else {
-        blend_row(influences, joints, 0, weights, m.a);
-        blend_row(influences, joints, 1, weights, m.b);
-        blend_row(influences, joints, 2, weights, m.c);
+        blend_row(influences, joints, 0, weights, m.rows.x, m.origin.x);
+        blend_row(influences, joints, 1, weights, m.rows.y, m.origin.y);
+        blend_row(influences, joints, 2, weights, m.rows.z, m.origin.z);
       }
       store_xyz(at.out_positions, transform(m, v));
       at.stream += 4 * (influences + 2);
@@ -38,14 +37,13 @@ struct Ssd {
 
   template <class Count>
   [[gnu::always_inline]] static void blend_row(Count influences, const JointSet<f32x4>& joints, int row,
-                                               const float* weights, FourRows& m) {
+                                               const float* weights, Vector<f32x4>& v, f32x4& origin) {
     for (std::uint32_t j = 0; j + 1 < influences; ++j) {
       const f32x4 w = load_aligned(weights + 4 * j), other = joints.others[j][row];
-      Vector<f32x4>& v = m.linear;
       v.x = v.x + times<0>(w, other);
       v.y = v.y + times<1>(w, other);
       v.z = v.z + times<2>(w, other);
-      m.origin = m.origin + times<3>(w, other);
+      origin = origin + times<3>(w, other);
     }
   }
 };

@@ -2,9 +2,7 @@
 // register where code is to be small. The bits are the same.
 #pragma once
 
-#include <type_traits>
-
-#include "core/fixed.h"
+#include "math/at_once.h"
 #include "math/joint.h"
 #include "math/rotation.h"
 #include "springs/spring_state.h"
@@ -102,9 +100,6 @@ inline Vector<One> no_longer(Vector<One> v, float most) {
 inline One exp_negative(One x) {
   return {exp_negative(x.v)};
 }
-inline One dot(Quaternion<One> a, Quaternion<One> b) {
-  return {splat(dot4(a.v, b.v))};
-}
 inline One two_over_squared(Quaternion<One> q) {
   const float squared = dot4(q.v, q.v);
   return {splat(0.0f < squared ? 2.0f / squared : 0.0f)};
@@ -114,11 +109,6 @@ inline Vector<One> rotate_by_any(Quaternion<One> q, One two_over_squared, Vector
   return {v.v + (t * splat_lane<3>(q.v) + cross3(q.v, t)) * two_over_squared.v};
 }
 
-// A number a bone that goes now.
-using Number = std::conditional_t<kSmall, One, f32x4>;
 using Lanes = SpringLanes<Number>;
-inline Number number(float x) {
-  return all_lanes<Number>(x);
-}
 
 }  // namespace marrow

@@ -38,8 +38,9 @@ f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
 
-BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
-                    Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
+MARROW_CALLED_WHERE_SMALL BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame,
+                                              const Springs& springs, Span<const SoaTransform> local,
+                                              Span<const Affine> scene_from_joint) {
   MARROW_CHECK(springs.joint_count == skeleton.joint_count);
   MARROW_CHECK(holds(local, skeleton.soa_size()));
   MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
@@ -119,7 +120,7 @@ f32x4 held_within(f32x4 v, f32x4 most) {
 
 // The velocity and the acceleration at both ends of this frame, of the curve of degree three through the places at them
 // whose velocity at the end is that of the parabola through the last three places.
-void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
+MARROW_CALLED_WHERE_SMALL void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
   const f32x4 mean = (position - load_wide(root.position)) * (1.0f / dt);
   f32x4 begin = load_wide(root.velocity), end = mean;
@@ -289,8 +290,8 @@ struct Descent {
 };
 
 // outwards: across the direction, away from what it touches; 0 where it touches nothing.
-void collide_bones(const SpringCall& call, const SpringPlace& place, const SpringBones& bones, SpringMotion& m,
-                   f32x4& at, Vector<Number>& outwards) {
+MARROW_CALLED_WHERE_SMALL void collide_bones(const SpringCall& call, const SpringPlace& place, const SpringBones& bones,
+                                             SpringMotion& m, f32x4& at, Vector<Number>& outwards) {
   f32x4 d[Lanes::kCount], v[Lanes::kCount], o[Lanes::kCount];
   float lengths[Lanes::kCount];
   Lanes::split(m.direction, d);
@@ -312,7 +313,8 @@ void collide_bones(const SpringCall& call, const SpringPlace& place, const Sprin
   outwards = Lanes::vector(o);
 }
 
-void step_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place, Descent* descents) {
+MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place,
+                                          Descent* descents) {
   SpringGroup& group = place.group;
   const SpringPull pull = pull_of(call, place, bones);
   SpringMotion m = {place.vector(group.direction), place.vector(group.velocity)};
@@ -370,7 +372,8 @@ struct IntoParents {
 };
 
 // From one unit direction to another, and of that the part `weight`.
-Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>& to, Number weight) {
+MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>& to,
+                                                         Number weight) {
   const Number zero = number(0.0f), one = number(1.0f);
   Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
   const Number squared = dot(q, q);
@@ -386,7 +389,7 @@ Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>&
   return part * inverse_length(dot(part, part));
 }
 
-void show_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
+MARROW_CALLED_WHERE_SMALL void show_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
   const Quaternion<Number> above_it = Lanes::rotation(place.group.bent, place.lane);
   const Vector<Number> seen =
       rotate_by_any(conjugate(above_it), two_over_squared(above_it), place.vector(place.group.direction));
