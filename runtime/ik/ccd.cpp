@@ -50,8 +50,7 @@ void descend_once(IkHeuristic& h) {
     if (inverse.exists) set_turned(node, was * part_of(best_turn(h, i, inverse), node.ease_root * node.ease_root));
     carry_ends(h, i, inverse, conjugate(was) * node.rotation);
   }
-  update_frames(tree);
-  update_parts(h);
+  update(h);
 }
 
 }  // namespace marrow

@@ -51,14 +51,8 @@ void set_shares(IkHeuristic& h) {
 
 float error_of(const IkHeuristic& h) {
   float sum = 0;
-  for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
-    const IkEnd& end = h.tree->ends[k];
-    const f32x4 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
-    sum += squared3(p);
-    if (!(h.aims[k].turn > 0)) continue;
-    const f32x4 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
-    sum += squared3(r);
-  }
+  for (std::size_t k = 0; k < h.tree->ends.size; ++k)
+    sum = with_error(sum, *h.tree, h.tree->ends[k], h.aims[k].goal - h.end(k).at);
   return sqrt(sum);
 }
 
@@ -121,8 +115,7 @@ void take_share_of_turns(IkHeuristic& h, float share) {
     IkNode& node = h.tree->nodes[i];
     set_turned(node, h.parts[i].before * part_of(conjugate(h.parts[i].before) * node.rotation, share));
   }
-  update_frames(*h.tree);
-  update_parts(h);
+  update(h);
 }
 
 // The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
@@ -254,6 +247,11 @@ WideRotation part_of(WideRotation any, float share) {
   if (share == 1.0f) return any;
   const WideRotation q = normalised(any);
   return share_of(WideRotation{w_lane(q) < 0 ? q.v * -1.0f : q.v}, share);
+}
+
+void update(IkHeuristic& h) {
+  update_frames(*h.tree);
+  update_parts(h);
 }
 
 void update_parts(IkHeuristic& h) {

@@ -108,12 +108,13 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   s.tasks.data = scratch.take<IkTask>(tasks).data;
   s.entries = scratch.take<IkEntry>(entries).data;
   s.moves = {scratch.take<IkMove>(moves).data, moves};
-  s.error = scratch.take<float>(stride).data;
-  s.rest = scratch.take<float>(stride).data;
-  s.x = scratch.take<float>(stride).data;
-  s.sum = scratch.take<float>(stride).data;
-  s.a = scratch.take<float>(s.rows * stride).data;
-  s.work = scratch.take<float>(s.rows * stride).data;
+  s.error = scratch.take<float>((4 + 2 * s.rows) * stride).data;
+  if (s.error == nullptr) return s;
+  s.rest = s.error + stride;
+  s.x = s.rest + stride;
+  s.sum = s.x + stride;
+  s.a = s.sum + stride;
+  s.work = s.a + s.rows * stride;
   return s;
 }
 
