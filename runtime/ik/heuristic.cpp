@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/mark.h"
+#include "marrow/block.h"
 
 namespace marrow {
 namespace {
@@ -21,7 +22,7 @@ void set_aims(IkHeuristic& h) {
   const IkTree& tree = *h.tree;
   float greatest = 0;
   for (const IkEnd& end : tree.ends)
-    greatest = std::max({greatest, end.goal->position_weight, end.goal->rotation_weight * h.per_size});
+    greatest = greater(greatest, greater(end.goal->position_weight, end.goal->rotation_weight * h.per_size));
   const float scale = greatest > 0 ? 1.0f / greatest : 0.0f;
   for (std::size_t k = 0; k < tree.ends.size; ++k) {
     const IkEnd& end = tree.ends[k];
@@ -157,12 +158,11 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 }  // namespace
 
 std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
-  if (tree == 0) return 0;
   Memory count;
+  if (!count_tree(skeleton, problem, count)) return 0;
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return tree + count.whole();
+  return block_bytes(count.whole());
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {

@@ -118,11 +118,10 @@ IkReport solve_from_starts(IkSolver solve, const Skeleton& skeleton, IkTree& tre
 
 }  // namespace
 
-std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return 0;
-  Memory count;
+bool count_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& count) {
+  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return false;
   place_tree(skeleton, problem, count);
-  return count.whole() + 15;
+  return true;
 }
 
 std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options) {

@@ -1,6 +1,7 @@
 #include "ik/system.h"
 
 #include "ik/dense.h"
+#include "marrow/block.h"
 
 namespace marrow {
 namespace {
@@ -119,11 +120,10 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
 }
 
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
-  if (tree == 0) return 0;
   Memory count;
+  if (!count_tree(skeleton, problem, count)) return 0;
   place_system(skeleton, problem, count);
-  return tree + count.whole();
+  return block_bytes(count.whole());
 }
 
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {

@@ -76,10 +76,18 @@ void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std
   end.rotation = rotation;
 }
 
+MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
+  float* const t = &local[joint / 4].translation[0][joint % 4];
+  const Vector3 v = narrow(to);
+  t[0] = v.x;
+  t[4] = v.y;
+  t[8] = v.z;
+}
+
 // Translations of all joints from the goal's up to, and not with, the first that turns.
 void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, Span<SoaTransform> local) {
   for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = skeleton.parents[j])
-    for (float(&t)[4] : local[j / 4].translation) t[j % 4] *= factor;
+    set_translation(local, j, wide_translation_of(local, j) * factor);
 }
 
 }  // namespace
@@ -196,9 +204,7 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
   }
   if (squared3(tree.travel) > 0) {
     const std::uint16_t joint = tree.nodes[0].joint;
-    float by[4];
-    store(by, tree.travel * weight);
-    for (std::size_t i = 0; i < 3; ++i) local[joint / 4].translation[i][joint % 4] += by[i];
+    set_translation(local, joint, wide_translation_of(local, joint) + tree.travel * weight);
   }
   if (tree.stretch != 1) stretch_bones(skeleton, tree, 1.0f + (tree.stretch - 1.0f) * weight, local);
   for (const IkNode& node : tree.nodes) {

@@ -107,8 +107,9 @@ IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
                         Memory& scratch);  // the others
 
-// What calls need, the tree and all; 0 of a problem that cannot be read.
-std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+// Counts the room for the tree; false of a problem that cannot be read.
+bool count_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
+// What calls need, the tree and all, of memory of any alignment; 0 of a problem that cannot be read.
 std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 
