@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/fixed.h"
 #include "marrow/span.h"
 
 namespace marrow {
@@ -17,19 +18,22 @@ struct Memory {
 
   // What is used, and what aligns the next piece.
   std::size_t whole() const { return (used + 15) / 16 * 16; }
-  // count: at most 2³⁶. Empty if that is more than there is, or without any memory.
+  // Null if that is more than there is, or without any memory.
+  MARROW_CALLED_WHERE_SMALL std::byte* take_bytes(std::uint64_t bytes) {
+    const std::size_t at = whole();
+    if (at > most || bytes > most - at) {
+      failed = true;
+      return nullptr;
+    }
+    used = at + static_cast<std::size_t>(bytes);
+    return first == nullptr ? nullptr : first + at;
+  }
+  // count: at most 2³⁶. Empty where there are no bytes for it.
   template <class T>
   Span<T> take(std::uint64_t count) {
     static_assert(alignof(T) <= 16);
-    const std::size_t at = whole();
-    const std::uint64_t bytes = count * sizeof(T);
-    if (at > most || bytes > most - at) {
-      failed = true;
-      return {};
-    }
-    used = at + static_cast<std::size_t>(bytes);
-    if (first == nullptr) return {};
-    return {reinterpret_cast<T*>(first + at), static_cast<std::size_t>(count)};
+    std::byte* const bytes = take_bytes(count * sizeof(T));
+    return {reinterpret_cast<T*>(bytes), bytes == nullptr ? 0 : static_cast<std::size_t>(count)};
   }
 };
 

@@ -9,7 +9,7 @@ namespace {
 constexpr float kNearlyStraight = 5e-4f;  // of its length, by which a chain is short of straight
 constexpr float kNearlyALine = 0.1f;      // of its length, by which a chain's joints are off a line
 
-float smooth_step(float x) {
+MARROW_CALLED_WHERE_SMALL float smooth_step(float x) {
   const float u = x <= 0 ? 0.0f : x < 1 ? x : 1.0f;
   return u * u * (3.0f - 2.0f * u);
 }
@@ -34,8 +34,7 @@ void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   if (!inverse.exists) return;
   const float ease = share * node.ease_root * node.ease_root;
   set_turned(node, node.rotation * part_of(arc(inverse * from, inverse * to, inverse * axis), ease));
-  update_frames(*h.tree);
-  update_parts(h);
+  update(h);
 }
 
 float total_length(const IkHeuristic& h) {
@@ -55,8 +54,7 @@ void stretch(IkHeuristic& h, float distance, float least, float most, float limi
   tree.stretch = factor;
   for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
   tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);
-  update_frames(tree);
-  update_parts(h);
+  update(h);
 }
 
 // From least + margin to most - margin what it is, and beyond, without a jump of slope, half as far again at most.

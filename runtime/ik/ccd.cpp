@@ -6,8 +6,8 @@ namespace {
 
 // What turns node i, of its own axes, so that the ends that it moves come nearest to their goals.
 WideRotation best_turn(const IkHeuristic& h, std::size_t i, const InverseAxes& inverse) {
-  const f32x4 origin = h.parts[i].at, hinge = h.tree->nodes[i].hinge;
-  const WideRotation turned = h.tree->nodes[i].turned;
+  const IkNode& node = h.tree->nodes[i];
+  const f32x4 origin = h.parts[i].at;
   TurnSum turns;
   for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
     const IkPart& end = h.end(k);
@@ -15,8 +15,8 @@ WideRotation best_turn(const IkHeuristic& h, std::size_t i, const InverseAxes& i
     const IkAim& aim = h.aims[k];
     const f32x4 from = end.at - origin, to = aim.goal - origin;
     const float lever = length3(from) * h.per_size * (length3(to) * h.per_size);
-    turns.add_arc_about(hinge, inverse * from, inverse * to, aim.position * lever);
-    if (aim.turn > 0) turns.add(conjugate(turned) * aim.rotation * conjugate(end.before) * turned, aim.turn);
+    turns.add_arc_about(node.hinge, inverse * from, inverse * to, aim.position * lever);
+    if (aim.turn > 0) turns.add(conjugate(node.turned) * aim.rotation * conjugate(end.before) * node.turned, aim.turn);
   }
   return turns.turn();
 }
@@ -50,8 +50,7 @@ void descend_once(IkHeuristic& h) {
     if (inverse.exists) set_turned(node, was * part_of(best_turn(h, i, inverse), node.ease_root * node.ease_root));
     carry_ends(h, i, inverse, conjugate(was) * node.rotation);
   }
-  update_frames(tree);
-  update_parts(h);
+  update(h);
 }
 
 }  // namespace marrow

@@ -13,11 +13,6 @@ f32x4 back_from_end(const IkHeuristic& h, std::size_t k, f32x4 as_it_lies) {
   return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
 }
 
-// Scene rotation of a node's axes before they turn.
-WideRotation above_turned(const IkTree& tree, const IkNode& node) {
-  return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
-}
-
 // What turns node i, whose axes before they turn are `above`, to where its parts are wanted.
 WideRotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above) {
   const IkTree& tree = *h.tree;
@@ -66,8 +61,7 @@ void turn_to_points(IkHeuristic& h) {
     const f32x4 in_frame = along(inverse.direction(axis), inverse.sign * length3(axis));
     set_turned(node, node.rotation * quaternion(in_frame, w_lane(in_scene)));
   }
-  update_frames(tree);
-  update_parts(h);
+  update(h);
 }
 
 void pull(IkHeuristic& h) {
@@ -117,19 +111,11 @@ void reach_forward(IkHeuristic& h) {
   IkTree& tree = *h.tree;
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     IkNode& node = tree.nodes[i];
-    const bool top = node.parent == kNoParent;
-    Columns above = node.above;
-    if (!top) {
-      const Columns& parent = tree.nodes[node.parent].frame;
-      for (f32x4& axis : above.axis) axis = turn(parent, axis);
-      above.origin = transform(parent, above.origin);
-    }
+    const Columns above = node.parent == kNoParent ? node.above : tree.nodes[node.parent].frame * node.above;
     const WideRotation by = forward_turn(h, i, above);
     const float ease = node.ease_root * node.ease_root;
     set_turned(node, part_of(by, ease) * node.rotation);
-    f32x4 axes[3];
-    set_axes(node.rotation, axes);
-    for (int a = 0; a < 3; ++a) node.frame.axis[a] = turn(above, axes[a]);
+    turn_axes(above, node.rotation, node.frame.axis);
     node.frame.origin = above.origin;
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }

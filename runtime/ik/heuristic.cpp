@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/mark.h"
+#include "marrow/block.h"
 
 namespace marrow {
 namespace {
@@ -21,7 +22,7 @@ void set_aims(IkHeuristic& h) {
   const IkTree& tree = *h.tree;
   float greatest = 0;
   for (const IkEnd& end : tree.ends)
-    greatest = std::max({greatest, end.goal->position_weight, end.goal->rotation_weight * h.per_size});
+    greatest = greater(greatest, greater(end.goal->position_weight, end.goal->rotation_weight * h.per_size));
   const float scale = greatest > 0 ? 1.0f / greatest : 0.0f;
   for (std::size_t k = 0; k < tree.ends.size; ++k) {
     const IkEnd& end = tree.ends[k];
@@ -51,14 +52,8 @@ void set_shares(IkHeuristic& h) {
 
 float error_of(const IkHeuristic& h) {
   float sum = 0;
-  for (std::size_t k = 0; k < h.tree->ends.size; ++k) {
-    const IkEnd& end = h.tree->ends[k];
-    const f32x4 p = (h.aims[k].goal - h.end(k).at) * end.goal->position_weight;
-    sum += squared3(p);
-    if (!(h.aims[k].turn > 0)) continue;
-    const f32x4 r = rotation_error(*h.tree, end) * end.goal->rotation_weight;
-    sum += squared3(r);
-  }
+  for (std::size_t k = 0; k < h.tree->ends.size; ++k)
+    sum = with_error(sum, *h.tree, h.tree->ends[k], h.aims[k].goal - h.end(k).at);
   return sqrt(sum);
 }
 
@@ -121,8 +116,7 @@ void take_share_of_turns(IkHeuristic& h, float share) {
     IkNode& node = h.tree->nodes[i];
     set_turned(node, h.parts[i].before * part_of(conjugate(h.parts[i].before) * node.rotation, share));
   }
-  update_frames(*h.tree);
-  update_parts(h);
+  update(h);
 }
 
 // The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
@@ -164,12 +158,11 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 }  // namespace
 
 std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
-  if (tree == 0) return 0;
   Memory count;
+  if (!count_tree(skeleton, problem, count)) return 0;
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return tree + count.whole();
+  return block_bytes(count.whole());
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
@@ -254,6 +247,11 @@ WideRotation part_of(WideRotation any, float share) {
   if (share == 1.0f) return any;
   const WideRotation q = normalised(any);
   return share_of(WideRotation{w_lane(q) < 0 ? q.v * -1.0f : q.v}, share);
+}
+
+void update(IkHeuristic& h) {
+  update_frames(*h.tree);
+  update_parts(h);
 }
 
 void update_parts(IkHeuristic& h) {

@@ -67,7 +67,7 @@ struct TurnSum {
 struct InverseAxes {
   explicit InverseAxes(const f32x4 (&axis)[3]);
   // Of the length that it has, but for a factor above 0: not to wait for a division.
-  f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
+  MARROW_CALLED_WHERE_SMALL f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
   f32x4 operator*(f32x4 v) const { return direction(v) * scale; }
   f32x4 cofactor[3];
   float sign, scale;
@@ -78,6 +78,8 @@ struct InverseAxes {
 WideRotation part_of(WideRotation any, float share);
 // Positions and lengths of all parts, from the frames.
 void update_parts(IkHeuristic& h);
+// And frames, from the rotations, before that.
+void update(IkHeuristic& h);
 
 // Of a chain with one end, before it moves: stretches bones, and puts a goal that is out of reach into reach. Returns
 // by how much the goal is beyond the chain: 0 not at all, 1 so far that the chain shall be straight.

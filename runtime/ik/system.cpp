@@ -1,6 +1,7 @@
 #include "ik/system.h"
 
 #include "ik/dense.h"
+#include "marrow/block.h"
 
 namespace marrow {
 namespace {
@@ -108,21 +109,21 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   s.tasks.data = scratch.take<IkTask>(tasks).data;
   s.entries = scratch.take<IkEntry>(entries).data;
   s.moves = {scratch.take<IkMove>(moves).data, moves};
-  s.error = scratch.take<float>(stride).data;
-  s.rest = scratch.take<float>(stride).data;
-  s.x = scratch.take<float>(stride).data;
-  s.sum = scratch.take<float>(stride).data;
-  s.a = scratch.take<float>(s.rows * stride).data;
-  s.work = scratch.take<float>(s.rows * stride).data;
+  s.error = scratch.take<float>((4 + 2 * s.rows) * stride).data;
+  if (s.error == nullptr) return s;
+  s.rest = s.error + stride;
+  s.x = s.rest + stride;
+  s.sum = s.x + stride;
+  s.a = s.sum + stride;
+  s.work = s.a + s.rows * stride;
   return s;
 }
 
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  const std::size_t tree = tree_scratch_bytes(skeleton, problem);
-  if (tree == 0) return 0;
   Memory count;
+  if (!count_tree(skeleton, problem, count)) return 0;
   place_system(skeleton, problem, count);
-  return tree + count.whole();
+  return block_bytes(count.whole());
 }
 
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {

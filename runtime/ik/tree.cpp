@@ -10,13 +10,13 @@ namespace {
 
 // parent_from_joint of a joint that does not turn.
 Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
-  const Vector3 s = scale_of(local, joint);
+  const f32x4 s = wide_scale_of(local, joint);
   Columns f;
   set_axes(wide_rotation_of(local, joint), f.axis);
-  f.axis[0] = f.axis[0] * s.x;
-  f.axis[1] = f.axis[1] * s.y;
-  f.axis[2] = f.axis[2] * s.z;
-  f.origin = to_f32x4(translation_of(local, joint));
+  f.axis[0] = f.axis[0] * splat_lane<0>(s);
+  f.axis[1] = f.axis[1] * splat_lane<1>(s);
+  f.axis[2] = f.axis[2] * splat_lane<2>(s);
+  f.origin = wide_translation_of(local, joint);
   return f;
 }
 
@@ -37,7 +37,7 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   node.parent = on == kNoParent ? kNoParent : node_of[on];
-  Columns above = {{}, to_f32x4(translation_of(local, node.joint))};
+  Columns above = {{}, wide_translation_of(local, node.joint)};
   set_axes(no_turn(), above.axis);
   WideRotation turned = no_turn();
   std::uint16_t joint = node.joint, next = skeleton.parents[joint];
@@ -51,7 +51,7 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
       above = local_frame(local, next) * above;
       turned = wide_rotation_of(local, next) * turned;
     }
-    const f32x4 scale = to_f32x4(scale_of(local, on));
+    const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
     above.origin = above.origin * scale;
   }
@@ -70,16 +70,24 @@ void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std
     rotation = wide_rotation_of(local, joint) * rotation;
   }
   end.node = node_of[joint];
-  const f32x4 scale = to_f32x4(scale_of(local, joint));
+  const f32x4 scale = wide_scale_of(local, joint);
   end.point = point * scale;
   end.bone = bone * scale;
   end.rotation = rotation;
 }
 
+MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
+  float* const t = &local[joint / 4].translation[0][joint % 4];
+  const Vector3 v = narrow(to);
+  t[0] = v.x;
+  t[4] = v.y;
+  t[8] = v.z;
+}
+
 // Translations of all joints from the goal's up to, and not with, the first that turns.
 void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, Span<SoaTransform> local) {
   for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = skeleton.parents[j])
-    for (float(&t)[4] : local[j / 4].translation) t[j % 4] *= factor;
+    set_translation(local, j, wide_translation_of(local, j) * factor);
 }
 
 }  // namespace
@@ -148,17 +156,13 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
 void update_frames(IkTree& tree, std::size_t first) {
   for (std::size_t i = first; i < tree.nodes.size; ++i) {
     IkNode& node = tree.nodes[i];
-    f32x4 axes[3];
-    set_axes(node.rotation, axes);
     Columns& local = node.parent_from_frame;
-    for (int a = 0; a < 3; ++a) local.axis[a] = turn(node.above, axes[a]);
+    turn_axes(node.above, node.rotation, local.axis);
     local.origin = node.above.origin;
     if (i == 0) local.origin = local.origin + turn(node.above, tree.travel);
     const bool top = node.parent == kNoParent;
     node.frame = top ? local : tree.nodes[node.parent].frame * local;
-    if (!tree.turns) continue;
-    const WideRotation above = top ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
-    node.turned = above * node.rotation;
+    if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }
 }
 
@@ -169,14 +173,7 @@ f32x4 rotation_error(const IkTree& tree, const IkEnd& end) {
 
 float total_error(const IkTree& tree) {
   float sum = 0;
-  for (const IkEnd& end : tree.ends) {
-    const float p = end.goal->position_weight, r = end.goal->rotation_weight;
-    const f32x4 at = position_error(tree, end) * p;
-    sum += squared3(at);
-    if (!(r > 0)) continue;
-    const f32x4 turn = rotation_error(tree, end) * r;
-    sum += squared3(turn);
-  }
+  for (const IkEnd& end : tree.ends) sum = with_error(sum, tree, end, position_error(tree, end));
   return sqrt(sum);
 }
 
@@ -207,9 +204,7 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
   }
   if (squared3(tree.travel) > 0) {
     const std::uint16_t joint = tree.nodes[0].joint;
-    float by[4];
-    store(by, tree.travel * weight);
-    for (std::size_t i = 0; i < 3; ++i) local[joint / 4].translation[i][joint % 4] += by[i];
+    set_translation(local, joint, wide_translation_of(local, joint) + tree.travel * weight);
   }
   if (tree.stretch != 1) stretch_bones(skeleton, tree, 1.0f + (tree.stretch - 1.0f) * weight, local);
   for (const IkNode& node : tree.nodes) {

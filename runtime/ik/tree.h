@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "core/memory.h"
 #include "marrow/ik_solve.h"
 #include "math/columns.h"
@@ -61,6 +62,17 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
 // Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
 void update_frames(IkTree& tree, std::size_t first = 0);
 
+// Rotation in the scene of a node's axes before they turn.
+MARROW_CALLED_WHERE_SMALL inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
+  return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
+}
+// Axes of a map, turned before it.
+MARROW_CALLED_WHERE_SMALL inline void turn_axes(const Columns& map, WideRotation rotation, f32x4 (&out)[3]) {
+  f32x4 axes[3];
+  set_axes(rotation, axes);
+  for (int a = 0; a < 3; ++a) out[a] = turn(map, axes[a]);
+}
+
 // From where an end is to where it shall be: scene space, metres.
 inline f32x4 position_error(const IkTree& tree, const IkEnd& end) {
   return to_f32x4(vector3(end.goal->position)) - transform(tree.nodes[end.node].frame, end.point);
@@ -70,6 +82,12 @@ f32x4 rotation_error(const IkTree& tree, const IkEnd& end);
 
 // See IkReport.
 float total_error(const IkTree& tree);
+// `sum`, the squares of other ends' errors, with those of an end that is so far from where it shall be.
+MARROW_CALLED_WHERE_SMALL inline float with_error(float sum, const IkTree& tree, const IkEnd& end, f32x4 apart) {
+  const float p = end.goal->position_weight, r = end.goal->rotation_weight;
+  sum += squared3(apart * p);
+  return r > 0 ? sum + squared3(rotation_error(tree, end) * r) : sum;
+}
 
 // Of unit length, and kept to the node's limit. A node that is quite stiff keeps its rotation.
 void set_turned(IkNode& node, WideRotation rotation);
@@ -89,8 +107,9 @@ IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem
 IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
                         Memory& scratch);  // the others
 
-// What calls need, the tree and all; 0 of a problem that cannot be read.
-std::size_t tree_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+// Counts the room for the tree; false of a problem that cannot be read.
+bool count_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
+// What calls need, the tree and all, of memory of any alignment; 0 of a problem that cannot be read.
 std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 

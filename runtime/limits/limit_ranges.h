@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/fixed.h"
 #include "marrow/limits.h"
 #include "math/wide.h"
 
@@ -25,7 +26,7 @@ inline HalfAngle operator-(const HalfAngle& a) {
 }
 
 // 1 up to three quarters of the way from `edge` to `end`, and from there down to 0 at `end`.
-inline float fade_out(float at, float edge, float end) {
+MARROW_CALLED_WHERE_SMALL inline float fade_out(float at, float edge, float end) {
   const float left = 4.0f * (end - at), room = end - edge;
   return left >= room ? 1.0f : left > 0 ? left / room : 0.0f;
 }
@@ -56,13 +57,6 @@ struct Twist {
   float share;  // 1; where the rest turns by almost 180°, and the twist is about to be lost, down to 0
 };
 Twist twist_of(float v, float w);
-template <int Axis>
-inline Twist twist_about(WideRotation q) {
-  return twist_of(first_lane(splat_lane<Axis>(q.v)), w_lane(q));
-}
-inline HalfAngle nearest_in(const AngleRange& range, const Twist& twist) {
-  return nearest_in(range, twist.angle, twist.share);
-}
 
 // The point of the ellipse |(y / ry, z / rz)| = 1 that is nearest to (y, z), a point outside. Both radii are above 0.
 struct Swing {

@@ -10,19 +10,18 @@
 namespace marrow::ranges {
 namespace {
 
-WideRotation about_x(const HalfAngle& a) {
-  return {lanes(a.sin, 0, 0, a.cos)};
-}
-WideRotation about_y(const HalfAngle& a) {
-  return {lanes(0, a.sin, 0, a.cos)};
-}
-WideRotation about_z(const HalfAngle& a) {
-  return {lanes(0, 0, a.sin, a.cos)};
+enum Axis : std::uint8_t { kX, kY, kZ };
+
+MARROW_CALLED_WHERE_SMALL WideRotation about(Axis axis, const HalfAngle& a) {
+  return {lanes(axis == kX ? a.sin : 0, axis == kY ? a.sin : 0, axis == kZ ? a.sin : 0, a.cos)};
 }
 
-WideRotation nearest_in_hinge(const JointLimit& limit, WideRotation t) {
-  const Twist twist = twist_about<0>(t);
-  return about_x(nearest_in(limit.angles[0], twist));
+// The turn about an axis that is in the range and nearest to the rotation's own.
+MARROW_CALLED_WHERE_SMALL WideRotation nearest_about(Axis axis, const AngleRange& range, WideRotation t) {
+  float q[4];
+  store(q, t.v);
+  const Twist twist = twist_of(q[axis], q[3]);
+  return about(axis, nearest_in(range, twist.angle, twist.share));
 }
 
 // Whether a rotation is inside, by what costs least; false is no answer.
@@ -39,7 +38,7 @@ WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   const float ry = greater(limit.angles[1].half_width, kLeast), rz = greater(limit.angles[2].half_width, kLeast);
   if (!kSmall && is_in_cone(ry, rz, limit.angles[0], t)) return t;
   float swing[4];
-  store(swing, (t * conjugate(about_x(twist_about<0>(t).angle))).v);
+  store(swing, (t * conjugate(about(kX, twist_of(first_lane(t.v), w_lane(t)).angle))).v);
   const float k = 1.0f / (1.0f + (swing[3] > 0 ? swing[3] : 0.0f));
   Swing s = {swing[1] * k, swing[2] * k};
   const float squared = s.y * s.y + s.z * s.z, widest = ry > rz ? ry : rz;
@@ -53,8 +52,7 @@ WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   const float size = s.y * s.y + s.z * s.z, scale = 1.0f / (1.0f + size);
   const WideRotation in = {lanes(0, 2.0f * s.y * scale, 2.0f * s.z * scale, (1.0f - size) * scale)};
   // Of the twists the nearest with this swing.
-  const Twist left = twist_about<0>(conjugate(in) * t);
-  return in * about_x(nearest_in(limit.angles[0], left));
+  return in * nearest_about(kX, limit.angles[0], conjugate(in) * t);
 }
 
 // Half of an angle from (a multiple of) the sine and cosine of the whole.
@@ -85,17 +83,17 @@ WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   const float widest = (most + half) / (1.0f - most * half);
   const float share =
       widest < kQuarterTurn - 1e-5f ? fade_out(absolute(second.sin) / (1.0f + second.cos), widest, kQuarterTurn) : 1.0f;
-  const WideRotation y0 = about_y(nearest_in(angles[1], second, 1.0f));
-  const WideRotation z0 = about_z(nearest_in(angles[2], third, share));
-  const WideRotation x1 = about_x(nearest_in(angles[0], twist_about<0>(t * conjugate(y0 * z0))));
-  const WideRotation z1 = about_z(nearest_in(angles[2], twist_about<2>(conjugate(x1 * y0) * t)));
-  return x1 * about_y(nearest_in(angles[1], twist_about<1>(conjugate(x1) * t * conjugate(z1)))) * z1;
+  const WideRotation y0 = about(kY, nearest_in(angles[1], second, 1.0f));
+  const WideRotation z0 = about(kZ, nearest_in(angles[2], third, share));
+  const WideRotation x1 = nearest_about(kX, angles[0], t * conjugate(y0 * z0));
+  const WideRotation z1 = nearest_about(kZ, angles[2], conjugate(x1 * y0) * t);
+  return x1 * nearest_about(kY, angles[1], conjugate(x1) * t * conjugate(z1)) * z1;
 }
 
 // Axes renamed so that the order is xyz. Where that mirrors them, rotations turn the other way, and so do the ranges.
 WideRotation nearest_in_box(const JointLimit& limit, WideRotation t) {
-  constexpr std::uint8_t kAxes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-  constexpr float kSigns[6] = {1, -1, -1, 1, 1, -1};
+  static constexpr std::uint8_t kAxes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  static constexpr float kSigns[6] = {1, -1, -1, 1, 1, -1};
   const auto order = static_cast<std::size_t>(limit.order);
   const std::uint8_t(&axes)[3] = kAxes[order];
   const float sign = kSigns[order];
@@ -112,7 +110,7 @@ WideRotation nearest_in_box(const JointLimit& limit, WideRotation t) {
 }
 
 WideRotation nearest(const JointLimit& limit, WideRotation t) {
-  if (limit.kind == LimitKind::hinge) return nearest_in_hinge(limit, t);
+  if (limit.kind == LimitKind::hinge) return nearest_about(kX, limit.angles[0], t);
   return limit.kind == LimitKind::cone ? nearest_in_cone(limit, t) : nearest_in_box(limit, t);
 }
 

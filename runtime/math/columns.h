@@ -1,6 +1,7 @@
 // Affine maps by their columns, each in a register: quick to multiply in chains, for one joint at a time.
 #pragma once
 
+#include "core/fixed.h"
 #include "math/affine.h"
 #include "math/wide.h"
 
@@ -12,10 +13,10 @@ struct Columns {
   f32x4 origin;
 };
 
-inline f32x4 turn(const Columns& m, f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 turn(const Columns& m, f32x4 v) {
   return m.axis[0] * splat_lane<0>(v) + m.axis[1] * splat_lane<1>(v) + m.axis[2] * splat_lane<2>(v);
 }
-inline f32x4 transform(const Columns& m, f32x4 point) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 transform(const Columns& m, f32x4 point) {
   return turn(m, point) + m.origin;
 }
 inline Columns operator*(const Columns& a, const Columns& b) {
@@ -28,7 +29,7 @@ inline Columns columns(const Affine& a) {
   return {{x, y, z}, w};
 }
 // The axes of a rotation.
-inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
+MARROW_CALLED_WHERE_SMALL inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
   float f[4];
   store(f, q.v);
   const Linear<float> m = columns_of(rotation(f));

@@ -1,6 +1,7 @@
 // One joint of a pose.
 #pragma once
 
+#include "core/fixed.h"
 #include "marrow/span.h"
 #include "math/wide.h"
 
@@ -29,6 +30,15 @@ inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, WideRotatio
   float f[4];
   store(f, q.v);
   for (int i = 0; i < 4; ++i) r[4 * i] = f[i];
+}
+
+MARROW_CALLED_WHERE_SMALL inline f32x4 wide_translation_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float* const t = &pose[joint / 4].translation[0][joint % 4];
+  return lanes(t[0], t[4], t[8], 0.0f);
+}
+MARROW_CALLED_WHERE_SMALL inline f32x4 wide_scale_of(Span<const SoaTransform> pose, std::size_t joint) {
+  const float* const s = &pose[joint / 4].scale[0][joint % 4];
+  return lanes(s[0], s[4], s[8], 0.0f);
 }
 
 inline Vector3 translation_of(Span<const SoaTransform> pose, std::size_t joint) {

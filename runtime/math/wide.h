@@ -2,6 +2,7 @@
 // vector is an f32x4 whose fourth lane is 0.
 #pragma once
 
+#include "core/fixed.h"
 #include "math/quaternion.h"
 
 namespace marrow {
@@ -39,10 +40,10 @@ inline float dot3(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
 }
-inline float squared3(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline float squared3(f32x4 v) {
   return dot3(v, v);
 }
-inline float length3(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline float length3(f32x4 v) {
   return sqrt(squared3(v));
 }
 inline f32x4 cross3(f32x4 a, f32x4 b) {
@@ -55,16 +56,16 @@ inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
   return x + y + z;
 }
 // The part of v across a unit vector.
-inline f32x4 across3(f32x4 v, f32x4 unit) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 across3(f32x4 v, f32x4 unit) {
   return v - unit * dot3(v, unit);
 }
 // Of unit length; `otherwise` if it is too short to have a direction, or not finite.
-inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
   const float squared = squared3(v);
   return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
 }
 // As any_across().
-inline f32x4 any_across3(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 any_across3(f32x4 v) {
   alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   float s[4];
   store(s, v * v);
@@ -83,7 +84,7 @@ inline WideRotation quaternion(f32x4 axis, float w) {
 inline float w_lane(WideRotation q) {
   return first_lane(splat_lane<3>(q.v));
 }
-inline float dot4(f32x4 a, f32x4 b) {
+MARROW_CALLED_WHERE_SMALL inline float dot4(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p) + splat_lane<3>(p));
 }
@@ -107,12 +108,12 @@ inline WideRotation operator*(WideRotation a, WideRotation b) {
   return {first + second + third - fourth};
 }
 // Of unit length; the identity if it is too short, or not finite.
-inline WideRotation normalised(WideRotation q) {
+MARROW_CALLED_WHERE_SMALL inline WideRotation normalised(WideRotation q) {
   const float squared = dot4(q.v, q.v);
   return has_direction(squared) ? WideRotation{q.v * (1.0f / sqrt(squared))} : no_turn();
 }
 // v, turned.
-inline f32x4 rotate(WideRotation q, f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 rotate(WideRotation q, f32x4 v) {
   const f32x4 half = cross3(q.v, v), t = half + half;
   return v + t * splat_lane<3>(q.v) + cross3(q.v, t);
 }
@@ -137,7 +138,7 @@ inline f32x4 log_of_shorter(WideRotation q) {
   return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
 }
 // As of Vector3: the rotation by |v| about v.
-inline WideRotation exp_rotation(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline WideRotation exp_rotation(f32x4 v) {
   const f32x4 half = v * 0.5f;
   const float y = squared3(half);
   return quaternion(half * sinc_of_root(y), cos_of_root(y));
