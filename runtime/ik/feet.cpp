@@ -18,11 +18,9 @@ constexpr float kLeastRise = 0.173648178f;   // cos 80°
 
 // One call: what all feet share.
 struct FeetCall {
-  const Skeleton& skeleton;
+  PosedJoints pose;
   const Feet& feet;
   const FeetFrame& frame;
-  Span<SoaTransform> local;
-  Span<Affine> scene_from_joint;
   Vector3 up = vector3(frame.up), origin = marrow::origin(frame.world_from_scene);
   // Of settings that have been checked.
   float rate = 0;         // 1/s, of what dies away
@@ -38,10 +36,9 @@ bool near(const Affine& a) {
 }
 
 BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
-  const Skeleton& skeleton = call.skeleton;
-  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
+  const Skeleton& skeleton = call.pose.skeleton;
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
-  if (const BadCall bad = check_chain(skeleton, call.local, call.scene_from_joint, {joints, 3})) return bad;
+  if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
   MARROW_CHECK(near(vector3(foot.sole)));
   MARROW_CHECK(near(vector3(foot.bend_axis)));
@@ -49,7 +46,7 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
   MARROW_CHECK(near(vector3(ground.point)));
   MARROW_CHECK(near(vector3(ground.normal)));
   for (const std::uint32_t joint : joints) {
-    const Affine& m = call.scene_from_joint[joint];
+    const Affine& m = call.pose.scene_from_joint[joint];
     MARROW_CHECK(near(m));
     MARROW_CHECK(near(transform(call.frame.world_from_scene, origin(m))));
     MARROW_CHECK(near(turn(m, vector3(foot.sole))));
@@ -58,10 +55,10 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
 }
 
 BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
-  const Skeleton& skeleton = call.skeleton;
+  const Skeleton& skeleton = call.pose.skeleton;
   const FeetFrame& frame = call.frame;
-  MARROW_CHECK(holds(call.local, skeleton.soa_size()));
-  MARROW_CHECK(holds(call.scene_from_joint, skeleton.joint_count));
+  MARROW_CHECK(holds(call.pose.local, skeleton.soa_size()));
+  MARROW_CHECK(holds(call.pose.scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(holds(call.feet.feet));
   MARROW_CHECK(holds(ground, call.feet.feet.size));
   MARROW_CHECK(holds(motion, call.feet.feet.size));
@@ -76,7 +73,7 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
   const std::uint32_t pelvis = call.feet.pelvis;
   MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_CHECK(near(call.scene_from_joint[pelvis]));
+  if (pelvis != kNoJoint) MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
@@ -156,7 +153,7 @@ void follow_heading(const FeetCall& call, const Linear<float>& ankle, bool plant
 }
 
 Vector3 sole_of(const FeetCall& call, const Foot& foot) {
-  return transform(call.frame.world_from_scene, transform(call.scene_from_joint[foot.ankle], vector3(foot.sole)));
+  return transform(call.frame.world_from_scene, transform(call.pose.scene_from_joint[foot.ankle], vector3(foot.sole)));
 }
 
 // One foot's motion by one frame.
@@ -174,7 +171,8 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
   die_away(call, m.offset, m.offset_speed);
   die_away(call, m.lean, m.lean_speed);
   Vector3 shown = target + vector3(m.offset);
-  follow_heading(call, right_axes(call.frame.world_from_scene, call.scene_from_joint[foot.ankle]), given.planted, m);
+  follow_heading(call, right_axes(call.frame.world_from_scene, call.pose.scene_from_joint[foot.ankle]), given.planted,
+                 m);
   if (given.planted && m.planted != 0) {
     shown = vector3(m.place) + call.up * dot(shown - vector3(m.place), call.up);
     const Vector3 offset = shown - target;
@@ -217,7 +215,7 @@ Rotation turn_of(const FeetCall& call, const FootMotion& m) {
 }
 
 Vector3 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, const Rotation& turned) {
-  const Vector3 sole = turn(call.scene_from_joint[foot.ankle], vector3(foot.sole));
+  const Vector3 sole = turn(call.pose.scene_from_joint[foot.ankle], vector3(foot.sole));
   return vector3(m.place) - rotate(turned, turn(call.frame.world_from_scene, sole));
 }
 
@@ -225,7 +223,7 @@ Vector3 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, co
 // longer may be so, too, less the way that its ankle is moved.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const auto place = [&](std::uint32_t joint) {
-    return transform(call.frame.world_from_scene, origin(call.scene_from_joint[joint]));
+    return transform(call.frame.world_from_scene, origin(call.pose.scene_from_joint[joint]));
   };
   const Vector3 hip = place(foot.hip), knee = place(foot.knee), ankle = place(foot.ankle);
   const Vector3 leg = hip + call.up * lift - ankle_of(call, foot, m, turn_of(call, m)), animated = hip - ankle;
@@ -268,25 +266,23 @@ Vector3 into(const Affine& m, const Vector3& way) {
 void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
   if (joint == kNoJoint || lift == 0) return;
-  const Affine& parent = joint < call.skeleton.root_count ? call.skeleton.scene_from_root[joint]
-                                                          : call.scene_from_joint[call.skeleton.parents[joint]];
+  const Affine& parent = map_above(call.pose, joint);
   const Vector3 way = into(parent, into(call.frame.world_from_scene, call.up * lift));
   if (!near(way)) return;
-  float(&t)[3][4] = call.local[joint / 4].translation;
+  float(&t)[3][4] = call.pose.local[joint / 4].translation;
   t[0][joint % 4] += way.x, t[1][joint % 4] += way.y, t[2][joint % 4] += way.z;
-  (void)local_to_model_below(call.skeleton, call.local, joint, call.scene_from_joint);
+  update_below(call.pose, joint);
 }
 
 // Leg to `goal`, ankle to the axes `want`. A leg that has gone too far for that stays as it is.
 void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Linear<float>& want, bool& reached) {
-  const Affine& ankle = call.scene_from_joint[foot.ankle];
-  if (reach(call.skeleton, {foot.hip, foot.knee, foot.ankle}, goal, call.local, call.scene_from_joint, &reached))
-    return;
+  const Affine& ankle = call.pose.scene_from_joint[foot.ankle];
+  if (reach(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const Rotation q = rotation_between(right_axes(call.frame.world_from_scene, ankle), want);
   const float mirror = determinant(ankle) < 0 ? -1.0f : 1.0f;  // the third axis is then the other way round
   const float own[4] = {mirror * q.x, mirror * q.y, q.z, q.w};
-  turn_joint(call.local, foot.ankle, own);
-  (void)local_to_model_below(call.skeleton, call.local, foot.ankle, call.scene_from_joint);
+  turn_joint(call.pose.local, foot.ankle, own);
+  update_below(call.pose, foot.ankle);
 }
 
 void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
@@ -296,7 +292,7 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   if (goal.weight == 0) return;
   store(goal.bend_axis, vector3(foot.bend_axis));
   const Rotation whole = turn_of(call, m), turned = share_of(whole, goal.weight);
-  const Linear<float> animated = right_axes(world, call.scene_from_joint[foot.ankle]);
+  const Linear<float> animated = right_axes(world, call.pose.scene_from_joint[foot.ankle]);
   const Linear<float> want = {rotate(turned, animated.x), rotate(turned, animated.y), rotate(turned, animated.z)};
   Vector3 target = ankle_of(call, foot, m, whole);
   // Once, but where joints are scaled unevenly and the foot is not the shape that it was before the leg turned.
@@ -308,9 +304,9 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
     turn_leg(call, foot, goal, want, reached);
     m.reached = reached ? 1 : 0;
     const Vector3 miss = vector3(m.place) - sole_of(call, foot);
-    const Vector3 leg = target - transform(world, origin(call.scene_from_joint[foot.hip]));
+    const Vector3 leg = target - transform(world, origin(call.pose.scene_from_joint[foot.hip]));
     if (goal.weight < 1 || !reached || dot(miss, miss) <= 1e-8f * dot(leg, leg)) break;
-    target = transform(world, origin(call.scene_from_joint[foot.ankle])) + miss;
+    target = transform(world, origin(call.pose.scene_from_joint[foot.ankle])) + miss;
   }
 }
 
@@ -328,7 +324,7 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
 Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
                   Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
   MARROW_MARK;
-  FeetCall call{skeleton, feet, frame, local, scene_from_joint};
+  FeetCall call{{skeleton, local, scene_from_joint}, feet, frame};
   MARROW_REQUIRE_GOOD(check_feet(call, ground, motion));
   call.rate = kAllButTwoPercent / feet.ease_s;
   call.decay = exp_negative(-(call.rate * frame.dt_s));
