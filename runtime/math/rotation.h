@@ -1,7 +1,7 @@
 // Rotations between directions, between axes, and in maps.
 #pragma once
 
-#include "math/affine.h"
+#include "math/columns.h"
 #include "math/quaternion.h"
 #include "math/slerp.h"
 
@@ -33,14 +33,13 @@ inline Rotation rotation_of(const Affine& a) {
 }
 
 // A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
-inline Linear<float> right_axes(const Affine& world, const Affine& scene) {
-  const Vector3 x = normalised_or(turn(world, turn(scene, {1, 0, 0})), {1, 0, 0});
-  const Vector3 y = turn(world, turn(scene, {0, 1, 0}));
-  return right_angles(x, y, [&x](const Vector3& v) {
-    const float squared = dot(v, v);
-    return has_direction(squared) ? v * (1.0f / sqrt(squared)) : any_across(x);
-  });
+inline Columns right_axes(const Columns& world, const Affine& scene) {
+  const Columns joint = columns(scene);
+  const f32x4 x = unit3_or(turn(world, joint.axis[0]), lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  const f32x4 y = unit3_or(across3(turn(world, joint.axis[1]), x), any_across3(x));
+  return {{x, y, cross3(x, y)}, splat(0.0f)};
 }
+
 // The rotations next to four matrices' first two columns; the third column is their cross product, mirrored or not. A
 // column without length stays zero.
 inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
@@ -68,9 +67,11 @@ inline ScaledQuaternion scaled_quaternion(const Linear<float>& m, int component)
 }
 
 // The rotation that takes the axes `from` to the axes `to`, as seen from `from` (K. Shoemake, Quaternions, 1994).
-inline Rotation rotation_between(const Linear<float>& from, const Linear<float>& to) {
-  const Linear<float> m = transposed_times(from, to);
-  return normalised(rotation(scaled_quaternion(m, m.x.x + m.y.y + m.z.z > 0 ? 3 : largest_axis(m)).v));
+inline WideRotation rotation_between(const Columns& from, const Columns& to) {
+  const auto seen = [&](int i) { return narrow(products(from.axis, to.axis[i])); };
+  const Linear<float> m = {seen(0), seen(1), seen(2)};
+  const int component = m.x.x + m.y.y + m.z.z > 0 ? 3 : largest_axis(m);
+  return normalised(WideRotation{load(scaled_quaternion(m, component).v)});
 }
 // The matrix of a quaternion of any length but 0.
 template <class F>
