@@ -30,8 +30,12 @@ struct FeetCall {
   CosSin slope = {1, 0};  // the steepest
 };
 
+// All numbers, with or without sign; false for what is not a number.
+MARROW_CALLED_WHERE_SMALL bool is_smaller(f32x4 v, float limit) {
+  return all(absolute(v) < splat(limit));
+}
 bool near(f32x4 v) {
-  return all(absolute(v) < splat(kTooFar));
+  return is_smaller(v, kTooFar);
 }
 bool near(const Affine& a) {
   return near(load_aligned(a.rows[0])) && near(load_aligned(a.rows[1])) && near(load_aligned(a.rows[2]));
@@ -60,7 +64,7 @@ Inverse inverse_of_linear(const Affine& m) {
   return {{{yz, cross3(z, x), cross3(x, y)}, splat(0.0f)}, dot3(x, yz)};
 }
 
-BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
+MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
   if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(call.pose.skeleton, foot.hip, call.feet.pelvis));
@@ -78,11 +82,9 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
   return {};
 }
 
-BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
-  const Skeleton& skeleton = call.pose.skeleton;
+MARROW_CALLED_WHERE_SMALL BadCall check_feet(const FeetCall& call, Span<const FootGround> ground,
+                                             Span<const FootMotion> motion) {
   const FeetFrame& frame = call.frame;
-  MARROW_CHECK(holds(call.pose.local, skeleton.soa_size()));
-  MARROW_CHECK(holds(call.pose.scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(holds(call.feet.feet));
   MARROW_CHECK(holds(ground, call.feet.feet.size));
   MARROW_CHECK(holds(motion, call.feet.feet.size));
@@ -95,9 +97,10 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(call.feet.reach, 0, 1));
   MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
-  const std::uint32_t pelvis = call.feet.pelvis;
-  MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
+  if (const std::uint32_t& pelvis = call.feet.pelvis; pelvis != kNoJoint) {
+    if (const BadCall bad = check_chain(call.pose, {&pelvis, 1})) return bad;
+    MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
+  }
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
@@ -219,13 +222,18 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
 
 // Whether nothing that is made of a motion gets out of hand, as it may of one that nobody here has written.
 bool is_sound(const FootMotion& m) {
-  constexpr float(FootMotion::*kPlaces[])[3] = {&FootMotion::place, &FootMotion::offset, &FootMotion::lean,
-                                                &FootMotion::point, &FootMotion::normal, &FootMotion::heading};
-  for (const auto place : kPlaces)
-    if (!all_within(m.*place, 3, -1e9f, 1e9f)) return false;
-  return all_within(m.offset_speed, 3, -1e18f, 1e18f) && all_within(m.lean_speed, 3, -1e18f, 1e18f) &&
-         all_within(m.turn, 4, -1.01f, 1.01f) && within(m.turn_share, -1e9f, 1e9f) &&
-         within(m.turn_share_speed, -1e18f, 1e18f) && m.axis < 3;
+  constexpr float kMostPlace = 1e9f, kMostSpeed = 1e18f;
+  static constexpr struct {
+    float (FootMotion::*member)[3];
+    float most;
+  } kMotionVectors[] = {{&FootMotion::place, kMostPlace},        {&FootMotion::offset, kMostPlace},
+                        {&FootMotion::offset_speed, kMostSpeed}, {&FootMotion::lean, kMostPlace},
+                        {&FootMotion::lean_speed, kMostSpeed},   {&FootMotion::point, kMostPlace},
+                        {&FootMotion::normal, kMostPlace},       {&FootMotion::heading, kMostPlace}};
+  for (const auto& v : kMotionVectors)
+    if (!is_smaller(load_wide(m.*v.member), v.most)) return false;
+  return is_smaller(load(m.turn), 1.01f) && absolute(m.turn_share) < kMostPlace &&
+         absolute(m.turn_share_speed) < kMostSpeed && m.axis < 3;
 }
 
 // The same from and to a motion that is sound; else it begins anew.
@@ -261,7 +269,7 @@ float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, floa
 }
 
 // The pelvis goes by the lowest sole, and further down as legs need it.
-float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
+MARROW_CALLED_WHERE_SMALL float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
   const float most = call.feet.lower_m;
   float lift = 0, excess = 0;
   bool first = true;
@@ -288,7 +296,7 @@ f32x4 into(const Affine& m, f32x4 way) {
   return turn(inverse.columns, way) * (1.0f / inverse.determinant);
 }
 
-void move_pelvis(const FeetCall& call, float lift) {
+MARROW_CALLED_WHERE_SMALL void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
   if (joint == kNoJoint || lift == 0) return;
   const f32x4 wide_way = into(map_above(call.pose, joint), into(call.frame.world_from_scene, call.up * lift));
@@ -304,14 +312,15 @@ void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const
   const Affine& ankle = call.pose.scene_from_joint[foot.ankle];
   if (reach(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const WideRotation q = rotation_between(right_axes(call.world, ankle), want);
-  const float mirror = inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // then the third axis goes the other way
+  const float mirror =
+      inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // then the third axis goes the other way
   float own[4];
   store(own, q.v * lanes(mirror, mirror, 1.0f, 1.0f));
   turn_joint(call.pose.local, foot.ankle, own);
   update_below(call.pose, foot.ankle);
 }
 
-void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
+MARROW_CALLED_WHERE_SMALL void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   TwoBone goal;
   goal.weight = call.frame.weight * foot.weight;
   if (goal.weight == 0) return;
