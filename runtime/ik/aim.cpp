@@ -12,9 +12,9 @@ namespace marrow {
 namespace {
 
 // All that a turn depends on, in the joint's local space without its scale.
+enum { kWay, kForward, kUp, kOffset };  // from the joint to the target; of the aim
 struct View {
-  Vector<One> way;  // from the joint to the target
-  Vector<One> forward, up, offset;
+  Vector<One> of[4];
   bool apart;  // the offset is not 0; if it is, it does not count
   About<One> about;
 };
@@ -24,15 +24,15 @@ struct View {
 // none.
 inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& direction, bool& reached) {
   const One zero = all_lanes<One>(0), tiny = number<One>(kNumbers.tiny), one = number<One>(kNumbers.one);
-  One squared = dot(view.forward, view.forward);
+  One squared = dot(view.of[kForward], view.of[kForward]);
   reached = tiny < lesser(way_squared, squared);
   if (!reached) return false;
-  direction = view.forward * (one / sqrt(squared));
+  direction = view.of[kForward] * (one / sqrt(squared));
   if (!view.apart) return true;
-  const One along = dot(view.offset, direction), off = dot(view.offset, view.offset);
+  const One along = dot(view.of[kOffset], direction), off = dot(view.of[kOffset], view.of[kOffset]);
   const One rest = along * along + (way_squared - off), to_sphere = sqrt(greater(rest, zero)) - along;
   reached = !(rest < zero) && !(to_sphere < zero);
-  const Vector<One> point = view.offset + direction * to_sphere;
+  const Vector<One> point = view.of[kOffset] + direction * to_sphere;
   squared = dot(point, point);
   if (!(tiny < squared)) return false;
   direction = point * (one / sqrt(squared));
@@ -43,15 +43,15 @@ inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& dir
 template <bool plain>
 inline bool look(View& view, float weight, AimTurn& out) {
   const One one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
-  const One way_squared = dot(view.way, view.way);
+  const One way_squared = dot(view.of[kWay], view.of[kWay]);
   if (plain && view.about.twisted) return false;
   Quaternion<One> turn;
   One squared;
   bool reached;
   if (Vector<One> from; direction_of_ray(view, way_squared, from, reached)) {
-    Vector<One> normal = cross(view.up, from);
+    Vector<One> normal = cross(view.of[kUp], from);
     const One normal_squared = dot(normal, normal);
-    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.up, view.up), tiny)) {
+    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.of[kUp], view.of[kUp]), tiny)) {
       if constexpr (plain) return false;
       view.about.pole = Vector<One>{};
       normal = any_across(from);
@@ -59,15 +59,16 @@ inline bool look(View& view, float weight, AimTurn& out) {
       normal = normal * (one / sqrt(normal_squared));
     }
     AnyTurn<One> whole;
-    if (!turn_onto<plain>(from, normal, view.way * (one / sqrt(way_squared)), view.about, whole)) return false;
+    if (!turn_onto<plain>(from, normal, view.of[kWay] * (one / sqrt(way_squared)), view.about, whole)) return false;
     turn = quaternion_of(whole.axis, whole.w);
     squared = squared_length(turn);
     if (plain && squared < tiny) return false;
   } else {
     if constexpr (plain) return false;
     turn = unturned<One>();
-    squared = one + (way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset)) *
-                        all_lanes<One>(0x1p-24f);
+    squared =
+        one + (way_squared + dot(view.of[kForward], view.of[kForward]) + dot(view.of[kOffset], view.of[kOffset])) *
+                  all_lanes<One>(0x1p-24f);
   }
   if (!(squared < number<One>(kNumbers.huge))) return false;
   store(out.turn, weighted_turn<plain>(turn, squared, is_partial(weight), all_lanes<One>(weight)).v);
@@ -90,13 +91,11 @@ inline View view_from(const Affine& joint, const Aim& goal) {
   const Axes<One> axes = axes_of<plain>(joint);
   const Vector<One> lengths = without_w(axes.lengths);
   const Vector<One> forward = by_component(wide_or_more<plain>(goal.forward), lengths);
-  View view = {to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)),
-               forward,
-               by_component(wide_or_more<plain>(goal.up), lengths),
-               forward,
+  View view = {{to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)), forward,
+                by_component(wide_or_more<plain>(goal.up), lengths), forward},
                is_some(goal.offset),
                {to_local(axes, {load(goal.pole)}), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
-  if (view.apart) view.offset = by_component(wide(goal.offset), lengths);
+  if (view.apart) view.of[kOffset] = by_component(wide(goal.offset), lengths);
   return view;
 }
 
@@ -116,13 +115,6 @@ float share_of(std::size_t i, std::size_t count, float falloff) {
   return share / sum;
 }
 
-// A chain that looks, in the scene. When a joint has turned, the target and the pole are turned back instead of all
-// that hangs on it.
-struct Gaze {
-  Vector<One> target, pole, eye, forward, up;
-  float twist_rad;
-};
-
 inline Vector<One> to_scene(const Affine& joint, const float (&v)[3]) {
   return transposed_times(wide_rows(joint), wide(v));
 }
@@ -133,21 +125,21 @@ inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
   return v + (t * w_of(q) + cross(t, axis_part(q))) * all_lanes<One>(2);
 }
 
-// A joint's turn; false if the numbers are not finite.
-bool turn_gaze(const Affine& joint, float weight, Gaze& gaze, AimTurn& out) {
+// A joint's turn; false if the numbers are not finite. The gaze is a view in the scene, from its origin: when a joint
+// has turned, the target and the pole are turned back instead of all that hangs on it.
+MARROW_LARGE bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   const Axes<One> axes = axes_of<false>(joint);
-  const Vector<One> at = wide_origin(joint), way = gaze.target - at;
-  View view = {to_local(axes, way),
-               to_local(axes, gaze.forward),
-               to_local(axes, gaze.up),
-               to_local(axes, gaze.eye - at),
-               true,
-               {to_local(axes, gaze.pole), is_some(gaze.twist_rad), all_lanes<One>(gaze.twist_rad)}};
+  const Vector<One> at = wide_origin(joint), way = gaze.of[kWay] - at;
+  View view = gaze;
+  view.of[kWay] = way;
+  view.of[kOffset] = view.of[kOffset] - at;
+  for (Vector<One>& v : view.of) v = to_local(axes, v);
+  view.about.pole = to_local(axes, view.about.pole);
   if (!look<false>(view, weight, out)) return false;
   const Quaternion<One> local = {load(out.turn)};
   const Quaternion<One> turn = quaternion(axis_to_scene(axes, axis_part(local)), w_of(local));
-  gaze.target = at + turned_back(turn, way);
-  gaze.pole = turned_back(turn, gaze.pole);
+  gaze.of[kWay] = at + turned_back(turn, way);
+  gaze.about.pole = turned_back(turn, gaze.about.pole);
   return true;
 }
 
@@ -155,12 +147,10 @@ bool turn_gaze(const Affine& joint, float weight, Gaze& gaze, AimTurn& out) {
 BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                     bool for_good, AimTurn& turn) {
   const Affine& last = pose.scene_from_joint[joints[joints.size - 1]];
-  Gaze gaze = {wide(goal.target),
-               wide(goal.pole),
-               to_scene(last, goal.offset) + wide_origin(last),
-               to_scene(last, goal.forward),
-               to_scene(last, goal.up),
-               goal.twist_rad};
+  View gaze = {{wide(goal.target), to_scene(last, goal.forward), to_scene(last, goal.up),
+                to_scene(last, goal.offset) + wide_origin(last)},
+               true,
+               {wide(goal.pole), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   for (std::size_t i = 0; i < joints.size; ++i) {
     const float weight = goal.weight * share_of(i, joints.size, falloff);
     MARROW_CHECK(turn_gaze(pose.scene_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");

@@ -25,7 +25,7 @@ struct PosedJoints {
 // goes the other way about the axes that are mirrored an odd number of times.
 MARROW_CALLED_WHERE_SMALL inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
-  const f32x4 mirrored = flip(lanes(s.y, s.z, s.x, 1), lanes(s.z, s.x, s.y, 1));
+  const f32x4 next = rotated_xyz(lanes(s.x, s.y, s.z, 1)), mirrored = flip(next, rotated_xyz(next));
   set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});
 }
 

@@ -102,6 +102,7 @@ Vector<One> through(const Affine& m, Vector<One> v) {
 struct UnevenLimb {
   const PosedJoints& pose;
   const TwoBoneLimb& limb;
+  const TwoBoneJoints& at;
   Affine from_above = inverse_of(map_above(pose, limb.start));
   Affine from_frame = inverse_of(map_above(pose, limb.mid));
 };
@@ -109,20 +110,17 @@ struct UnevenLimb {
 // Seen through a map; false if the numbers are not finite.
 [[gnu::noinline]] bool solve_through(const UnevenLimb& u, const Affine& m, TwoBone& goal, Vector<One> target,
                                      TwoBoneTurns& turns) {
-  Affine at[3];
-  multiply(m, u.pose.scene_from_joint[u.limb.start], at[0]);
-  multiply(m, u.pose.scene_from_joint[u.limb.mid], at[1]);
-  multiply(m, u.pose.scene_from_joint[u.limb.end], at[2]);
-  float seen[4];
-  store(seen, through(m, target).v);
-  store(goal.target, vector3(seen));
-  return !solve_reach({at, at + 1, at + 2}, goal, turns);
+  Affine seen[3];
+  const Affine* const joints[] = {u.at.start, u.at.mid, u.at.end};
+  for (int i = 0; i < 3; ++i) multiply(m, *joints[i], seen[i]);
+  store_wide(goal.target, through(m, target).v);
+  return !solve_reach({seen, seen + 1, seen + 2}, goal, turns);
 }
 
 // Bends the limb until it is as long as the way to the target, both seen from above: by secants, in the space where the
 // middle joint turns rigidly.
 void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
-  const Vector<One> start = wide_origin(u.pose.scene_from_joint[u.limb.start]);
+  const Vector<One> start = wide_origin(*u.at.start);
   const auto length_through = [](const Affine& m, Vector<One> v) {
     const Vector<One> seen = through(m, v);
     return first_lane(sqrt(dot(seen, seen)).v);
@@ -132,7 +130,7 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   store(bent.bend_axis, vector3(goal.bend_axis));
   float was_long = 0, was_seen = 0;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Vector<One> now = wide_origin(u.pose.scene_from_joint[u.limb.end]) - start;
+    const Vector<One> now = wide_origin(*u.at.end) - start;
     const float is_long = length_through(u.from_frame, now), seen = length_through(u.from_above, now);
     const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
     if (absolute(off) <= 1e-6f * want) return;
@@ -159,24 +157,21 @@ MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, c
 
 // Whether the limb, once it is stretched, meets the target: where secants have not come to an end, it does not.
 [[gnu::noinline]] bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
-  const Vector<One> start = wide_origin(u.pose.scene_from_joint[u.limb.start]),
-                    upper = wide_origin(u.pose.scene_from_joint[u.limb.mid]) - start,
-                    way = wide_origin(u.pose.scene_from_joint[u.limb.end]) - start, lower = way - upper,
+  const Vector<One> start = wide_origin(*u.at.start), upper = wide_origin(*u.at.mid) - start,
+                    way = wide_origin(*u.at.end) - start, lower = way - upper,
                     miss = wide(goal.target) - start - way * all_lanes<One>(stretch);
   const One near = (sqrt(dot(upper, upper)) + sqrt(dot(lower, lower))) * number<One>(kNumbers.near);
   return dot(miss, miss) < near * near;
 }
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
-void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+MARROW_LARGE void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);
   TwoBone whole = goal;
   whole.weight = 1;
-  float pole[4];
-  store(pole, through(u.from_above, wide(goal.pole)).v);
-  store(whole.pole, vector3(pole));
+  store_wide(whole.pole, through(u.from_above, wide(goal.pole)).v);
   const bool seen = solve_through(u, u.from_above, whole, wide(goal.target), turns);
   turn_limb(u.pose.local, u.limb, turns);
   update_below(u.pose, u.limb.start);
@@ -204,7 +199,7 @@ BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& g
   if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
   if (goal.weight != 0) {
     if (is_uneven(map_above(pose, limb.start)) || is_uneven(map_above(pose, limb.mid))) {
-      turn_uneven({pose, limb}, goal, turns);
+      turn_uneven({pose, limb, at}, goal, turns);
     } else {
       turn_limb(pose.local, limb, turns);
     }
