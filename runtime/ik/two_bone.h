@@ -88,8 +88,8 @@ inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> ot
 // until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
 // first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
 template <class F>
-[[gnu::always_inline]] inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper,
-                                                     Vector<F> now, F sine, F cosine, const Triangle<F>& triangle) {
+MARROW_LARGE inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper,
+                                           Vector<F> now, F sine, F cosine, const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   const Vector<F> bend_axis = without_w(in.bend_axis);
   const auto free = dot(bend_axis, bend_axis) < tiny;
@@ -164,7 +164,7 @@ MARROW_LARGE inline void give_lengths(LimbProblem<F>& in) {
 // False if the numbers are not finite. If `plain`, what only few limbs need is left out; false also if this one needs
 // it.
 template <bool plain, class F>
-[[gnu::always_inline]] inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
+inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   F upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
   if (plain && in.about.twisted) return false;
