@@ -12,9 +12,9 @@ namespace marrow {
 namespace {
 
 // All that a turn depends on, in the joint's local space without its scale.
+enum { kWay, kForward, kUp, kOffset };  // from the joint to the target; of the aim
 struct View {
-  Vector<One> way;  // from the joint to the target
-  Vector<One> forward, up, offset;
+  Vector<One> of[4];
   bool apart;  // the offset is not 0; if it is, it does not count
   About<One> about;
 };
@@ -24,15 +24,15 @@ struct View {
 // none.
 inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& direction, bool& reached) {
   const One zero = all_lanes<One>(0), tiny = number<One>(kNumbers.tiny), one = number<One>(kNumbers.one);
-  One squared = dot(view.forward, view.forward);
+  One squared = dot(view.of[kForward], view.of[kForward]);
   reached = tiny < lesser(way_squared, squared);
   if (!reached) return false;
-  direction = view.forward * (one / sqrt(squared));
+  direction = view.of[kForward] * (one / sqrt(squared));
   if (!view.apart) return true;
-  const One along = dot(view.offset, direction), off = dot(view.offset, view.offset);
+  const One along = dot(view.of[kOffset], direction), off = dot(view.of[kOffset], view.of[kOffset]);
   const One rest = along * along + (way_squared - off), to_sphere = sqrt(greater(rest, zero)) - along;
   reached = !(rest < zero) && !(to_sphere < zero);
-  const Vector<One> point = view.offset + direction * to_sphere;
+  const Vector<One> point = view.of[kOffset] + direction * to_sphere;
   squared = dot(point, point);
   if (!(tiny < squared)) return false;
   direction = point * (one / sqrt(squared));
@@ -41,39 +41,37 @@ inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& dir
 
 // As turn_onto(), by a share; the identity where there are no directions. False also if the numbers are not finite.
 template <bool plain>
-inline bool look(const View& view, float weight, AimTurn& out) {
-  const One zero = all_lanes<One>(0), one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
-  const One way_squared = dot(view.way, view.way);
+inline bool look(View& view, float weight, AimTurn& out) {
+  const One one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
+  const One way_squared = dot(view.of[kWay], view.of[kWay]);
   if (plain && view.about.twisted) return false;
   Quaternion<One> turn;
   One squared;
   bool reached;
   if (Vector<One> from; direction_of_ray(view, way_squared, from, reached)) {
-    About<One> about = view.about;
-    Vector<One> normal = cross(view.up, from);
+    Vector<One> normal = cross(view.of[kUp], from);
     const One normal_squared = dot(normal, normal);
-    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.up, view.up), tiny)) {
+    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.of[kUp], view.of[kUp]), tiny)) {
       if constexpr (plain) return false;
-      about.pole = vector_of(zero, zero, zero);
+      view.about.pole = Vector<One>{};
       normal = any_across(from);
     } else {
       normal = normal * (one / sqrt(normal_squared));
     }
     AnyTurn<One> whole;
-    if (!turn_onto<plain>(from, normal, view.way * (one / sqrt(way_squared)), about, whole)) return false;
+    if (!turn_onto<plain>(from, normal, view.of[kWay] * (one / sqrt(way_squared)), view.about, whole)) return false;
     turn = quaternion_of(whole.axis, whole.w);
     squared = squared_length(turn);
     if (plain && squared < tiny) return false;
   } else {
     if constexpr (plain) return false;
-    turn = quaternion(vector_of(zero, zero, zero), one);
-    squared = one + (way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset)) *
-                        all_lanes<One>(0x1p-24f);
+    turn = unturned<One>();
+    squared =
+        one + (way_squared + dot(view.of[kForward], view.of[kForward]) + dot(view.of[kOffset], view.of[kOffset])) *
+                  all_lanes<One>(0x1p-24f);
   }
   if (!(squared < number<One>(kNumbers.huge))) return false;
-  turn = unit_turn<plain>(turn, squared);
-  if (is_partial(weight)) turn = part_of(turn, all_lanes<One>(weight));
-  store(out.turn, turn.v);
+  store(out.turn, weighted_turn<plain>(turn, squared, is_partial(weight), all_lanes<One>(weight)).v);
   out.reached = reached;
   return true;
 }
@@ -90,21 +88,20 @@ inline Vector<One> wide_or_more(const float (&v)[3]) {
 
 template <bool plain>
 inline View view_from(const Affine& joint, const Aim& goal) {
-  const Axes<One> axes = axes_of<plain>(wide_rows(joint));
+  const Axes<One> axes = axes_of<plain>(joint);
   const Vector<One> lengths = without_w(axes.lengths);
   const Vector<One> forward = by_component(wide_or_more<plain>(goal.forward), lengths);
-  View view = {to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)),
-               forward,
-               by_component(wide_or_more<plain>(goal.up), lengths),
-               forward,
+  View view = {{to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)), forward,
+                by_component(wide_or_more<plain>(goal.up), lengths), forward},
                is_some(goal.offset),
                {to_local(axes, {load(goal.pole)}), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
-  if (view.apart) view.offset = by_component(wide(goal.offset), lengths);
+  if (view.apart) view.of[kOffset] = by_component(wide(goal.offset), lengths);
   return view;
 }
 
 [[gnu::noinline, gnu::cold]] bool aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
-  return look<false>(view_from<false>(joint, goal), goal.weight, out);
+  View view = view_from<false>(joint, goal);
+  return look<false>(view, goal.weight, out);
 }
 
 // What part of what is left joint i of `count` does: falloff^m / (1 + falloff + … + falloff^m), m joints being after
@@ -118,13 +115,6 @@ float share_of(std::size_t i, std::size_t count, float falloff) {
   return share / sum;
 }
 
-// A chain that looks, in the scene. When a joint has turned, the target and the pole are turned back instead of all
-// that hangs on it.
-struct Gaze {
-  Vector<One> target, pole, eye, forward, up;
-  float twist_rad;
-};
-
 inline Vector<One> to_scene(const Affine& joint, const float (&v)[3]) {
   return transposed_times(wide_rows(joint), wide(v));
 }
@@ -135,61 +125,62 @@ inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
   return v + (t * w_of(q) + cross(t, axis_part(q))) * all_lanes<One>(2);
 }
 
-// A joint's turn; false if the numbers are not finite.
-bool turn_gaze(const Affine& joint, float weight, Gaze& gaze, AimTurn& out) {
-  const Axes<One> axes = axes_of<false>(wide_rows(joint));
-  const Vector<One> at = wide_origin(joint), way = gaze.target - at;
-  const View view = {to_local(axes, way),
-                     to_local(axes, gaze.forward),
-                     to_local(axes, gaze.up),
-                     to_local(axes, gaze.eye - at),
-                     true,
-                     {to_local(axes, gaze.pole), is_some(gaze.twist_rad), all_lanes<One>(gaze.twist_rad)}};
+// A joint's turn; false if the numbers are not finite. The gaze is a view in the scene, from its origin: when a joint
+// has turned, the target and the pole are turned back instead of all that hangs on it.
+MARROW_LARGE bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
+  const Axes<One> axes = axes_of<false>(joint);
+  const Vector<One> at = wide_origin(joint), way = gaze.of[kWay] - at;
+  View view = gaze;
+  view.of[kWay] = way;
+  view.of[kOffset] = view.of[kOffset] - at;
+  for (Vector<One>& v : view.of) v = to_local(axes, v);
+  view.about.pole = to_local(axes, view.about.pole);
   if (!look<false>(view, weight, out)) return false;
   const Quaternion<One> local = {load(out.turn)};
   const Quaternion<One> turn = quaternion(axis_to_scene(axes, axis_part(local)), w_of(local));
-  gaze.target = at + turned_back(turn, way);
-  gaze.pole = turned_back(turn, gaze.pole);
+  gaze.of[kWay] = at + turned_back(turn, way);
+  gaze.about.pole = turned_back(turn, gaze.about.pole);
   return true;
 }
 
-// The last of the joints' turns. If `local` is empty, it is not changed: says whether the numbers are finite.
-BadCall turn_joints(Span<const std::uint32_t> joints, const Aim& goal, float falloff, Span<SoaTransform> local,
-                    Span<const Affine> scene_from_joint, AimTurn& turn) {
-  const Affine& last = scene_from_joint[joints[joints.size - 1]];
-  Gaze gaze = {wide(goal.target),
-               wide(goal.pole),
-               to_scene(last, goal.offset) + wide_origin(last),
-               to_scene(last, goal.forward),
-               to_scene(last, goal.up),
-               goal.twist_rad};
+// The last of the joints' turns. Says whether the numbers are finite; puts the turns into the pose if `for_good`.
+BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
+                    bool for_good, AimTurn& turn) {
+  const Affine& last = pose.scene_from_joint[joints[joints.size - 1]];
+  View gaze = {{wide(goal.target), to_scene(last, goal.forward), to_scene(last, goal.up),
+                to_scene(last, goal.offset) + wide_origin(last)},
+               true,
+               {wide(goal.pole), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   for (std::size_t i = 0; i < joints.size; ++i) {
     const float weight = goal.weight * share_of(i, joints.size, falloff);
-    MARROW_CHECK(turn_gaze(scene_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");
-    if (!local.empty()) turn_joint(local, joints[i], turn.turn);
+    MARROW_CHECK(turn_gaze(pose.scene_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");
+    if (for_good) turn_joint(pose.local, joints[i], turn.turn);
   }
   return {};
 }
 
 // Of a chain, or of one joint.
-BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                   Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, joints)) return bad;
+BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
+                   bool* reached) {
+  if (const BadCall bad = check_chain(pose, joints)) return bad;
   MARROW_CHECK(is_share(goal.weight) && is_share(falloff));
   AimTurn turn;
-  if (const BadCall bad = turn_joints(joints, goal, falloff, {}, scene_from_joint, turn)) return bad;
-  if (reached != nullptr) *reached = turn.reached;
-  if (goal.weight == 0) return {};
-  (void)turn_joints(joints, goal, falloff, local, scene_from_joint, turn);
-  (void)local_to_model_below(skeleton, local, joints[0], scene_from_joint);
+  for (const bool for_good : {false, true}) {
+    if (const BadCall bad = turn_joints(pose, joints, goal, falloff, for_good, turn)) return bad;
+    if (reached != nullptr) *reached = turn.reached;
+    if (goal.weight == 0) return {};
+  }
+  update_below(pose, joints[0]);
   return {};
 }
 
 }  // namespace
 
 [[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
-  if (!kSmall && is_plain_share(goal.weight) && look<true>(view_from<true>(joint, goal), goal.weight, out))
-    return Status::ok;
+  if (!kSmall && is_plain_share(goal.weight)) {
+    View view = view_from<true>(joint, goal);
+    if (look<true>(view, goal.weight, out)) return Status::ok;
+  }
   MARROW_REQUIRE(is_share(goal.weight));
   MARROW_REQUIRE(aim_any(joint, goal, out) && "finite, not too large");
   return Status::ok;
@@ -197,13 +188,13 @@ BadCall turn_chain(const Skeleton& skeleton, Span<const std::uint32_t> joints, c
 
 Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
                  Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain(skeleton, {&joint, 1}, goal, 1, local, scene_from_joint, reached));
+  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, scene_from_joint}, {&joint, 1}, goal, 1, reached));
   return Status::ok;
 }
 
 Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                      Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain(skeleton, joints, goal, falloff, local, scene_from_joint, reached));
+  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, scene_from_joint}, joints, goal, falloff, reached));
   return Status::ok;
 }
 

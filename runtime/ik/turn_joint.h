@@ -2,10 +2,19 @@
 #pragma once
 
 #include "core/check.h"
+#include "core/fixed.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 #include "math/joint.h"
 
 namespace marrow {
+
+// A pose, and its joints' matrices.
+struct PosedJoints {
+  const Skeleton& skeleton;
+  Span<SoaTransform> local;
+  Span<Affine> scene_from_joint;
+};
 
 // A quaternion of any length; the identity of one that is too short, or not finite.
 [[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
@@ -14,9 +23,9 @@ namespace marrow {
 
 // The kernels know the axes of a matrix, which hide whether a joint mirrors itself by its own scale: there the turn
 // goes the other way about the axes that are mirrored an odd number of times.
-inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
+MARROW_CALLED_WHERE_SMALL inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
-  const f32x4 mirrored = flip(lanes(s.y, s.z, s.x, 1), lanes(s.z, s.x, s.y, 1));
+  const f32x4 next = rotated_xyz(lanes(s.x, s.y, s.z, 1)), mirrored = flip(next, rotated_xyz(next));
   set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});
 }
 
@@ -27,16 +36,27 @@ inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint
 }
 
 // A pose and its matrices are there, and of the joints each is below the one before it.
-[[gnu::noinline]] inline BadCall check_chain(const Skeleton& skeleton, Span<const SoaTransform> local,
-                                             Span<const Affine> scene_from_joint, Span<const std::uint32_t> joints) {
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
+[[gnu::noinline]] inline BadCall check_chain(const PosedJoints& pose, Span<const std::uint32_t> joints) {
+  const Skeleton& skeleton = pose.skeleton;
+  MARROW_CHECK(holds(pose.local, skeleton.soa_size()));
+  MARROW_CHECK(holds(pose.scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
   for (std::size_t i = 1; i < joints.size; ++i) {
     MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
     MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));
   }
   return {};
+}
+
+// What is above a joint.
+inline const Affine& map_above(const PosedJoints& pose, std::uint32_t joint) {
+  const Skeleton& skeleton = pose.skeleton;
+  return joint < skeleton.root_count ? skeleton.scene_from_root[joint] : pose.scene_from_joint[skeleton.parents[joint]];
+}
+
+// Brings the matrices up to date of a joint that has turned and all below it.
+[[gnu::noinline]] inline void update_below(const PosedJoints& pose, std::uint32_t joint) {
+  (void)local_to_model_below(pose.skeleton, pose.local, joint, pose.scene_from_joint);
 }
 
 }  // namespace marrow

@@ -2,6 +2,9 @@
 // turn in the scene brought into a joint's local space.
 #pragma once
 
+#include <type_traits>
+
+#include "ik/goals.h"
 #include "ik/numbers.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
@@ -37,16 +40,17 @@ inline void set_where(mask4 m, T& to, T value) {
   to = select(m, value, to);
 }
 
+alignas(16) inline constexpr float kUnitAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
 // As of other vectors, in little code: across v, of unit length, however short v is; x where v has no direction.
 MARROW_LARGE inline Vector<One> any_across(Vector<One> v) {
-  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   float squares[4];
   store(squares, v.v * v.v);
   int least = squares[2] < squares[1] ? 2 : 1;
   if (!(squares[least] < squares[0])) least = 0;
-  const Vector<One> across = cross(v, {load_aligned(kAxes[least])});
+  const Vector<One> across = cross(v, {load_aligned(kUnitAxes[least])});
   const One squared = dot(across, across);
-  if (squared < number<One>(kNumbers.tiny)) return {load_aligned(kAxes[0])};
+  if (squared < number<One>(kNumbers.tiny)) return {load_aligned(kUnitAxes[0])};
   return across * inverse_root(squared);
 }
 
@@ -59,20 +63,43 @@ inline Quaternion<One> quaternion_of(const Vector<One>& axis, One w) {
   return {axis.v + only_w(w.v)};
 }
 
+template <class F>
+inline Quaternion<F> unturned() {
+  return quaternion(Vector<F>{}, number<F>(kNumbers.one));
+}
+template <>
+inline Quaternion<One> unturned() {
+  return {only_w(number<One>(kNumbers.one).v)};
+}
+
 // A turn of any length, given squared, to one of length 1: the identity if it has no length. If `plain`, it has.
 template <bool plain, class F>
 inline Quaternion<F> unit_turn(Quaternion<F> q, F squared) {
-  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one);
+  const F one = number<F>(kNumbers.one);
   if constexpr (plain) return q * (one / sqrt(squared));
-  const Quaternion<F> unit = q * inverse_root(squared);
-  return select(squared < number<F>(kNumbers.tiny), quaternion(vector_of(zero, zero, zero), one), unit);
+  Quaternion<F> unit = q * inverse_root(squared);
+  set_where(squared < number<F>(kNumbers.tiny), unit, unturned<F>());
+  return unit;
 }
 
-// As share_of().
+// As share_of(), where the weight is below 1; of four that is asked of each.
 template <class F>
-MARROW_LARGE inline Quaternion<F> part_of(Quaternion<F> q, F weight) {
+inline Quaternion<F> part_of(Quaternion<F> q, F weight) {
   const Quaternion<F> part = straight_share(q, weight);
   return unit_turn<true>(part, squared_length(part));
+}
+inline Quaternion<f32x4> part_where_some(Quaternion<f32x4> q, f32x4 weight) {
+  return select(weight < number<f32x4>(kNumbers.one), part_of(q, weight), q);
+}
+inline Quaternion<One> part_where_some(Quaternion<One> q, One weight) {
+  return part_of(q, weight);
+}
+
+// The part by `weight`, if it is `partial`, of a turn as of unit_turn().
+template <bool plain, class F>
+MARROW_LARGE inline Quaternion<F> weighted_turn(Quaternion<F> q, F squared, bool partial, F weight) {
+  const Quaternion<F> whole = unit_turn<plain>(q, squared);
+  return partial ? part_where_some(whole, weight) : whole;
 }
 
 // A quaternion of any length, in the scene or in local space.
@@ -216,6 +243,10 @@ inline Vector<One> reciprocals(const Vector<One>& roots, const Vector<One>& squa
   return {reciprocal<plain>(roots.v, squared.v)};
 }
 
+// The rows of four matrices' linear parts, or a matrix.
+template <class F>
+using RowsOf = std::conditional_t<std::is_same_v<F, One>, const Affine&, Linear<F>>;
+
 // Axes of no length become 0, or infinite if `plain`.
 template <bool plain, class F>
 inline Axes<F> axes_of(const Linear<F>& rows) {
@@ -225,6 +256,11 @@ inline Axes<F> axes_of(const Linear<F>& rows) {
   return {rows, lengths, reciprocals<plain>(lengths, squared), plain ? volume : volume + all_lanes<F>(0)};
 }
 
+template <bool plain>
+MARROW_LARGE inline Axes<One> axes_of(const Affine& joint) {
+  return axes_of<plain>(wide_rows(joint));
+}
+
 // A direction, from the scene to the joint's local space, but for its scale; its w may be anything.
 template <class F>
 inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
@@ -232,12 +268,12 @@ inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
 }
 // The axis of a turn.
 template <class F>
-inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
+MARROW_LARGE inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
 // And back.
 template <class F>
-inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
+MARROW_LARGE inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));
   return flip(transposed_times(axes.rows, t), axes.handed);
 }

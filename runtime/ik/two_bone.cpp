@@ -20,8 +20,8 @@ inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal
   return {mid - start,
           end - mid,
           wide(goal.target) - start,
-          wide_rows(*joints.start),
-          wide_rows(*joints.mid),
+          *joints.start,
+          *joints.mid,
           {load_aligned(goal.bend_axis)},
           {plain ? Vector<One>{load_aligned(goal.pole)} : wide(goal.pole), is_some(goal.twist_rad),
            all_lanes<One>(goal.twist_rad)},
@@ -61,37 +61,34 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   return solve_any(joints, goal, out);
 }
 
-// The translations of `joint` and of all above it up to `start`, which stays as it is.
-void stretch_limb(const Skeleton& skeleton, std::uint32_t start, std::uint32_t joint, float stretch,
-                  Span<SoaTransform> local) {
-  for (; joint != start; joint = skeleton.parents[joint])
-    for (float(&axis)[4] : local[joint / 4].translation) axis[joint % 4] *= stretch;
+// The translations of the limb's joints but the first.
+void stretch_limb(const PosedJoints& pose, const TwoBoneLimb& limb, float stretch) {
+  for (std::uint32_t joint = limb.end; joint != limb.start; joint = pose.skeleton.parents[joint])
+    for (float(&axis)[4] : pose.local[joint / 4].translation) axis[joint % 4] *= stretch;
 }
 
-// The columns of a map's linear part.
-Linear<One> wide_columns(const Affine& m) {
-  f32x4 x = load_aligned(m.rows[0]), y = load_aligned(m.rows[1]), z = load_aligned(m.rows[2]), w = splat(0.0f);
-  transpose(x, y, z, w);
-  return {{x}, {y}, {z}};
+// A direction.
+Vector<One> through(const Affine& m, Vector<One> v) {
+  return transposed_times(wide_rows(m), v);
 }
 
-// Whether a map's axes are not at right angles, or of different lengths.
+// Whether a map's axes are not at right angles, or of different lengths: then its rows are so, too.
 [[gnu::noinline]] bool is_uneven(const Affine& m) {
-  const Linear<One> c = wide_columns(m);
-  const One squared = dot(c.x, c.x);
-  const Vector<One> sizes = vector_of(dot(c.y, c.y) - squared, dot(c.z, c.z) - squared, dot(c.x, c.y));
-  const Vector<One> angles = vector_of(dot(c.y, c.z), dot(c.z, c.x), all_lanes<One>(0));
-  return !(dot(sizes, sizes) + dot(angles, angles) < all_lanes<One>(1e-10f) * (squared * squared));
-}
-
-// What is above a joint.
-const Affine& map_above(const Skeleton& skeleton, std::uint32_t joint, Span<const Affine> scene_from_joint) {
-  return joint < skeleton.root_count ? skeleton.scene_from_root[joint] : scene_from_joint[skeleton.parents[joint]];
+  const Vector<One> first = wide(m.rows[0]);
+  const One squared = dot(first, first);
+  One off = all_lanes<One>(0);
+  for (int i = 0; i < 3; ++i) {
+    const Vector<One> apart = through(m, wide(m.rows[i])) - Vector<One>{load_aligned(kUnitAxes[i])} * squared;
+    off = off + dot(apart, apart);
+  }
+  return !(off < all_lanes<One>(1e-10f) * (squared * squared));
 }
 
 // The inverse of a map's linear part; not finite if there is none.
 [[gnu::noinline]] Affine inverse_of(const Affine& m) {
-  const Linear<One> c = wide_columns(m), rows = cofactors(c);
+  f32x4 x = load_aligned(m.rows[0]), y = load_aligned(m.rows[1]), z = load_aligned(m.rows[2]), w = splat(0.0f);
+  transpose(x, y, z, w);
+  const Linear<One> c = {{x}, {y}, {z}}, rows = cofactors(c);
   const One over = number<One>(kNumbers.one) / dot(c.x, rows.x);
   Affine out;
   store(out.rows[0], (rows.x * over).v);
@@ -99,38 +96,31 @@ const Affine& map_above(const Skeleton& skeleton, std::uint32_t joint, Span<cons
   store(out.rows[2], (rows.z * over).v);
   return out;
 }
-Vector<One> through(const Affine& m, Vector<One> v) {
-  return transposed_times(wide_rows(m), v);
-}
 
 // A limb that changes its shape as its joints turn, in two spaces: that of what is above it, in which the first joint
 // turns it rigidly, and that of the middle joint's parent, in which the middle joint does so.
 struct UnevenLimb {
-  const Skeleton& skeleton;
+  const PosedJoints& pose;
   const TwoBoneLimb& limb;
-  Span<SoaTransform> local;
-  Span<Affine> scene_from_joint;
-  Affine from_above = inverse_of(map_above(skeleton, limb.start, scene_from_joint));
-  Affine from_frame = inverse_of(scene_from_joint[skeleton.parents[limb.mid]]);
+  const TwoBoneJoints& at;
+  Affine from_above = inverse_of(map_above(pose, limb.start));
+  Affine from_frame = inverse_of(map_above(pose, limb.mid));
 };
 
 // Seen through a map; false if the numbers are not finite.
 [[gnu::noinline]] bool solve_through(const UnevenLimb& u, const Affine& m, TwoBone& goal, Vector<One> target,
                                      TwoBoneTurns& turns) {
-  Affine at[3];
-  multiply(m, u.scene_from_joint[u.limb.start], at[0]);
-  multiply(m, u.scene_from_joint[u.limb.mid], at[1]);
-  multiply(m, u.scene_from_joint[u.limb.end], at[2]);
-  float seen[4];
-  store(seen, through(m, target).v);
-  store(goal.target, vector3(seen));
-  return !solve_reach({at, at + 1, at + 2}, goal, turns);
+  Affine seen[3];
+  const Affine* const joints[] = {u.at.start, u.at.mid, u.at.end};
+  for (int i = 0; i < 3; ++i) multiply(m, *joints[i], seen[i]);
+  store_wide(goal.target, through(m, target).v);
+  return !solve_reach({seen, seen + 1, seen + 2}, goal, turns);
 }
 
 // Bends the limb until it is as long as the way to the target, both seen from above: by secants, in the space where the
 // middle joint turns rigidly.
 void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
-  const Vector<One> start = wide_origin(u.scene_from_joint[u.limb.start]);
+  const Vector<One> start = wide_origin(*u.at.start);
   const auto length_through = [](const Affine& m, Vector<One> v) {
     const Vector<One> seen = through(m, v);
     return first_lane(sqrt(dot(seen, seen)).v);
@@ -140,20 +130,20 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   store(bent.bend_axis, vector3(goal.bend_axis));
   float was_long = 0, was_seen = 0;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Vector<One> now = wide_origin(u.scene_from_joint[u.limb.end]) - start;
+    const Vector<One> now = wide_origin(*u.at.end) - start;
     const float is_long = length_through(u.from_frame, now), seen = length_through(u.from_above, now);
     const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
     if (absolute(off) <= 1e-6f * want) return;
     const float by = off * (within(slope, 0.25f * even, 4 * even) ? slope : even);
     TwoBoneTurns turns;
     if (!solve_through(u, u.from_frame, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
-    turn_joint(u.local, u.limb.mid, turns.mid);
-    (void)local_to_model_below(u.skeleton, u.local, u.limb.mid, u.scene_from_joint);
+    turn_joint(u.pose.local, u.limb.mid, turns.mid);
+    update_below(u.pose, u.limb.mid);
     was_long = is_long, was_seen = seen;
   }
 }
 
-void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
   turn_joint(local, limb.start, turns.start);
   turn_joint(local, limb.mid, turns.mid);
 }
@@ -167,30 +157,28 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
 
 // Whether the limb, once it is stretched, meets the target: where secants have not come to an end, it does not.
 [[gnu::noinline]] bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
-  const Vector<One> start = wide_origin(u.scene_from_joint[u.limb.start]),
-                    upper = wide_origin(u.scene_from_joint[u.limb.mid]) - start,
-                    way = wide_origin(u.scene_from_joint[u.limb.end]) - start, lower = way - upper,
+  const Vector<One> start = wide_origin(*u.at.start), upper = wide_origin(*u.at.mid) - start,
+                    way = wide_origin(*u.at.end) - start, lower = way - upper,
                     miss = wide(goal.target) - start - way * all_lanes<One>(stretch);
   const One near = (sqrt(dot(upper, upper)) + sqrt(dot(lower, lower))) * number<One>(kNumbers.near);
   return dot(miss, miss) < near * near;
 }
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
-void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
-  const Quaternion<One> start = wide_rotation_of(u.local, u.limb.start), mid = wide_rotation_of(u.local, u.limb.mid);
+MARROW_LARGE void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+  const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
+                        mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);
   TwoBone whole = goal;
   whole.weight = 1;
-  float pole[4];
-  store(pole, through(u.from_above, wide(goal.pole)).v);
-  store(whole.pole, vector3(pole));
+  store_wide(whole.pole, through(u.from_above, wide(goal.pole)).v);
   const bool seen = solve_through(u, u.from_above, whole, wide(goal.target), turns);
-  turn_limb(u.local, u.limb, turns);
-  (void)local_to_model_below(u.skeleton, u.local, u.limb.start, u.scene_from_joint);
+  turn_limb(u.pose.local, u.limb, turns);
+  update_below(u.pose, u.limb.start);
   turns.reached = turns.reached && is_met(u, goal, turns.stretch);
   if (!seen) return;  // what is above is flat: as if it were even
-  blend_back(u.local, u.limb.start, start, goal.weight);
-  blend_back(u.local, u.limb.mid, mid, goal.weight);
+  blend_back(u.pose.local, u.limb.start, start, goal.weight);
+  blend_back(u.pose.local, u.limb.mid, mid, goal.weight);
   turns.stretch = 1 + (turns.stretch - 1) * goal.weight;
 }
 
@@ -202,33 +190,29 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
   return Status::ok;
 }
 
-BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
-              Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
+BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
-  if (const BadCall bad = check_chain(skeleton, local, scene_from_joint, {chain, 3})) return bad;
-  const Affine* const joints = scene_from_joint.data;
+  if (const BadCall bad = check_chain(pose, {chain, 3})) return bad;
+  const Affine* const joints = pose.scene_from_joint.data;
   const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
   if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
   if (goal.weight != 0) {
-    const Span<const Affine> scene = scene_from_joint;
-    if (is_uneven(map_above(skeleton, limb.start, scene)) || is_uneven(joints[skeleton.parents[limb.mid]])) {
-      turn_uneven({skeleton, limb, local, scene_from_joint}, goal, turns);
+    if (is_uneven(map_above(pose, limb.start)) || is_uneven(map_above(pose, limb.mid))) {
+      turn_uneven({pose, limb, at}, goal, turns);
     } else {
-      turn_limb(local, limb, turns);
+      turn_limb(pose.local, limb, turns);
     }
+    if (turns.stretch != 1) stretch_limb(pose, limb, turns.stretch);
+    update_below(pose, limb.start);
   }
   if (reached != nullptr) *reached = turns.reached;
-  if (goal.weight == 0) return {};
-  if (turns.stretch != 1) stretch_limb(skeleton, limb.start, limb.end, turns.stretch, local);
-  (void)local_to_model_below(skeleton, local, limb.start, scene_from_joint);
   return {};
 }
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
                       Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(reach(skeleton, limb, goal, local, scene_from_joint, reached));
+  MARROW_REQUIRE_GOOD(reach({skeleton, local, scene_from_joint}, limb, goal, reached));
   return Status::ok;
 }
 

@@ -2,20 +2,20 @@
 #pragma once
 
 #include "core/check.h"
+#include "ik/turn_joint.h"
 #include "ik/turn_onto.h"
 #include "marrow/ik.h"
 
 namespace marrow {
 
 // solve_two_bone(), for what does not refuse when it does.
-BadCall reach(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
-              Span<Affine> scene_from_joint, bool* reached);
+BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
 template <class F>
 struct LimbProblem {
-  Vector<F> upper, lower, way;                 // scene: start to middle joint, middle to end joint, start to target
-  Linear<F> scene_from_start, scene_from_mid;  // rows
-  Vector<F> bend_axis;                         // its w may be anything finite
+  Vector<F> upper, lower, way;  // scene: start to middle joint, middle to end joint, start to target
+  RowsOf<F> scene_from_start, scene_from_mid;
+  Vector<F> bend_axis;  // its w may be anything finite
   About<F> about;
   F soft;
   bool stretched;  // some may be longer
@@ -79,8 +79,9 @@ template <class F>
 inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
   const F squared = dot(part, part);
-  const auto lost = squared < enough;
-  return select(lost, otherwise, part * inverse_root(squared));
+  Vector<F> unit_part = part * inverse_root(squared);
+  set_where(squared < enough, unit_part, otherwise);
+  return unit_part;
 }
 
 // Where the limb is all but straight, or bent the other way than preferred: the normal is pulled to the preferred axis
@@ -88,18 +89,18 @@ inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> ot
 // first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
 template <class F>
 MARROW_LARGE inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper,
-                                           Vector<F> lower, const Triangle<F>& triangle) {
+                                           Vector<F> now, F sine, F cosine, const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
-  const Vector<F> now = cross(upper, lower), bend_axis = without_w(in.bend_axis);
+  const Vector<F> bend_axis = without_w(in.bend_axis);
   const auto free = dot(bend_axis, bend_axis) < tiny;
   Vector<F> wanted = axis_to_scene(mid_axes, bend_axis);
   set_where(free, wanted, cross(in.about.pole, upper));
   const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
   Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
   axis = across(axis, upper);  // again, for what is left if that was nearly all of it
-  // now is 2 sin(bend / 2) cos(bend / 2) long, w is 2 cos²(bend / 2), or if folded -2 sin²(bend / 2).
-  const F cosine = dot(upper, lower);
-  const F agreed = select(free, sqrt(dot(now, now)), dot(now, axis));
+  // now is 2 sin(bend / 2) cos(bend / 2) long, which is `sine`; w is 2 cos²(bend / 2), or if folded -2 sin²(bend / 2).
+  F agreed = dot(now, axis);
+  set_where(free, agreed, sine);
   const F pull = greater(number<F>(kNumbers.straight) * number<F>(kNumbers.half) * (one + cosine) - agreed, zero);
   const Vector<F> normal = unit_across(now + axis * pull, upper, all_lanes<F>(1e-14f), axis);
   const auto folded = cosine < zero;
@@ -126,11 +127,11 @@ inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
           quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in.bend_axis)};
   if (!all(straight < bend.agreed)) {
-    bend.agreed =
-        select(dot(without_w(in.bend_axis), without_w(in.bend_axis)) < number<F>(kNumbers.tiny), sine, bend.agreed);
+    const Vector<F> bend_axis = without_w(in.bend_axis);
+    set_where(dot(bend_axis, bend_axis) < number<F>(kNumbers.tiny), bend.agreed, sine);
     if (const auto bent = straight < bend.agreed; !all(bent)) {
       if constexpr (plain) return false;
-      Bend<F> other = bend_preferred(in, mid_axes, upper, lower, triangle);
+      Bend<F> other = bend_preferred(in, mid_axes, upper, normal, sine, cosine, triangle);
       set_where(bent, other.normal, bend.normal);
       set_where(bent, other.to_end, bend.to_end);
       set_where(bent, other.mid, bend.mid);
@@ -144,15 +145,17 @@ inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower
 // Bones of no length, and a target at the start joint: something that has directions in their place.
 template <class F>
 MARROW_LARGE inline void give_lengths(LimbProblem<F>& in) {
-  const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
+  const F tiny = number<F>(kNumbers.tiny);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
   set_where(no_upper, in.upper, in.lower);
-  set_where(no_upper, in.lower, vector_of(zero, zero, zero));
+  set_where(no_upper, in.lower, Vector<F>{});
   const auto no_limb = dot(in.upper, in.upper) < tiny;  // nothing to turn
-  if (!in.partial) in.weight = one;
-  in.partial = true;
-  set_where(no_limb, in.upper, vector_of(all_lanes<F>(0x1p-40f), zero, zero));
-  set_where(no_limb, in.weight, zero);
+  if (any(no_limb)) {
+    if (!in.partial) in.weight = number<F>(kNumbers.one);
+    in.partial = true;
+    set_where(no_limb, in.upper, any_across(Vector<F>{}) * all_lanes<F>(0x1p-40f));
+    set_where(no_limb, in.weight, all_lanes<F>(0));
+  }
   Vector<F> now = in.upper + in.lower;
   set_where(dot(now, now) < tiny, now, in.upper);
   set_where(dot(in.way, in.way) < tiny, in.way, now);
@@ -170,7 +173,8 @@ inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
     give_lengths(in);
     upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
   }
-  Triangle<F> t = {sqrt(upper), sqrt(lower), sqrt(way), {}, {}, {}, {}, {}, {}, {}};
+  Triangle<F> t;
+  t.upper = sqrt(upper), t.lower = sqrt(lower), t.way = sqrt(way);
   const F inverse_upper = one / t.upper, inverse_lower = plain ? one / t.lower : inverse_root(lower);
   shape_triangle(in, inverse_upper, t);
   Bend<F> bend;
@@ -181,14 +185,9 @@ inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
   if (!all(start_squared + mid_squared + (t.miss_squared + bend.agreed) < number<F>(kNumbers.huge))) return false;
   if (plain && any(lesser(start_squared, mid_squared) < tiny)) return false;
-  out = {unit_turn<plain>(start, start_squared), unit_turn<plain>(bend.mid, mid_squared), t.stretch, t.miss_squared,
-         t.limb};
-  if (in.partial) {
-    const auto some = in.weight < one;
-    out.start = select(some, part_of(out.start, in.weight), out.start);
-    out.mid = select(some, part_of(out.mid, in.weight), out.mid);
-    out.stretch = one + (t.stretch - one) * in.weight;
-  }
+  out = {weighted_turn<plain>(start, start_squared, in.partial, in.weight),
+         weighted_turn<plain>(bend.mid, mid_squared, in.partial, in.weight), t.stretch, t.miss_squared, t.limb};
+  if (in.partial) out.stretch = one + (t.stretch - one) * in.weight;
   return true;
 }
 

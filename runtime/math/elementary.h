@@ -135,7 +135,7 @@ inline float power_of_two(float x) {
 //
 // e^x = 2^n e^f with n the whole number next to x log₂ e, f at most half of ln 2 either way; a minimax fit of degree 6
 // there, within 4.4e-9.
-inline f32x4 exp_negative(f32x4 x) {
+MARROW_CALLED_WHERE_SMALL inline f32x4 exp_negative(f32x4 x) {
   const f32x4 least = splat(-87.0f);
   x = select(x < least, least, x);
   constexpr float kLog2e = 1.44269504f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;

@@ -1,7 +1,7 @@
 // Rotations between directions, between axes, and in maps.
 #pragma once
 
-#include "math/affine.h"
+#include "math/columns.h"
 #include "math/quaternion.h"
 #include "math/slerp.h"
 
@@ -33,14 +33,13 @@ inline Rotation rotation_of(const Affine& a) {
 }
 
 // A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
-inline Linear<float> right_axes(const Affine& world, const Affine& scene) {
-  const Vector3 x = normalised_or(turn(world, turn(scene, {1, 0, 0})), {1, 0, 0});
-  const Vector3 y = turn(world, turn(scene, {0, 1, 0}));
-  return right_angles(x, y, [&x](const Vector3& v) {
-    const float squared = dot(v, v);
-    return has_direction(squared) ? v * (1.0f / sqrt(squared)) : any_across(x);
-  });
+inline Columns right_axes(const Columns& world, const Affine& scene) {
+  const Columns joint = columns(scene);
+  const f32x4 x = unit3_or(turn(world, joint.axis[0]), lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  const f32x4 y = unit3_or(across3(turn(world, joint.axis[1]), x), any_across3(x));
+  return {{x, y, cross3(x, y)}, splat(0.0f)};
 }
+
 // The rotations next to four matrices' first two columns; the third column is their cross product, mirrored or not. A
 // column without length stays zero.
 inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
@@ -50,28 +49,27 @@ inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
 
-// Of a rotation matrix: a component q_i of its quaternion q that is not near 0 (Shepperd 1978), and 4 q_i q. Component
-// 3 is w; of the others the largest.
-struct ScaledQuaternion {
-  int component;
-  float v[4];
-};
-inline int largest_axis(const Linear<float>& m) {
-  const int i = m.y.y > m.x.x ? 1 : 0;
-  return m.z.z > (i == 1 ? m.y.y : m.x.x) ? 2 : i;
-}
-inline ScaledQuaternion scaled_quaternion(const Linear<float>& m, int component) {
-  const float xx = m.x.x, yy = m.y.y, zz = m.z.z;
-  if (component == 3) return {3, {m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x, 1.0f + (xx + yy + zz)}};
-  if (component == 0) return {0, {1.0f + xx - yy - zz, m.x.y + m.y.x, m.x.z + m.z.x, m.y.z - m.z.y}};
-  if (component == 1) return {1, {m.y.x + m.x.y, 1.0f + yy - zz - xx, m.y.z + m.z.y, m.z.x - m.x.z}};
-  return {2, {m.z.x + m.x.z, m.z.y + m.y.z, 1.0f + zz - xx - yy, m.x.y - m.y.x}};
-}
-
-// The rotation that takes the axes `from` to the axes `to`, as seen from `from` (K. Shoemake, Quaternions, 1994).
-inline Rotation rotation_between(const Linear<float>& from, const Linear<float>& to) {
-  const Linear<float> m = transposed_times(from, to);
-  return normalised(rotation(scaled_quaternion(m, m.x.x + m.y.y + m.z.z > 0 ? 3 : largest_axis(m)).v));
+// The rotation that takes the axes `from` to the axes `to`, as seen from `from`: of its quaternion q a component q_i
+// that is not near 0, w or of the others the largest, and 4 q_i q (Shepperd 1978; K. Shoemake, Quaternions, 1994).
+inline WideRotation rotation_between(const Columns& from, const Columns& to) {
+  static constexpr int kNext[] = {1, 2, 0};
+  float m[3][4], q[4];
+  for (int i = 0; i < 3; ++i) store(m[i], products(from.axis, to.axis[i]));
+  int i = m[1][1] > m[0][0] ? 1 : 0;
+  i = m[2][2] > m[i][i] ? 2 : i;
+  const int j = kNext[i], k = kNext[j];
+  const float trace = m[0][0] + m[1][1] + m[2][2];
+  q[i] = 1.0f + m[i][i] - m[j][j] - m[k][k];
+  q[j] = m[i][j] + m[j][i];
+  q[k] = m[k][i] + m[i][k];
+  q[3] = m[j][k] - m[k][j];
+  if (trace > 0) {
+    q[i] = q[3];
+    q[j] = m[k][i] - m[i][k];
+    q[k] = m[i][j] - m[j][i];
+    q[3] = 1.0f + trace;
+  }
+  return normalised(WideRotation{load(q)});
 }
 // The matrix of a quaternion of any length but 0.
 template <class F>

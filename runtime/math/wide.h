@@ -24,7 +24,7 @@ inline Vector3 narrow(f32x4 v) {
 inline f32x4 load_wide(const float* p) {
   return without_w(load(p));
 }
-inline void store_wide(float* to, f32x4 v) {
+MARROW_CALLED_WHERE_SMALL inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }
 
