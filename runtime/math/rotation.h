@@ -49,28 +49,34 @@ inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
 
-// The rotation that takes the axes `from` to the axes `to`, as seen from `from`: of its quaternion q a component q_i
-// that is not near 0, w or of the others the largest, and 4 q_i q (Shepperd 1978; K. Shoemake, Quaternions, 1994).
-inline WideRotation rotation_between(const Columns& from, const Columns& to) {
+// Of a rotation matrix by columns: a component q_i of its quaternion q and 4 q_i q (Shepperd 1978). The component is w,
+// or of the others the largest.
+inline f32x4 scaled_quaternion(const float (&m)[3][4], bool by_w) {
   static constexpr int kNext[] = {1, 2, 0};
-  float m[3][4], q[4];
-  for (int i = 0; i < 3; ++i) store(m[i], products(from.axis, to.axis[i]));
+  float q[4];
   int i = m[1][1] > m[0][0] ? 1 : 0;
   i = m[2][2] > m[i][i] ? 2 : i;
   const int j = kNext[i], k = kNext[j];
-  const float trace = m[0][0] + m[1][1] + m[2][2];
   q[i] = 1.0f + m[i][i] - m[j][j] - m[k][k];
   q[j] = m[i][j] + m[j][i];
   q[k] = m[k][i] + m[i][k];
   q[3] = m[j][k] - m[k][j];
-  if (trace > 0) {
+  if (by_w) {
     q[i] = q[3];
     q[j] = m[k][i] - m[i][k];
     q[k] = m[i][j] - m[j][i];
-    q[3] = 1.0f + trace;
+    q[3] = 1.0f + (m[0][0] + m[1][1] + m[2][2]);
   }
-  return normalised(WideRotation{load(q)});
+  return load(q);
 }
+
+// The rotation that takes the axes `from` to the axes `to`, as seen from `from` (K. Shoemake, Quaternions, 1994).
+inline WideRotation rotation_between(const Columns& from, const Columns& to) {
+  float m[3][4];
+  for (int i = 0; i < 3; ++i) store(m[i], products(from.axis, to.axis[i]));
+  return normalised(WideRotation{scaled_quaternion(m, m[0][0] + m[1][1] + m[2][2] > 0)});
+}
+
 // The matrix of a quaternion of any length but 0.
 template <class F>
 inline Linear<F> matrix_of(const Quaternion<F>& q) {

@@ -74,24 +74,24 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline Linears product(const Linears& a, const Li
   return a * b;
 }
 // Times its determinant.
-struct Inverse {
+struct LinearInverse {
   Linears linear;
   Number over_determinant;
 };
-MARROW_CALLED_ONLY_WHERE_SMALL inline Inverse inverse_of(const Linears& m) {
+MARROW_CALLED_ONLY_WHERE_SMALL inline LinearInverse inverse_of(const Linears& m) {
   const Linears rows = cofactors(m);
   return {Batch::transposed(rows), number(1.0f) / dot(m.x, rows.x)};
 }
 // b a⁻¹
 MARROW_CALLED_ONLY_WHERE_SMALL inline Linears product_with_inverse(const Linears& b, const Linears& a) {
-  const Inverse inverse = inverse_of(a);
+  const LinearInverse inverse = inverse_of(a);
   const Linears m = product(b, inverse.linear);
   const Number scale = inverse.over_determinant;
   return {m.x * scale, m.y * scale, m.z * scale};
 }
 // What maps take to `places`.
 Vectors place_before(const Maps& bind, const Vectors& places) {
-  const Inverse inverse = inverse_of(Batch::columns_of(bind));
+  const LinearInverse inverse = inverse_of(Batch::columns_of(bind));
   return inverse.linear * (places - Batch::origin_of(bind)) * inverse.over_determinant;
 }
 

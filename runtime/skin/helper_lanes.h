@@ -116,11 +116,14 @@ struct HelperLanes<One> {
     return {m.x, {reordered<2, 0, 1, 3>(m.y.v)}, {rotated_xyz(m.z.v)}};
   }
   static HelperTurn<One> shorter_turn(const Linear<One>& columns) {
-    const Linear<float> m = {narrow(columns.x.v), narrow(columns.y.v), narrow(columns.z.v)};
-    f32x4 q = load(scaled_quaternion(m, 3).v);
+    float m[3][4];
+    marrow::store(m[0], columns.x.v);
+    marrow::store(m[1], columns.y.v);
+    marrow::store(m[2], columns.z.v);
+    f32x4 q = scaled_quaternion(m, true);
     float w = w_lane({q}), squared = 4.0f * w;
     if (w < kFarTurn) {
-      q = load(scaled_quaternion(m, largest_axis(m)).v);
+      q = scaled_quaternion(m, false);
       w = w_lane({q});
       q = w < 0.0f ? -q : q;
       w = absolute(w);

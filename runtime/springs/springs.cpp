@@ -3,7 +3,7 @@
 #include "asset/spring_rules.h"
 #include "core/check.h"
 #include "core/mark.h"
-#include "math/columns.h"
+#include "math/rotation.h"
 #include "pose/joint_range.h"
 #include "springs/spring_colliders.h"
 #include "springs/spring_step.h"
@@ -94,22 +94,13 @@ f32x4 turned(const SpringRoot& root, f32x4 v) {
   return products(rows, v);
 }
 
-// A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
-void right_axes(const Columns& world, const Affine& scene, f32x4 (&axis)[3]) {
-  const Columns joint = columns(scene);
-  axis[0] = unit3_or(turn(world, joint.axis[0]), lanes(1.0f, 0.0f, 0.0f, 0.0f));
-  axis[1] = unit3_or(across3(turn(world, joint.axis[1]), axis[0]), any_across3(axis[0]));
-  axis[2] = cross3(axis[0], axis[1]);
-}
-
 void find_turn(SpringRoot& root, const Columns& world, const Affine& parent) {
-  f32x4 was[3], is[3], none = splat(0.0f);
-  right_axes(columns(root.world), root.parent, was);
-  right_axes(world, parent, is);
-  transpose(is[0], is[1], is[2], none);
+  const Columns was = right_axes(columns(root.world), root.parent);
+  Columns is = right_axes(world, parent);
+  transpose(is.axis[0], is.axis[1], is.axis[2], is.origin);
   for (int i = 0; i < 3; ++i)
-    store_wide(root.turn[i],
-               was[0] * splat_lane<0>(is[i]) + was[1] * splat_lane<1>(is[i]) + was[2] * splat_lane<2>(is[i]));
+    store_wide(root.turn[i], was.axis[0] * splat_lane<0>(is.axis[i]) + was.axis[1] * splat_lane<1>(is.axis[i]) +
+                                 was.axis[2] * splat_lane<2>(is.axis[i]));
 }
 
 // Component by component.
