@@ -191,6 +191,8 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
 }
 
 BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+  const Skeleton& skeleton = pose.skeleton;
+  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
   if (const BadCall bad = check_chain(pose, {chain, 3})) return bad;
   const Affine* const joints = pose.scene_from_joint.data;
