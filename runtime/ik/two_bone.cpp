@@ -143,7 +143,7 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   }
 }
 
-MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+MARROW_CALLED_WHERE_SMALL void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
   turn_joint(local, limb.start, turns.start);
   turn_joint(local, limb.mid, turns.mid);
 }
@@ -165,7 +165,7 @@ MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, c
 }
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
-MARROW_LARGE void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+MARROW_CALLED_WHERE_SMALL void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);
