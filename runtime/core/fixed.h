@@ -12,14 +12,14 @@ inline constexpr bool kSmall = true;
 inline constexpr bool kSmall = false;
 #endif
 
-// Before a function that is to be called, however short it is, where code is to be small.
+// Before a function that is to be called, however short it is, where code is to be small. Else compilers choose.
 #ifdef __OPTIMIZE_SIZE__
 #define MARROW_CALLED_WHERE_SMALL [[gnu::noinline]]
 #else
 #define MARROW_CALLED_WHERE_SMALL
 #endif
 
-// Before an inline function that is also to stand wherever it is used, however long it is, where code is to be fast.
+// The same of an inline function that else is to stand wherever it is used, however long it is.
 #ifdef __OPTIMIZE_SIZE__
 #define MARROW_CALLED_ONLY_WHERE_SMALL [[gnu::noinline]]
 #else

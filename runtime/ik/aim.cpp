@@ -127,7 +127,7 @@ inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
 
 // A joint's turn; false if the numbers are not finite. The gaze is a view in the scene, from its origin: when a joint
 // has turned, the target and the pole are turned back instead of all that hangs on it.
-MARROW_LARGE bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
+MARROW_CALLED_WHERE_SMALL bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   const Axes<One> axes = axes_of<false>(joint);
   const Vector<One> at = wide_origin(joint), way = gaze.of[kWay] - at;
   View view = gaze;

@@ -65,9 +65,11 @@ Inverse inverse_of_linear(const Affine& m) {
 }
 
 MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
+  const Skeleton& skeleton = call.pose.skeleton;
+  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
   if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
-  MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(call.pose.skeleton, foot.hip, call.feet.pelvis));
+  MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
   MARROW_CHECK(near(load_wide(foot.sole)));
   MARROW_CHECK(near(load_wide(foot.bend_axis)));
   MARROW_CHECK(within(foot.weight, 0, 1));
@@ -84,7 +86,9 @@ MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& f
 
 MARROW_CALLED_WHERE_SMALL BadCall check_feet(const FeetCall& call, Span<const FootGround> ground,
                                              Span<const FootMotion> motion) {
+  const Skeleton& skeleton = call.pose.skeleton;
   const FeetFrame& frame = call.frame;
+  if (const BadCall bad = check_pose(call.pose)) return bad;
   MARROW_CHECK(holds(call.feet.feet));
   MARROW_CHECK(holds(ground, call.feet.feet.size));
   MARROW_CHECK(holds(motion, call.feet.feet.size));
@@ -97,10 +101,9 @@ MARROW_CALLED_WHERE_SMALL BadCall check_feet(const FeetCall& call, Span<const Fo
   MARROW_CHECK(within(call.feet.reach, 0, 1));
   MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
-  if (const std::uint32_t& pelvis = call.feet.pelvis; pelvis != kNoJoint) {
-    if (const BadCall bad = check_chain(call.pose, {&pelvis, 1})) return bad;
-    MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
-  }
+  const std::uint32_t pelvis = call.feet.pelvis;
+  MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
+  if (pelvis != kNoJoint) MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }

@@ -1,8 +1,6 @@
 // The iteration that FABRIK and CCD share, and the sums of turns that joints make in both.
 #include "ik/heuristic.h"
 
-#include <algorithm>
-
 #include "core/mark.h"
 #include "marrow/block.h"
 

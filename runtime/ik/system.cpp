@@ -109,7 +109,7 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   s.tasks.data = scratch.take<IkTask>(tasks).data;
   s.entries = scratch.take<IkEntry>(entries).data;
   s.moves = {scratch.take<IkMove>(moves).data, moves};
-  s.error = scratch.take<float>((4 + 2 * s.rows) * stride).data;
+  s.error = scratch.take<float>((4 + 2 * std::uint64_t{s.rows}) * stride).data;
   if (s.error == nullptr) return s;
   s.rest = s.error + stride;
   s.x = s.rest + stride;

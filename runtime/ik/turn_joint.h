@@ -35,11 +35,17 @@ inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint
   return joint == above;
 }
 
-// A pose and its matrices are there, and of the joints each is below the one before it.
+// A pose and its matrices are there.
+[[gnu::noinline]] inline BadCall check_pose(const PosedJoints& pose) {
+  MARROW_CHECK(holds(pose.local, pose.skeleton.soa_size()));
+  MARROW_CHECK(holds(pose.scene_from_joint, pose.skeleton.joint_count));
+  return {};
+}
+
+// They are, and of the joints each is below the one before it.
 [[gnu::noinline]] inline BadCall check_chain(const PosedJoints& pose, Span<const std::uint32_t> joints) {
+  if (const BadCall bad = check_pose(pose)) return bad;
   const Skeleton& skeleton = pose.skeleton;
-  MARROW_CHECK(holds(pose.local, skeleton.soa_size()));
-  MARROW_CHECK(holds(pose.scene_from_joint, skeleton.joint_count));
   MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
   for (std::size_t i = 1; i < joints.size; ++i) {
     MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);

@@ -143,7 +143,7 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   }
 }
 
-MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+MARROW_CALLED_WHERE_SMALL void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
   turn_joint(local, limb.start, turns.start);
   turn_joint(local, limb.mid, turns.mid);
 }
@@ -165,7 +165,7 @@ MARROW_LARGE void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, c
 }
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
-MARROW_LARGE void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+MARROW_CALLED_WHERE_SMALL void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);
@@ -191,6 +191,8 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
 }
 
 BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+  const Skeleton& skeleton = pose.skeleton;
+  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
   if (const BadCall bad = check_chain(pose, {chain, 3})) return bad;
   const Affine* const joints = pose.scene_from_joint.data;

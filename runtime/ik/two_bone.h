@@ -88,8 +88,9 @@ inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> ot
 // until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
 // first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
 template <class F>
-MARROW_LARGE inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper,
-                                           Vector<F> now, F sine, F cosine, const Triangle<F>& triangle) {
+MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
+                                                        Vector<F> upper, Vector<F> now, F sine, F cosine,
+                                                        const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   const Vector<F> bend_axis = without_w(in.bend_axis);
   const auto free = dot(bend_axis, bend_axis) < tiny;
@@ -144,7 +145,7 @@ inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower
 
 // Bones of no length, and a target at the start joint: something that has directions in their place.
 template <class F>
-MARROW_LARGE inline void give_lengths(LimbProblem<F>& in) {
+MARROW_CALLED_WHERE_SMALL inline void give_lengths(LimbProblem<F>& in) {
   const F tiny = number<F>(kNumbers.tiny);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
   set_where(no_upper, in.upper, in.lower);

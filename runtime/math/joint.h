@@ -41,11 +41,6 @@ MARROW_CALLED_WHERE_SMALL inline f32x4 wide_scale_of(Span<const SoaTransform> po
   return lanes(s[0], s[4], s[8], 0.0f);
 }
 
-inline Vector3 translation_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float(&t)[3][4] = pose[joint / 4].translation;
-  const std::size_t lane = joint % 4;
-  return {t[0][lane], t[1][lane], t[2][lane]};
-}
 inline Vector3 scale_of(Span<const SoaTransform> pose, std::size_t joint) {
   const float(&s)[3][4] = pose[joint / 4].scale;
   const std::size_t lane = joint % 4;

@@ -73,7 +73,7 @@ bool all_turns(const Linears& m) {
 MARROW_CALLED_ONLY_WHERE_SMALL inline Linears product(const Linears& a, const Linears& b) {
   return a * b;
 }
-// Times its determinant.
+// An inverse is `linear` times `over_determinant`.
 struct LinearInverse {
   Linears linear;
   Number over_determinant;
@@ -95,7 +95,8 @@ Vectors place_before(const Maps& bind, const Vectors& places) {
   return inverse.linear * (places - Batch::origin_of(bind)) * inverse.over_determinant;
 }
 
-// Of one after the other, where four share the answer.
+// Whether the stretches of any of `count` helpers' ends differ. Helpers that go one at a time are asked four together,
+// for that is how those that go four at a time are: so the bits are the same.
 [[maybe_unused]] bool any_stretched(const Helper* h, std::size_t count, const Affine* palette) {
   for (const Helper* const end = h + count; h < end; h += Batch::kCount) {
     const Maps a = Batch::maps(palette, h, &Helper::first), b = Batch::maps(palette, h, &Helper::second);

@@ -128,6 +128,7 @@ TEST_F(Batch, Mistakes) {
       {{in("prop.gltf"), "-o", folder_ / "named.mrw"}, 2, {folder_ / "named.mrw"}},
       {{in(""), "-o", folder_ / "file"}, 2, {folder_ / "file"}},
       {{in(""), "-o", out("x.mrw")}, 1, {out("x.mrw")}},
+      {{in(""), "-o", out("x.MRW")}, 1, {out("x.MRW")}},
       {{in(""), "-o", "/proc/out"}, 2, {"/proc/out"}},
       {{in(""), "-o", out(""), "--jobs", "0"}, 1, {"--jobs"}},
   };
@@ -142,7 +143,7 @@ TEST_F(Batch, Mistakes) {
     EXPECT_TRUE(outputs().empty()) << ran.err;
     ++checked;
   }
-  EXPECT_EQ(checked, 12);
+  EXPECT_EQ(checked, 13);
   EXPECT_EQ(read_text(in("prop.bin")).size(), 36u);
 }
 

@@ -219,6 +219,7 @@ TEST_F(CallNames, ConditionsAreTold) {
   EXPECT_EQ(said({}, {.weight = 2}), "place_feet: within(frame.weight, 0, 1)");
   EXPECT_EQ(said({.reach = 2}, {}), "place_feet: within(call.feet.reach, 0, 1)");
   EXPECT_EQ(said({.ease_s = 0}, {}), "place_feet: within(call.feet.ease_s, 1e-3f, 1e3f)");
+  EXPECT_EQ(said({.pelvis = 7}, {}), "place_feet: pelvis == kNoJoint || pelvis < skeleton.joint_count");
   EXPECT_EQ(said({.feet = foot}, {}),
             "place_feet: foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count");
 }

@@ -52,7 +52,7 @@ CookJob plan_one(const std::string& input, const std::string& output) {
 }
 
 std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const std::string& output, bool may_be_empty) {
-  if (fs::path(output).extension() == ".mrw")
+  if (has_extension(output, ".mrw"))
     throw Failure(Exit::usage, output, "", "several inputs, one output", "name a folder; put / behind its name");
   std::vector<CookJob> jobs;
   for (const std::string& input : inputs) {

@@ -75,7 +75,7 @@ TEST(Rotation, JointsOfAPoseAreReadAndWrittenInTheirLane) {
   pose[1].translation[1][2] = 5;
   pose[1].scale[2][2] = 7;
   EXPECT_EQ(rotation_of(pose, 6).z, 3);
-  EXPECT_EQ(translation_of(pose, 6).y, 5);
+  EXPECT_EQ(narrow(wide_translation_of(pose, 6)).y, 5);
   EXPECT_EQ(scale_of(pose, 6).z, 7);
 }
 
