@@ -1,11 +1,6 @@
 #include "marrow/ik_solve.h"
 
-#include <cstddef>
-#include <iterator>
-#include <utility>
-
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "ik/chance.h"
 #include "ik/tree.h"
@@ -18,42 +13,15 @@ namespace {
 constexpr float kMost = 1e15f;         // of numbers that are squared
 constexpr float kMostWeight = 100.0f;  // of what positions are multiplied by: still so
 
-// Floats that follow each other in a record, from some byte on, and what they may be.
-struct Range {
-  std::uint8_t at, count;
-  float least, most;
-};
-constexpr Range kGoalRanges[] = {{offsetof(IkGoal, offset), 3, -kMost, kMost},
-                                 {offsetof(IkGoal, position), 3, -kMost, kMost},
-                                 {offsetof(IkGoal, rotation), 4, -kMost, kMost},
-                                 {offsetof(IkGoal, position_weight), 1, 0, kMostWeight},
-                                 {offsetof(IkGoal, rotation_weight), 1, 0, kMost}};
-constexpr Range kProblemRanges[] = {{offsetof(IkProblem, pole), 3, -kMost, kMost},
-                                    {offsetof(IkProblem, pole_weight), 1, 0, 1},
-                                    {offsetof(IkProblem, root_travel_m), 1, 0, kMost}};
-constexpr Range kOptionsRanges[] = {{offsetof(IkOptions, tolerance_m), 1, 0, kMost},
-                                    {offsetof(IkOptions, damping), 1, 0, kMost},
-                                    {offsetof(IkOptions, weight), 1, 0, 1},
-                                    {offsetof(IkOptions, stretch), 1, 1, kMost}};
+bool all_good(const float* v, std::size_t count) {
+  return all_within(v, count, -kMost, kMost);
+}
 
-bool keeps(const void* record, const Range& r) {
-  const void* const numbers = static_cast<const std::byte*>(record) + r.at;
-  return all_within(static_cast<const float*>(numbers), r.count, r.least, r.most);
-}
-[[maybe_unused]] MARROW_CALLED_WHERE_SMALL bool keep(const void* record, const Range* ranges, std::size_t count) {
-  bool good = true;
-  for (std::size_t i = 0; i < count; ++i) good = good && keeps(record, ranges[i]);
-  return good;
-}
-// A loop where code is to be small; else checks of numbers that are known.
-template <const auto& Ranges>
-bool keeps(const void* record) {
-  constexpr std::size_t kCount = std::size(Ranges);
-  if constexpr (kSmall) return keep(record, Ranges, kCount);
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return (keeps(record, Ranges[I]) && ...);
-  }
-  (std::make_index_sequence<kCount>());
+BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
+  MARROW_CHECK(goal.joint < skeleton.joint_count);
+  MARROW_CHECK(within(goal.position_weight, 0, kMostWeight) && within(goal.rotation_weight, 0, kMost));
+  MARROW_CHECK(all_good(goal.offset, 3) && all_good(goal.position, 3) && all_good(goal.rotation, 4));
+  return {};
 }
 
 BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
@@ -61,26 +29,26 @@ BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
   MARROW_CHECK(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
   MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
-  for (const IkGoal& goal : problem.goals) {
-    MARROW_CHECK(goal.joint < skeleton.joint_count);
-    MARROW_CHECK(keeps<kGoalRanges>(&goal) && "numbers of a goal in their ranges");
-  }
+  MARROW_CHECK(within(problem.root_travel_m, 0, kMost));
+  for (const IkGoal& goal : problem.goals)
+    if (const BadCall bad = check_goal(skeleton, goal)) return bad;
   for (std::size_t i = 0; i < problem.joints.size; ++i) {
     MARROW_CHECK(problem.joints[i] < skeleton.joint_count);
     MARROW_CHECK(i == 0 || problem.joints[i - 1] < problem.joints[i]);
   }
-  MARROW_CHECK(all_within(problem.stiffness.data, problem.stiffness.size, 0, 1));
+  for (const float s : problem.stiffness) MARROW_CHECK(within(s, 0, 1));
   for (std::size_t i = 0; i < problem.limits.size; ++i) {
     MARROW_CHECK(is_valid(problem.limits[i]));
     MARROW_CHECK(i == 0 || problem.limits[i - 1].joint < problem.limits[i].joint);
   }
-  MARROW_CHECK(keeps<kProblemRanges>(&problem) && "pole and travel in their ranges");
+  MARROW_CHECK(all_good(problem.pole, 3) && within(problem.pole_weight, 0, 1));
   return {};
 }
 
 BadCall check_options(const IkOptions& options) {
   MARROW_CHECK(options.method <= IkMethod::gauss_newton && options.starts > 0 && "not zeros: mrw_ik_options_init");
-  MARROW_CHECK(keeps<kOptionsRanges>(&options) && "numbers of options in their ranges");
+  MARROW_CHECK(within(options.tolerance_m, 0, kMost) && within(options.damping, 0, kMost));
+  MARROW_CHECK(within(options.weight, 0, 1) && within(options.stretch, 1, kMost));
   return {};
 }
 
