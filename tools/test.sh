@@ -108,7 +108,7 @@ case "${1:-}" in
     where_possible "Godot 3 and 4" tools/check/godot.sh $marrow
     where_possible "SDL 2: a game" tools/check/sdl.sh $marrow
     where_possible "Unity and Unreal" tools/check/unity.sh $marrow
-    where_possible "libFuzzer, 30 s a target" tools/fuzz.sh 30
+    where_possible "libFuzzer, 15 s a target" tools/fuzz.sh 15
     ;;
   *)
     if [[ $presets == *" $1 "* ]]; then
