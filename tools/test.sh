@@ -2,6 +2,7 @@
 # Installs what is missing, builds and tests. Says at the end what took how long: wall seconds, and seconds of processor.
 # usage: tools/test.sh              every test of behaviour once, optimised; under sanitizers what reads others' bytes
 #        tools/test.sh all          every preset, driver and model, as before a release: about an hour
+#        tools/test.sh ci           the same in the short form: what continuous integration runs
 #        tools/test.sh PRESET ...   all tests of these presets: release asan tsan scalar aarch64 dev
 #        tools/test.sh PART ...     a warm loop: builds and runs these alone, by preset dev. A PART is runtime format misuse ik input
 #                                   cook workflow deform road bench cli view gl; GTEST_FILTER=PATTERN picks tests of it
@@ -10,7 +11,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$here"
 presets=" release asan tsan scalar aarch64 dev "
 parts=" runtime format misuse ik input cook workflow deform road bench cli view gl "
-usage() { sed -n '3,7s/^# \{0,1\}//p' "$0" >&2; exit 1; }
+usage() { sed -n '3,8s/^# \{0,1\}//p' "$0" >&2; exit 1; }
 
 # Runs a command and notes what it took, under a name.
 took=""
@@ -84,13 +85,14 @@ test_once() {
 timed packages tools/install.sh tools/packages/build.txt tools/packages/test.txt
 case "${1:-}" in
   "") test_once ;;
-  all)
+  all | ci)
     [ $# -eq 1 ] || usage
+    form=$1
     validate_sample
     # What is sanitized, emulated or without SIMD takes the same roads through the code in the short form.
-    MARROW_TESTS=all test_preset release
+    MARROW_TESTS=$form test_preset release
     for preset in asan tsan scalar aarch64; do test_preset $preset; done
-    export MARROW_TESTS=all
+    export MARROW_TESTS=$form
     marrow=build/release/tools/marrow
     where_possible "the manual" tools/check/docs.sh $marrow
     where_possible "the tutorial, from an empty folder" tools/check/tutorial.sh $marrow
