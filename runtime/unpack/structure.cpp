@@ -72,6 +72,65 @@ void take_helpers(ByteReader& reader, std::uint32_t flags, Span<Helper> helpers,
   for (std::size_t i = 0; i < 3 * helpers.size; ++i) centres[i] = decode_translation(take_signed(reader), exponent);
 }
 
+// False if a count is out of range.
+bool take_mesh_header(ByteReader& reader, std::uint32_t flags, format::MeshHeader& h) {
+  h.flags = static_cast<std::uint8_t>(((flags & packed::kMeshIsDoubleSided) != 0 ? format::kDoubleSided : 0u) |
+                                      ((flags & packed::kMeshIsNextPart) != 0 ? format::kNextPart : 0u) |
+                                      ((flags & packed::kMeshHasCentres) != 0 ? format::kHelpersHaveCentres : 0u));
+  h.name = reader.take_varint();
+  h.material = reader.take_varint();
+  h.material_section = reader.take_varint();
+  h.skeleton = reader.take_varint();
+  h.geometry = reader.take_varint();
+  h.joint_count = reader.take_varint();
+  h.target_count = reader.take_varint();
+  const std::uint32_t helper_count = (flags & packed::kMeshHasHelpers) != 0 ? reader.take_varint() : 0;
+  h.helper_count = static_cast<std::uint16_t>(helper_count);
+  const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
+  h.lod_count = static_cast<std::uint8_t>(lod_count);
+  for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
+  return h.joint_count <= kMaxJoints && helper_count <= kMaxJoints && lod_count <= 255;
+}
+
+// Each as its distance from the one behind the last. False if one is not of the skeleton.
+bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::uint16_t> joints) {
+  std::uint32_t joint = 0xFFFFFFFF;
+  for (std::uint16_t& out : joints) {
+    joint += 1 + static_cast<std::uint32_t>(take_signed(reader));
+    if (joint >= skeleton.joint_count) return false;
+    out = static_cast<std::uint16_t>(joint);
+  }
+  return true;
+}
+
+// Those that the file gives; the others follow from the rest pose, of which `model` are the joints' matrices.
+void take_inverse_binds(ByteReader& reader, std::uint32_t flags, Span<const std::uint16_t> joints, const Affine* model,
+                        const Affine& scene_from_mesh, Affine* inverse_bind) {
+  const Span<const std::byte> given =
+      reader.take_bytes((flags & packed::kMeshGivesBinds) != 0 ? (joints.size + 7) / 8 : 0);
+  for (std::size_t i = 0; i < joints.size; ++i)
+    inverse_bind[i] = given.size > 0 && (static_cast<std::uint32_t>(given[i / 8]) >> i % 8 & 1) != 0
+                          ? take_map(reader)
+                          : derived_inverse_bind(model[joints[i]], scene_from_mesh);
+}
+
+void take_targets(ByteReader& reader, std::uint32_t count, std::byte* targets) {
+  for (std::uint32_t t = 0; t < count; ++t) {
+    MeshTarget target{};
+    target.name = reader.take_varint();
+    target.channel = reader.take_varint();
+    target.weight = reader.take<float>();
+    std::memcpy(targets + t * sizeof target, &target, sizeof target);
+  }
+}
+
+void take_lods(ByteReader& reader, Span<MeshLod> lods) {
+  for (MeshLod& lod : lods) {
+    lod.geometry = reader.take_varint();
+    lod.error_m = reader.take<float>();
+  }
+}
+
 }  // namespace
 
 Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
@@ -201,64 +260,28 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
                         Span<std::byte> out, std::uint32_t& bytes) {
   ByteReader reader(record.data, record.size);
   const std::uint32_t flags = reader.take_varint();
-  format::MeshHeader h{};
-  h.flags = static_cast<std::uint8_t>(((flags & packed::kMeshIsDoubleSided) != 0 ? format::kDoubleSided : 0u) |
-                                      ((flags & packed::kMeshIsNextPart) != 0 ? format::kNextPart : 0u) |
-                                      ((flags & packed::kMeshHasCentres) != 0 ? format::kHelpersHaveCentres : 0u));
-  h.name = reader.take_varint();
-  h.material = reader.take_varint();
-  h.material_section = reader.take_varint();
-  h.skeleton = reader.take_varint();
-  h.geometry = reader.take_varint();
-  h.joint_count = reader.take_varint();
-  h.target_count = reader.take_varint();
-  const std::uint32_t helper_count = (flags & packed::kMeshHasHelpers) != 0 ? reader.take_varint() : 0;
-  h.helper_count = static_cast<std::uint16_t>(helper_count);
-  const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
-  h.lod_count = static_cast<std::uint8_t>(lod_count);
-  for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
-  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? take_map(reader) : kIdentity;
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
+  format::MeshHeader h{};
+  if (!take_mesh_header(reader, flags, h)) return "a count out of range";
+  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? take_map(reader) : kIdentity;
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
   const format::MeshLayout l = layout(h);
-  if (h.joint_count > kMaxJoints || helper_count > kMaxJoints || lod_count > 255 || l.bytes > out.size)
-    return "file_bytes too small";
+  if (l.bytes > out.size) return "file_bytes too small";
   Memory memory{scratch.data, 0, scratch.size};
   Affine* const model = memory.take<Affine>(skeleton.joint_count).data;
   if (model == nullptr) return "memory_bytes too small";
   (void)local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, {model, skeleton.joint_count});
 
   std::memcpy(out.data, &h, sizeof h);
-  auto* const joints = at<std::uint16_t>(out, l.joints);
-  std::uint32_t joint = 0xFFFFFFFF;
-  for (std::uint32_t i = 0; i < h.joint_count; ++i) {
-    joint += 1 + static_cast<std::uint32_t>(take_signed(reader));  // from the one behind the last
-    if (joint >= skeleton.joint_count) return "a joint out of range";
-    joints[i] = static_cast<std::uint16_t>(joint);
-  }
-  const Span<const std::byte> given =
-      reader.take_bytes((flags & packed::kMeshGivesBinds) != 0 ? (h.joint_count + 7) / 8 : 0);
-  auto* const inverse_bind = at<Affine>(out, l.inverse_bind);
-  for (std::uint32_t i = 0; i < h.joint_count; ++i)
-    inverse_bind[i] = given.size > 0 && (static_cast<std::uint32_t>(given[i / 8]) >> i % 8 & 1) != 0
-                          ? take_map(reader)
-                          : derived_inverse_bind(model[joints[i]], scene_from_mesh);
-  for (std::uint32_t t = 0; t < h.target_count; ++t) {
-    MeshTarget target{};
-    target.name = reader.take_varint();
-    target.channel = reader.take_varint();
-    target.weight = reader.take<float>();
-    std::memcpy(out.data + l.targets + t * sizeof target, &target, sizeof target);
-  }
+  const Span<std::uint16_t> joints{at<std::uint16_t>(out, l.joints), h.joint_count};
+  if (!take_mesh_joints(reader, skeleton, joints)) return "a joint out of range";
+  take_inverse_binds(reader, flags, joints, model, scene_from_mesh, at<Affine>(out, l.inverse_bind));
+  take_targets(reader, h.target_count, out.data + l.targets);
   const std::uint64_t end_of_joints = l.joints + std::uint64_t{h.joint_count} * 2;
   std::memset(out.data + end_of_joints, 0, static_cast<std::size_t>(l.helpers - end_of_joints));
   take_helpers(reader, flags, {at<Helper>(out, l.helpers), h.helper_count}, at<float>(out, l.centres));
-  auto* const lods = at<MeshLod>(out, l.lods);
-  for (std::uint32_t i = 0; i < h.lod_count; ++i) {
-    lods[i].geometry = reader.take_varint();
-    lods[i].error_m = reader.take<float>();
-  }
+  take_lods(reader, {at<MeshLod>(out, l.lods), h.lod_count});
   if (reader.failed() || reader.left() != 0) return "a mesh that is too short or too long";
   bytes = static_cast<std::uint32_t>(l.bytes);
   return nullptr;
