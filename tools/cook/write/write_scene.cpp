@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <map>
 
 #include "asset/example_format.h"
@@ -330,84 +331,118 @@ void check_packed(const WrittenFile& written, const std::string& source) {
     throw tools::Failure(tools::Exit::internal, source, "", "packed-file", "the file does not unpack to itself");
 }
 
-// What the file without them shows, as sections of its own.
-std::vector<Section> bounds_sections(const std::vector<Entry>& entries, const std::string& source) {
-  std::vector<Section> out;
-  for (const MeasuredBounds& b : measure_bounds(tools::AlignedBytes(write_plain(entries, source))))
-    out.push_back(write_bounds(b));
-  return out;
+bool has_records(const BuiltScene& scene) {
+  return std::any_of(scene.geometries.begin(), scene.geometries.end(),
+                     [](const BuiltGeometry& g) { return g.codec != 0; }) ||
+         (scene.packs_clips && std::any_of(scene.clips.begin(), scene.clips.end(),
+                                           [](const BuiltClip& c) { return c.coded.header.frame_count > 0; }));
 }
+
+// A scene's sections in the order of a file, and what is known of them.
+class SceneWriter {
+ public:
+  SceneWriter(const BuiltScene& scene, WrittenFile& out) : scene_(scene), out_(out), is_packed_(has_records(scene)) {}
+
+  void add_all(const std::string& source) {
+    for (const BuiltSkeleton& skeleton : scene_.skeletons) add_skeleton(skeleton);
+    add_clips();
+    for (const BuiltGeometry& geometry : scene_.geometries) add_geometry(geometry);
+    for (const BuiltMesh& mesh : scene_.meshes)
+      out_.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names_)));
+    for (const BuiltMaterial& material : scene_.materials) add(format::kMaterials, write_material(material, names_));
+    for (const RawImage& image : scene_.images) add(format::kImages, write_image(image, names_));
+    for (const BuiltNode& node : scene_.nodes) add(format::kNodes, write_node(node, names_));
+    if (!scene_.is_pack) add_limits_and_springs();
+    for (const BuiltExampleSpace& space : scene_.example_spaces)
+      add(format::kExamples, write_example_space(space, names_));
+    add_names();
+    // Poses of an outfit are its body's.
+    if (!scene_.is_outfit) add_bounds(source);
+  }
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  bool is_packed() const { return is_packed_; }
+  std::uint64_t scratch_bytes() const { return scratch_bytes_; }
+
+ private:
+  Entry entry_of(format::Kind kind, const Section& section) const {
+    const bool compact = is_packed_ && !section.compact.empty();
+    return {kind, section.codec, section.bytes(), compact ? std::uint32_t{packed::kCompact} : section.codec,
+            compact ? section.compact : section.bytes()};
+  }
+  std::size_t add(format::Kind kind, Section section) {
+    entries_.push_back(entry_of(kind, sections_.emplace_back(std::move(section))));
+    return entries_.back().record.size();
+  }
+  void need_scratch(std::uint64_t bytes) { scratch_bytes_ = std::max(scratch_bytes_, bytes); }
+
+  void add_skeleton(const BuiltSkeleton& skeleton) {
+    scene_.is_pack ? add(format::kReferences, write_reference(skeleton, names_))
+                   : add(format::kSkeletons, write_skeleton(skeleton, names_));
+    need_scratch(compact_scratch_bytes(skeleton));
+  }
+  void add_clips() {
+    ClipPacker packer;
+    for (const BuiltClip& clip : scene_.clips) {
+      out_.clip_bytes.push_back(
+          add(format::kClips, write_clip(clip, scene_.skeletons[clip.skeleton].parents.size(), names_, packer)));
+      out_.clip_memory_bytes.push_back(entries_.back().section.size());
+    }
+    need_scratch(packer.scratch_bytes());
+  }
+  void add_geometry(const BuiltGeometry& g) {
+    const std::span<const std::byte> section(g.section.data(), g.section.size());
+    const bool has_record = g.codec != 0;
+    entries_.push_back({format::kGeometries, format::kCodecRaw, section, g.codec,
+                        has_record ? std::span<const std::byte>(g.record) : section});
+    out_.geometry_bytes.push_back(entries_.back().record.size());
+    need_scratch(g.scratch_bytes);
+  }
+  void add_limits_and_springs() {
+    const auto count = static_cast<std::uint32_t>(scene_.skeletons.size());
+    for (std::uint32_t s = 0; s < count; ++s)
+      if (!scene_.skeletons[s].limits.empty()) add(format::kLimits, write_limits(scene_.skeletons[s], s));
+    for (std::uint32_t s = 0; s < count; ++s)
+      if (!scene_.skeletons[s].springs.chains.empty())
+        add(format::kSprings, write_springs(scene_.skeletons[s].springs, s));
+  }
+  void add_names() {
+    Section pool;
+    pool.add_all(names_.pool());
+    pool.compact = compact_names(names_.pool());
+    add(format::kNames, std::move(pool));
+  }
+  // What the file without them shows; before the names.
+  void add_bounds(const std::string& source) {
+    const Entry names = entries_.back();
+    const std::vector<MeasuredBounds> bounds = measure_bounds(tools::AlignedBytes(write_plain(entries_, source)));
+    entries_.pop_back();
+    for (const MeasuredBounds& b : bounds) add(format::kBounds, write_bounds(b));
+    entries_.push_back(names);
+  }
+
+  const BuiltScene& scene_;
+  WrittenFile& out_;
+  bool is_packed_;
+  Names names_;
+  std::deque<Section> sections_;  // their bytes stay where they are
+  std::vector<Entry> entries_;
+  std::uint64_t scratch_bytes_ = 0;
+};
 
 }  // namespace
 
 WrittenFile write_scene(const BuiltScene& scene, const std::string& source) {
-  Names names;
   WrittenFile out;
-  std::vector<Section> sections;  // their bytes stay where they are
-  sections.reserve(3 * scene.skeletons.size() + scene.clips.size() + scene.meshes.size() + scene.materials.size() +
-                   scene.images.size() + scene.nodes.size() + scene.example_spaces.size() + 1);
-  std::vector<Entry> entries;
-  const bool is_packed =
-      std::any_of(scene.geometries.begin(), scene.geometries.end(),
-                  [](const BuiltGeometry& g) { return g.codec != 0; }) ||
-      (scene.packs_clips && std::any_of(scene.clips.begin(), scene.clips.end(),
-                                        [](const BuiltClip& c) { return c.coded.header.frame_count > 0; }));
-  const auto entry_of = [&](format::Kind kind, const Section& section) {
-    const bool compact = is_packed && !section.compact.empty();
-    return Entry{kind, section.codec, section.bytes(), compact ? std::uint32_t{packed::kCompact} : section.codec,
-                 compact ? section.compact : section.bytes()};
-  };
-  const auto add = [&](format::Kind kind, Section section) {
-    const Section& kept = sections.emplace_back(std::move(section));
-    entries.push_back(entry_of(kind, kept));
-    return entries.back().record.size();
-  };
-  std::uint64_t scratch_bytes = 0;
-  for (const BuiltSkeleton& skeleton : scene.skeletons) {
-    scene.is_pack ? add(format::kReferences, write_reference(skeleton, names))
-                  : add(format::kSkeletons, write_skeleton(skeleton, names));
-    scratch_bytes = std::max(scratch_bytes, compact_scratch_bytes(skeleton));
-  }
-  ClipPacker packer;
-  for (const BuiltClip& clip : scene.clips) {
-    out.clip_bytes.push_back(
-        add(format::kClips, write_clip(clip, scene.skeletons[clip.skeleton].parents.size(), names, packer)));
-    out.clip_memory_bytes.push_back(entries.back().section.size());
-  }
-  scratch_bytes = std::max(scratch_bytes, packer.scratch_bytes());
-  for (const BuiltGeometry& g : scene.geometries) {
-    const std::span<const std::byte> section(g.section.data(), g.section.size());
-    const bool has_record = g.codec != 0;
-    entries.push_back({format::kGeometries, format::kCodecRaw, section, g.codec,
-                       has_record ? std::span<const std::byte>(g.record) : section});
-    out.geometry_bytes.push_back(entries.back().record.size());
-    scratch_bytes = std::max(scratch_bytes, g.scratch_bytes);
-  }
-  for (const BuiltMesh& mesh : scene.meshes) out.mesh_bytes.push_back(add(format::kMeshes, write_mesh(mesh, names)));
-  for (const BuiltMaterial& material : scene.materials) add(format::kMaterials, write_material(material, names));
-  for (const RawImage& image : scene.images) add(format::kImages, write_image(image, names));
-  for (const BuiltNode& node : scene.nodes) add(format::kNodes, write_node(node, names));
-  for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
-    if (!scene.is_pack && !scene.skeletons[s].limits.empty())
-      add(format::kLimits, write_limits(scene.skeletons[s], static_cast<std::uint32_t>(s)));
-  for (std::size_t s = 0; s < scene.skeletons.size(); ++s)
-    if (!scene.is_pack && !scene.skeletons[s].springs.chains.empty())
-      add(format::kSprings, write_springs(scene.skeletons[s].springs, static_cast<std::uint32_t>(s)));
-  for (const BuiltExampleSpace& space : scene.example_spaces) add(format::kExamples, write_example_space(space, names));
-  Section pool;
-  pool.add_all(names.pool());
-  pool.compact = compact_names(names.pool());
-  add(format::kNames, std::move(pool));
-  // Poses of an outfit are its body's.
-  const std::vector<Section> bounds = scene.is_outfit ? std::vector<Section>() : bounds_sections(entries, source);
-  for (const Section& b : bounds) entries.insert(entries.end() - 1, entry_of(format::kBounds, b));
-
-  out.bytes = is_packed ? write_packed(entries, scratch_bytes, source) : write_plain(entries, source);
+  SceneWriter writer(scene, out);
+  writer.add_all(source);
+  const std::vector<Entry>& entries = writer.entries();
+  out.bytes = writer.is_packed() ? write_packed(entries, writer.scratch_bytes(), source) : write_plain(entries, source);
   for (const Entry& e : entries)
     out.sections.push_back({format::kTypes[e.kind], static_cast<std::uint32_t>(e.record.size())});
-  out.plain = tools::AlignedBytes(is_packed ? write_plain(entries, source) : out.bytes);
+  out.plain = tools::AlignedBytes(writer.is_packed() ? write_plain(entries, source) : out.bytes);
   check(out.plain, source);
-  if (is_packed) check_packed(out, source);
+  if (writer.is_packed()) check_packed(out, source);
   return out;
 }
 
