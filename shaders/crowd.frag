@@ -1,6 +1,6 @@
 // Palettes of a crowd at a moment: a fragment is a row of a matrix of an instance, its float's bits.
 //
-// Instances and the arithmetic of their times: runtime/gles3/crowd.h; crowd_instance.cpp does the same on the CPU.
+// Instances and the arithmetic of their times: runtime/gles3/crowd/; crowd_instance.cpp does the same on the CPU.
 precision highp float;
 precision highp int;
 

@@ -3,19 +3,27 @@
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
   unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-marrow_test(marrow_input_tests input unit/cook/bvh_read_test.cpp unit/cook/codec_test.cpp unit/cook/gltf_clips_test.cpp unit/cook/gltf_draco_test.cpp unit/cook/gltf_files_test.cpp
-  unit/cook/gltf_geometry_test.cpp unit/cook/gltf_looks_test.cpp unit/cook/gltf_meshopt_test.cpp unit/cook/gltf_morphs_test.cpp
-  unit/cook/gltf_refusals_test.cpp unit/cook/gltf_rules_test.cpp unit/cook/gltf_scene_test.cpp
-  unit/cook/settings_schema_test.cpp unit/cook/settings_test.cpp unit/cook/shape_settings_test.cpp unit/cook/vrm_settings_test.cpp unit/cook/vrm_test.cpp
-  unit/unpack/tools_cap_test.cpp)
+marrow_test(marrow_input_tests input
+  unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/clips_test.cpp unit/cook/gltf/draco_test.cpp
+  unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp unit/cook/gltf/looks_test.cpp
+  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
+  unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
+  unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp unit/options/settings_schema_test.cpp
+  unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
-marrow_test(marrow_cook_tests cook golden/golden_cook_test.cpp unit/cook/bind_weights_test.cpp unit/cook/channels_test.cpp
-  unit/cook/clip_packer_test.cpp
-  unit/cook/clips_test.cpp unit/cook/deformers_test.cpp unit/cook/examples_test.cpp unit/cook/shapes_test.cpp unit/cook/hung_test.cpp unit/cook/keep_test.cpp unit/cook/paint_file_test.cpp
-  unit/cook/learn_test.cpp unit/cook/learn_deformers_test.cpp unit/cook/limits_test.cpp unit/cook/list_packer_test.cpp unit/cook/lod_test.cpp unit/cook/merge_runs_test.cpp
-  unit/cook/outfits_rules_test.cpp unit/cook/packs_test.cpp unit/cook/residual_apart_test.cpp unit/cook/retarget_test.cpp unit/cook/skeletons_test.cpp unit/cook/skin_apart_test.cpp unit/cook/split_test.cpp unit/cook/subdivide_test.cpp
-  unit/cook/subdivide_mesh_test.cpp unit/cook/bounds_packer_test.cpp unit/cook/add_skeleton_test.cpp unit/cook/weights_over_time_test.cpp unit/cook/eigen_targets_test.cpp)
+marrow_test(marrow_cook_tests cook
+  golden/golden_cook_test.cpp unit/cook/clip/bounds_packer_test.cpp unit/cook/clip/channels_test.cpp
+  unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
+  unit/cook/clip/retarget_test.cpp unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
+  unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
+  unit/cook/learn/learn_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
+  unit/cook/mesh/merge_runs_test.cpp unit/cook/mesh/residual_apart_test.cpp unit/cook/mesh/shapes_test.cpp
+  unit/cook/mesh/skin_apart_test.cpp unit/cook/mesh/split_test.cpp unit/cook/mesh/subdivide_mesh_test.cpp
+  unit/cook/mesh/subdivide_test.cpp unit/cook/prepare/add_skeleton_test.cpp unit/cook/prepare/bind_weights_test.cpp
+  unit/cook/prepare/limits_test.cpp unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
+  unit/cook/prepare/paint_file_test.cpp unit/cook/prepare/skeletons_test.cpp
+  unit/cook/prepare/weights_over_time_test.cpp)
 # To cook twice, and the newt with a fit, takes minutes under a sanitizer, which sees the same code in all the others. Two halves, as it takes as
 # long as all other tests together.
 if(MARROW_SANITIZE)
@@ -36,8 +44,9 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow unit/text/nearest_test.cpp unit/terminal/progress_test.cpp
-  unit/terminal/warnings_test.cpp unit/cook/elementary_test.cpp unit/cook/quantity_test.cpp unit/cook/workflow_test.cpp)
+marrow_test(marrow_workflow_tests workflow
+  unit/common/elementary_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
+  unit/terminal/warnings_test.cpp unit/text/nearest_test.cpp unit/text/quantity_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_jobs marrow_sample)
 if(MARROW_SANITIZE)
   set_tests_properties(workflow PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*")
@@ -48,10 +57,12 @@ marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/wor
 target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 
 # Offline deformers and fits, against the papers' own properties.
-marrow_test(marrow_deform_tests deform unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
-  unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp unit/deform/eigen_skin_test.cpp
-  unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp
-  unit/deform/never_worse_test.cpp unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
+marrow_test(marrow_deform_tests deform
+  unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
+  unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp
+  unit/deform/eigen_skin_test.cpp unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp
+  unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp unit/deform/never_worse_test.cpp
+  unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
 # compare's own reckoning stands beside what it judges.
@@ -67,24 +78,28 @@ target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVATE draco::draco)
 marrow_warnings(marrow_reference)
 
-marrow_test(marrow_road_tests road road/road_test.cpp road/bounds_test.cpp road/reference_test.cpp road/sample_test.cpp road/clip_test.cpp
-  road/channels_test.cpp road/codec_test.cpp road/export_test.cpp road/split_test.cpp road/cooked.cpp road/characters_test.cpp road/feet_test.cpp road/outfits_test.cpp)
+marrow_test(marrow_road_tests road
+  road/bounds_test.cpp road/channels_test.cpp road/characters_test.cpp road/clip_test.cpp road/codec_test.cpp
+  road/cooked.cpp road/export_test.cpp road/feet_test.cpp road/outfits_test.cpp road/reference_test.cpp
+  road/road_test.cpp road/sample_test.cpp road/split_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
-marrow_test(marrow_cli_tests cli cli/cookings.cpp cli/process.cpp cli/road_test.cpp cli/bad_input_test.cpp cli/report_test.cpp
-  cli/bench_test.cpp cli/between_test.cpp cli/bvh_test.cpp
-  cli/clip_pack_test.cpp cli/outfit_test.cpp cli/looks_test.cpp cli/batch_test.cpp cli/settings_test.cpp cli/cache_test.cpp cli/depfile_test.cpp
-  cli/atomic_test.cpp cli/compare_test.cpp cli/corpus_test.cpp cli/demo_test.cpp cli/export_test.cpp cli/film_test.cpp cli/movie_test.cpp cli/same_bytes_test.cpp
-  cli/names_test.cpp cli/parameters_test.cpp cli/progress_test.cpp cli/schema_test.cpp cli/split_test.cpp cli/view_test.cpp cli/watch_test.cpp)
+marrow_test(marrow_cli_tests cli
+  cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp
+  cli/bvh_test.cpp cli/cache_test.cpp cli/clip_pack_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
+  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/looks_test.cpp cli/movie_test.cpp
+  cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp cli/progress_test.cpp cli/report_test.cpp
+  cli/road_test.cpp cli/same_bytes_test.cpp cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
+  cli/support/cookings.cpp cli/support/process.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
   target_compile_definitions(marrow_cli_tests PRIVATE MARROW_HAS_GLES)
   if(TARGET marrow_view)
-    add_library(marrow_reset_shim MODULE cli/reset_shim.cpp)
+    add_library(marrow_reset_shim MODULE cli/support/reset_shim.cpp)
     target_link_libraries(marrow_reset_shim PRIVATE ${CMAKE_DL_LIBS})
     marrow_warnings(marrow_reset_shim)
-    add_library(marrow_hand_shim MODULE cli/hand_shim.cpp)
+    add_library(marrow_hand_shim MODULE cli/support/hand_shim.cpp)
     target_link_libraries(marrow_hand_shim PRIVATE ${CMAKE_DL_LIBS})
     marrow_warnings(marrow_hand_shim)
     add_dependencies(marrow_cli_tests marrow_reset_shim marrow_hand_shim)
@@ -98,13 +113,13 @@ if(MARROW_GLES AND TARGET marrow_view)
 endif()
 # It takes the place of malloc, as sanitizers do.
 if(NOT MARROW_SANITIZE)
-  add_library(marrow_fault_shim MODULE cli/fault_shim.cpp)
+  add_library(marrow_fault_shim MODULE cli/support/fault_shim.cpp)
   target_link_libraries(marrow_fault_shim PRIVATE ${CMAKE_DL_LIBS})
   marrow_warnings(marrow_fault_shim)
   add_dependencies(marrow_cli_tests marrow_fault_shim)
   target_sources(marrow_cli_tests PRIVATE cli/faults_test.cpp)
   # It calls what it stands for: no compiler may know what that gives.
-  add_library(marrow_last_bit_shim MODULE cli/last_bit_shim.cpp)
+  add_library(marrow_last_bit_shim MODULE cli/support/last_bit_shim.cpp)
   target_link_libraries(marrow_last_bit_shim PRIVATE ${CMAKE_DL_LIBS})
   target_compile_options(marrow_last_bit_shim PRIVATE -fno-builtin)
   marrow_warnings(marrow_last_bit_shim)

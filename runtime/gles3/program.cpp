@@ -3,7 +3,7 @@
 #include "core/mark.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
-#include "gles3/self_test_key.h"
+#include "gles3/self_test/self_test_key.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_skin[];

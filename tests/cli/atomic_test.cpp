@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/process.h"
+#include "cli/support/process.h"
 #include "support/places.h"
 
 namespace marrow::test {

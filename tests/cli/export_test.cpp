@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/process.h"
+#include "cli/support/process.h"
 #include "road/reference.h"
 #include "support/places.h"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "cli/process.h"
+#include "cli/support/process.h"
 
 namespace marrow::test {
 namespace {

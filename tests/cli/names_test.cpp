@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/process.h"
+#include "cli/support/process.h"
 #include "marrow/version.h"
 
 namespace marrow::test {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/cookings.h"
+#include "cli/support/cookings.h"
 #include "support/places.h"
 
 namespace marrow::test {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/cookings.h"
-#include "cli/process.h"
+#include "cli/support/cookings.h"
+#include "cli/support/process.h"
 #include "support/json_schema.h"
 #include "support/places.h"
 

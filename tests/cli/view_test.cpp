@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "cli/process.h"
+#include "cli/support/process.h"
 #include "support/places.h"
 
 namespace marrow::test {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "gl/misuse/paper_driver.h"
-#include "gles3/self_test_key.h"
+#include "gles3/self_test/self_test_key.h"
 #include "marrow/gles3_self_test.h"
 
 namespace {

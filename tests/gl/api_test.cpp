@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "gl/faulty_driver.h"
-#include "gl/models.h"
-#include "gl/troop.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/models.h"
+#include "gl/support/troop.h"
 #include "marrow/gles3_skinner.h"
 #include "support/rig.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/models.h"
+#include "gl/support/models.h"
 #include "marrow/skin.h"
 #include "pose/evaluate.h"
 #include "render/heat.h"

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/faulty_driver.h"
-#include "gl/models.h"
-#include "gl/stage.h"
-#include "gl/troop.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/models.h"
+#include "gl/support/stage.h"
+#include "gl/support/troop.h"
 #include "marrow/marrow.h"
 #include "support/places.h"
 

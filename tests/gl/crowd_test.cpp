@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/crowd_worst.h"
-#include "gl/models.h"
-#include "gl/troop.h"
+#include "gl/support/crowd_worst.h"
+#include "gl/support/models.h"
+#include "gl/support/troop.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
 #include "support/places.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/troop.h"
+#include "gl/support/troop.h"
 #include "support/allocations.h"
 #include "support/rig.h"
 

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/feedback.h"
-#include "gl/rendered.h"
+#include "gl/support/feedback.h"
+#include "gl/support/rendered.h"
 
 namespace marrow::cook {
 namespace {

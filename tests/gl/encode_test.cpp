@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/worst.h"
+#include "gl/support/worst.h"
 #include "support/rig.h"
 
 namespace marrow::test {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "gl/faulty_driver.h"
-#include "gl/feedback.h"
-#include "gl/reports.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/feedback.h"
+#include "gl/support/reports.h"
 
 namespace marrow::test {
 namespace {

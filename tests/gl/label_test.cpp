@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/faulty_driver.h"
-#include "gl/models.h"
-#include "gl/self_test_run.h"
-#include "gl/troop.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/models.h"
+#include "gl/support/self_test_run.h"
+#include "gl/support/troop.h"
 #include "marrow/gles3_crowd.h"
 #include "support/rig.h"
 

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/crowd_worst.h"
-#include "gl/models.h"
-#include "gl/stage.h"
-#include "gl/troop.h"
+#include "gl/support/crowd_worst.h"
+#include "gl/support/models.h"
+#include "gl/support/stage.h"
+#include "gl/support/troop.h"
 #include "gles3/compile.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"

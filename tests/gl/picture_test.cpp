@@ -14,8 +14,8 @@
 #include <unistd.h>
 
 #include "cook/cook.h"
-#include "gl/feedback.h"
-#include "gl/models.h"
+#include "gl/support/feedback.h"
+#include "gl/support/models.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
 #include "support/places.h"

@@ -5,9 +5,9 @@
 
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
-#include "gl/feedback.h"
-#include "gl/models.h"
-#include "gl/worst.h"
+#include "gl/support/feedback.h"
+#include "gl/support/models.h"
+#include "gl/support/worst.h"
 #include "pose/evaluate.h"
 #include "render/performance.h"
 #include "support/aligned.h"

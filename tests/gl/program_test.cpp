@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/feedback.h"
+#include "gl/support/feedback.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "gl/models.h"
+#include "gl/support/models.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
 

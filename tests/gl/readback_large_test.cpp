@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/crowd_worst.h"
-#include "gl/models.h"
+#include "gl/support/crowd_worst.h"
+#include "gl/support/models.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/feedback.h"
-#include "gl/models.h"
-#include "gl/worst.h"
+#include "gl/support/feedback.h"
+#include "gl/support/models.h"
+#include "gl/support/worst.h"
 #include "pose/evaluate.h"
 #include "render/performance.h"
 #include "support/millipede.h"

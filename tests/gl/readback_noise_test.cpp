@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "gl/feedback.h"
-#include "gl/models.h"
-#include "gl/worst.h"
+#include "gl/support/feedback.h"
+#include "gl/support/models.h"
+#include "gl/support/worst.h"
 #include "marrow/gles3_skinner.h"
 #include "support/aligned.h"
 #include "support/morphs.h"

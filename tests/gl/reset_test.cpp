@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/faulty_driver.h"
-#include "gl/feedback.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/feedback.h"
 #include "marrow/egl.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <thread>
 
-#include "gl/self_test_run.h"
+#include "gl/support/self_test_run.h"
 
 namespace marrow::test {
 namespace {

@@ -1,7 +1,7 @@
 // Drivers that are broken in one way each, made from the one at hand: the self-test must find just that.
 #include <string>
 
-#include "gl/self_test_run.h"
+#include "gl/support/self_test_run.h"
 
 namespace marrow::test {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/faulty_driver.h"
-#include "gl/feedback.h"
-#include "gl/models.h"
-#include "gl/reports.h"
-#include "gl/stage.h"
+#include "gl/support/faulty_driver.h"
+#include "gl/support/feedback.h"
+#include "gl/support/models.h"
+#include "gl/support/reports.h"
+#include "gl/support/stage.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"

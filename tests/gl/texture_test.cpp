@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "gl/rendered.h"
+#include "gl/support/rendered.h"
 
 namespace marrow::cook {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gl/rendered.h"
+#include "gl/support/rendered.h"
 
 namespace marrow::cook {
 namespace {

@@ -63,7 +63,7 @@ struct Ring {
   }
 };
 
-// What the cooker's encoder makes of it: tests/unit/cook/residual_apart_test.cpp.
+// What the cooker's encoder makes of it: tests/unit/cook/mesh/residual_apart_test.cpp.
 inline constexpr std::uint8_t kRingBits[] = {
     222, 203, 1,   0,   244, 178, 74,  26,  13,  165, 145, 93,  162, 49,  4,   140, 131, 41,  34,  100,
     100, 2,   115, 82,  167, 179, 174, 211, 105, 251, 43,  91,  12,  105, 121, 175, 198, 138, 154, 98,

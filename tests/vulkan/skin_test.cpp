@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/memory.h"
-#include "gles3/self_test_mesh.h"
+#include "gles3/self_test/self_test_mesh.h"
 #include "marrow/gles3_skinned.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"

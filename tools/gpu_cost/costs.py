@@ -159,7 +159,7 @@ def tell(costs):
 def texts():
     """What the programs are made of, as a hash: of shaders, and of the sources that put them together."""
     made_of = hashlib.sha256()
-    sources = ["runtime/gles3/program.cpp", "runtime/gles3/preskin.cpp", "runtime/gles3/crowd.cpp", "tools/gpu_cost/gpu_cost.cpp"]
+    sources = ["runtime/gles3/program.cpp", "runtime/gles3/preskin.cpp", "runtime/gles3/crowd/crowd.cpp", "tools/gpu_cost/gpu_cost.cpp"]
     shaders = ["skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag"]
     for name in sources + [f"shaders/{name}" for name in shaders]:
         made_of.update((ROOT / name).read_bytes())

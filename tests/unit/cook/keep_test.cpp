@@ -4,7 +4,7 @@
 #include "common/aligned_bytes.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
-#include "unit/cook/gltf_document.h"
+#include "unit/cook/gltf/document.h"
 
 namespace marrow::cook {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/cook/gltf_document.h"
+#include "unit/cook/gltf/document.h"
 
 namespace marrow::cook {
 

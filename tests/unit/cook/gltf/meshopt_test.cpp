@@ -1,0 +1,336 @@
+// Reading glTF: views that EXT_meshopt_compression or KHR_meshopt_compression compresses. Streams are made by
+// meshoptimizer's own encoders; filters are held against its decoders and against hand arithmetic.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <meshoptimizer.h>
+
+#include "cook/gltf/document/meshopt_filters.h"
+#include "support/rig.h"
+#include "unit/cook/gltf/document.h"
+
+namespace marrow::cook {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+Bytes encode_attributes(const std::byte* from, std::size_t count, std::size_t stride) {
+  std::vector<unsigned char> coded(meshopt_encodeVertexBufferBound(count, stride));
+  coded.resize(meshopt_encodeVertexBuffer(coded.data(), coded.size(), from, count, stride));
+  const auto* begin = reinterpret_cast<const std::byte*>(coded.data());
+  return {begin, begin + coded.size()};
+}
+
+Bytes encode_indices(const std::vector<std::uint32_t>& indices, bool as_triangles) {
+  std::vector<unsigned char> coded(as_triangles ? meshopt_encodeIndexBufferBound(indices.size(), 65536)
+                                                : meshopt_encodeIndexSequenceBound(indices.size(), 65536));
+  const std::uint32_t* from = indices.data();
+  coded.resize(as_triangles ? meshopt_encodeIndexBuffer(coded.data(), coded.size(), from, indices.size())
+                            : meshopt_encodeIndexSequence(coded.data(), coded.size(), from, indices.size()));
+  const auto* begin = reinterpret_cast<const std::byte*>(coded.data());
+  return {begin, begin + coded.size()};
+}
+
+// skinned() with a compressed view in the place of each plain one: what is plain lies in a buffer without bytes.
+Json compressed(const std::string& name, bool as_triangles = true) {
+  Builder plain = skinned();
+  Builder coded;
+  Json root = plain.root;
+  const std::size_t strides[] = {12, 4, 16, 2, 64, 4, 16};
+  for (std::size_t v = 0; v < root["bufferViews"].size(); ++v) {
+    Json& view = root["bufferViews"][v];
+    const std::size_t stride = strides[v], count = view["byteLength"].get<std::size_t>() / stride;
+    const std::byte* from = plain.bytes.data() + view["byteOffset"].get<std::size_t>();
+    const bool are_indices = stride == 2;
+    const std::vector<std::uint32_t> indices = {0, 1, 2, 1, 3, 2};
+    const int at =
+        coded.view(are_indices ? encode_indices(indices, as_triangles) : encode_attributes(from, count, stride));
+    Json extension = coded.root["bufferViews"][static_cast<std::size_t>(at)];
+    extension.update({{"byteStride", stride},
+                      {"count", count},
+                      {"mode", !are_indices   ? "ATTRIBUTES"
+                               : as_triangles ? "TRIANGLES"
+                                              : "INDICES"}});
+    view["buffer"] = 1;
+    view["extensions"][name] = extension;
+  }
+  root["extensionsUsed"] = root["extensionsRequired"] = {name};
+  root["buffers"] = Json::parse(coded.text())["buffers"];
+  root["buffers"].push_back({{"byteLength", plain.bytes.size()}, {"extensions", {{name, {{"fallback", true}}}}}});
+  return root;
+}
+
+// A triangle's corners from the least one on: the codec may turn it.
+std::vector<std::array<std::uint32_t, 3>> triangles(const RawPrimitive& primitive) {
+  std::vector<std::array<std::uint32_t, 3>> found;
+  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+    std::array<std::uint32_t, 3> corners = {primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]};
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
+    found.push_back(corners);
+  }
+  return found;
+}
+
+TEST(GltfMeshopt, ViewsAreDecoded) {
+  Builder b = skinned();
+  const RawScene plain = read(b);
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    for (const bool as_triangles : {true, false}) {
+      const RawScene scene = read_text(compressed(name, as_triangles).dump());
+      EXPECT_TRUE(scene.warnings.empty());
+      const RawPrimitive &ours = scene.meshes.at(0).primitives.at(0), &theirs = plain.meshes[0].primitives[0];
+      EXPECT_EQ(ours.positions, theirs.positions);
+      EXPECT_EQ(triangles(ours), triangles(theirs));
+      ASSERT_EQ(ours.influences.size(), theirs.influences.size());
+      for (std::size_t v = 0; v < ours.influences.size(); ++v) {
+        ASSERT_EQ(ours.influences[v].size(), theirs.influences[v].size());
+        for (std::size_t i = 0; i < ours.influences[v].size(); ++i) {
+          EXPECT_EQ(ours.influences[v][i].joint, theirs.influences[v][i].joint);
+          EXPECT_EQ(ours.influences[v][i].weight, theirs.influences[v][i].weight);
+        }
+      }
+      EXPECT_EQ(scene.skins.at(0).inverse_bind, plain.skins[0].inverse_bind);
+      EXPECT_EQ(scene.clips.at(0).channels.at(0).values, plain.clips[0].channels[0].values);
+      EXPECT_EQ(scene.clips.at(0).channels.at(0).times_s, plain.clips[0].channels[0].times_s);
+    }
+  }
+}
+
+TEST(GltfMeshopt, FallbacksAreNotRead) {
+  Json root = compressed("EXT_meshopt_compression");
+  const std::size_t length = root["buffers"][1]["byteLength"];
+  root["buffers"][1]["uri"] = "data:application/octet-stream;base64," + base64(Bytes(length));
+  EXPECT_EQ(read_text(root.dump()).meshes.at(0).primitives.at(0).positions.at(3), glm::vec3(3, 9, 0));
+}
+
+struct BadView {
+  const char* patch;  // RFC 6902, applied to compressed(); V is the first view's extension
+  Exit code;
+  const char* where;  // below the view
+  const char* rule;
+};
+
+const BadView kBadViews[] = {
+    {R"([{"op":"replace","path":"V/mode","value":"POINTS"}])", Exit::invalid, "/mode", "unknown value"},
+    {R"([{"op":"replace","path":"V/mode","value":7}])", Exit::invalid, "/mode", "wrong type"},
+    {R"([{"op":"remove","path":"V/mode"}])", Exit::invalid, "/mode", "missing"},
+    {R"([{"op":"add","path":"V/filter","value":"SOFT"}])", Exit::invalid, "/filter", "unknown value"},
+    {R"([{"op":"add","path":"V/filter","value":"QUATERNION"}])", Exit::invalid, "/filter", "not as the extension"},
+    {R"([{"op":"add","path":"V/filter","value":"COLOR"}])", Exit::invalid, "/filter", "not as the extension"},
+    {R"([{"op":"replace","path":"V/mode","value":"INDICES"}])", Exit::invalid, "/byteStride", "not as the extension"},
+    {R"([{"op":"replace","path":"V/byteStride","value":6}])", Exit::invalid, "/byteStride", "not as the extension"},
+    {R"([{"op":"replace","path":"V/byteStride","value":260}])", Exit::invalid, "/byteStride", "out of range"},
+    {R"([{"op":"replace","path":"V/count","value":5}])", Exit::invalid, "/count", "not as the extension"},
+    {R"([{"op":"replace","path":"V/count","value":9007199254740991}])", Exit::invalid, "/count",
+     "not as the extension"},
+    {R"([{"op":"replace","path":"V/count","value":0}])", Exit::invalid, "/count", "out of range"},
+    {R"([{"op":"replace","path":"V/buffer","value":2}])", Exit::invalid, "/buffer", "reference to nothing"},
+    {R"([{"op":"replace","path":"V/buffer","value":1}])", Exit::invalid, "/buffer", "no data"},
+    {R"([{"op":"replace","path":"V/byteLength","value":100000}])", Exit::invalid, "/byteLength", "beyond the buffer"},
+    {R"([{"op":"replace","path":"V/byteOffset","value":9007199254740991}])", Exit::invalid, "/byteLength",
+     "beyond the buffer"},
+    {R"([{"op":"replace","path":"V/byteLength","value":4}])", Exit::invalid, "", "damaged meshopt data"},
+    {R"([{"op":"replace","path":"V/byteOffset","value":1}])", Exit::invalid, "", "damaged meshopt data"},
+};
+
+TEST(GltfMeshopt, WhatCannotBeIsLocated) {
+  const std::string view = "/bufferViews/0/extensions/EXT_meshopt_compression";
+  std::size_t checked = 0;
+  for (const BadView& bad : kBadViews) {
+    SCOPED_TRACE(bad.patch);
+    std::string patch = bad.patch;
+    for (std::size_t at; (at = patch.find("\"V/")) != std::string::npos;) patch.replace(at + 1, 1, view);
+    const Json root = compressed("EXT_meshopt_compression").patch(Json::parse(patch));
+    expect_failure([&] { read_text(root.dump()); }, bad.code, view + bad.where, bad.rule);
+    ++checked;
+  }
+  EXPECT_EQ(checked, std::size(kBadViews));
+  Json root = compressed("EXT_meshopt_compression");
+  root["bufferViews"][3]["extensions"]["EXT_meshopt_compression"]["filter"] = "OCTAHEDRAL";
+  expect_refused(root.dump(), Exit::invalid, "/bufferViews/3/extensions/EXT_meshopt_compression/filter", "");
+  root = compressed("EXT_meshopt_compression");
+  root["bufferViews"][0]["byteStride"] = 16;
+  expect_refused(root.dump(), Exit::invalid, view + "/byteStride", "not as the extension");
+}
+
+// Bytes of the compressed document's buffer, as it has them.
+Bytes coded_bytes(const Json& root) {
+  std::string text = root["buffers"][0]["uri"];
+  text.erase(0, text.find(',') + 1);
+  Bytes bytes;
+  unsigned bits = 0, held = 0;
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (const char c : text) {
+    if (c == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(digits.find(c));
+    if ((held += 6) >= 8) bytes.push_back(static_cast<std::byte>(bits >> (held -= 8)));
+  }
+  return bytes;
+}
+
+TEST(GltfMeshopt, DamageIsReadOrLocated) {
+  const Json whole = compressed("EXT_meshopt_compression");
+  const Bytes bytes = coded_bytes(whole);
+  std::size_t read_anyway = 0, refused = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    for (const int flip : {1, 0x80, 0xFF}) {
+      Bytes damaged = bytes;
+      damaged[at] ^= std::byte(flip);
+      Json root = whole;
+      root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(damaged);
+      try {
+        read_text(root.dump());
+        ++read_anyway;
+      } catch (const Failure& failure) {
+        EXPECT_FALSE(failure.where().empty());
+        ++refused;
+      }
+    }
+  }
+  EXPECT_EQ(read_anyway + refused, 3 * bytes.size());
+  EXPECT_GT(refused, bytes.size() / 4);
+}
+
+TEST(GltfMeshopt, EveryPrefixIsRefused) {
+  const Json whole = compressed("KHR_meshopt_compression");
+  std::size_t refused = 0;
+  for (std::size_t v = 0; v < whole["bufferViews"].size(); ++v) {
+    const Json& extension = whole["bufferViews"][v]["extensions"]["KHR_meshopt_compression"];
+    for (std::size_t length = 1; length < extension["byteLength"].get<std::size_t>(); ++length) {
+      Json root = whole;
+      root["bufferViews"][v]["extensions"]["KHR_meshopt_compression"]["byteLength"] = length;
+      expect_refused(root.dump(), Exit::invalid,
+                     "/bufferViews/" + std::to_string(v) + "/extensions/KHR_meshopt_compression",
+                     "damaged meshopt data");
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 100U);
+}
+
+TEST(GltfMeshopt, NewerStreamsAreUnsupported) {
+  Json root = compressed("KHR_meshopt_compression");
+  Bytes bytes = coded_bytes(root);
+  ASSERT_EQ(bytes[0], std::byte{0xA0});
+  bytes[0] = std::byte{0xA1};
+  root["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
+  expect_refused(root.dump(), Exit::unsupported, "/bufferViews/0/extensions/KHR_meshopt_compression", "version 1");
+}
+
+// A few bytes may stand for many, but memory is not for the asking.
+TEST(GltfMeshopt, WhatUnfoldsTooFarIsRefused) {
+  const std::size_t count = 1 << 20;
+  const Bytes coded = encode_attributes(Bytes(count * 64).data(), count, 64);
+  ASSERT_LT(coded.size() * 16, count * 64);
+  Builder b;
+  const std::size_t at = static_cast<std::size_t>(b.view(coded));
+  Json extension = b.root["bufferViews"][at];
+  extension.update({{"byteStride", 64}, {"count", count}, {"mode", "ATTRIBUTES"}});
+  Json root = Json::parse(b.text());
+  root["buffers"].push_back({{"byteLength", count * 64}});
+  root["bufferViews"][at] = {
+      {"buffer", 1}, {"byteLength", count * 64}, {"extensions", {{"EXT_meshopt_compression", extension}}}};
+  root["extensionsUsed"] = {"EXT_meshopt_compression"};
+  const std::string where = "/bufferViews/0/extensions/EXT_meshopt_compression";
+  expect_refused(root.dump(), Exit::unsupported, where, "unfolds too far");
+  Json& lying = root["bufferViews"][at]["extensions"]["EXT_meshopt_compression"];
+  lying["count"] = root["bufferViews"][at]["byteLength"] = 1 << 14;
+  lying["byteStride"] = 256;
+  lying["byteLength"] = 64;
+  root["bufferViews"][at]["byteLength"] = (1 << 14) * 256;
+  expect_refused(root.dump(), Exit::invalid, where, "damaged meshopt data");
+}
+
+// Four unit vectors and more in K bits, by the library's encoder; its decoder may be off by one unit.
+template <class T>
+void expect_directions(int bits) {
+  test::Random random(7);
+  std::vector<float> directions;
+  for (int i = 0; i < 400; ++i) {
+    const glm::vec3 v = glm::normalize(
+        glm::vec3(random.between(-1, 1), random.between(-1, 1), i % 50 == 0 ? 0 : random.between(-1, 1)));
+    directions.insert(directions.end(), {v.x, v.y, v.z, i % 2 == 0 ? 1.0F : -1.0F});
+  }
+  std::vector<T> coded(directions.size());
+  meshopt_encodeFilterOct(coded.data(), 400, 4 * sizeof(T), bits, directions.data());
+  std::vector<T> theirs = coded, ours = coded;
+  meshopt_decodeFilterOct(theirs.data(), 400, 4 * sizeof(T));
+  gltf::unfold_octahedra(std::as_writable_bytes(std::span(ours)), 4 * sizeof(T));
+  const double one = std::numeric_limits<T>::max(), coarse = 2.0 / (1 << (bits - 1)) + 1 / one;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    EXPECT_LE(std::abs(ours[i] - theirs[i]), 1) << i;
+    if (i % 4 == 3) {
+      EXPECT_EQ(ours[i], coded[i]);
+    } else {
+      EXPECT_NEAR(ours[i] / one, directions[i], coarse) << i;
+    }
+  }
+}
+
+TEST(GltfMeshopt, Octahedra) {
+  expect_directions<std::int8_t>(8);
+  expect_directions<std::int8_t>(6);
+  expect_directions<std::int16_t>(12);
+  expect_directions<std::int16_t>(16);
+  std::array<std::int8_t, 8> none = {1, 2, 0, 9, -128, -128, -128, 9};
+  gltf::unfold_octahedra(std::as_writable_bytes(std::span(none)), 4);
+  EXPECT_EQ(none[3], 9);
+}
+
+TEST(GltfMeshopt, Quaternions) {
+  test::Random random(8);
+  std::vector<float> rotations;
+  for (int i = 0; i < 400; ++i) {
+    glm::vec4 q(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+    q /= glm::length(q);
+    rotations.insert(rotations.end(), {q.x, q.y, q.z, q.w});
+  }
+  for (const int bits : {6, 12, 16}) {
+    std::vector<std::int16_t> coded(rotations.size());
+    meshopt_encodeFilterQuat(coded.data(), 400, 8, bits, rotations.data());
+    std::vector<std::int16_t> theirs = coded, ours = coded;
+    meshopt_decodeFilterQuat(theirs.data(), 400, 8);
+    gltf::restore_quaternions(std::as_writable_bytes(std::span(ours)));
+    for (std::size_t i = 0; i < ours.size(); i += 4) {
+      double cosine = 0;
+      for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_LE(std::abs(ours[i + c] - theirs[i + c]), 1) << i;
+        cosine += ours[i + c] / 32767.0 * double{rotations[i + c]};
+      }
+      EXPECT_GE(std::abs(cosine), 1 - 4.0 / (1 << (2 * bits - 2)) - 1e-4) << "the same turn, of either sign";
+    }
+  }
+}
+
+TEST(GltfMeshopt, Exponents) {
+  std::vector<float> numbers = {0, 1, -1, 0.1F, -3e10F, 1e-10F, 65504, -1.0F / 3};
+  std::vector<std::uint32_t> coded(numbers.size());
+  meshopt_encodeFilterExp(coded.data(), 2, 16, 23, numbers.data());
+  std::vector<std::uint32_t> theirs = coded, ours = coded;
+  meshopt_decodeFilterExp(theirs.data(), 2, 16);
+  gltf::restore_exponents(std::as_writable_bytes(std::span(ours)));
+  EXPECT_EQ(ours, theirs) << "exactly";
+  std::uint32_t half = 0xFF000003;  // 2^-1 · 3
+  gltf::restore_exponents(std::as_writable_bytes(std::span(&half, 1)));
+  EXPECT_EQ(std::bit_cast<float>(half), 1.5F);
+}
+
+// Luma and chromas by hand: r = y + o − g, green = y + g, b = y − o − g.
+TEST(GltfMeshopt, Colours) {
+  std::array<std::uint8_t, 12> four = {113, 74, 243 /* −13 */, 255, 31, 16, 240 /* −16 */, 32, 9, 9, 9, 0};
+  gltf::restore_colours(std::as_writable_bytes(std::span(four)), 4);
+  EXPECT_EQ(four, (std::array<std::uint8_t, 12>{200, 100, 52, 255, 255, 61, 125, 0, 0, 0, 0, 0}));
+  std::array<std::uint16_t, 4> eight = {1000, 24, 65036 /* −500 */, 0x0FFF};  // twelve bits
+  gltf::restore_colours(std::as_writable_bytes(std::span(eight)), 8);
+  EXPECT_EQ(eight, (std::array<std::uint16_t, 4>{24390, 8002, 23621, 65535}));
+}
+
+}  // namespace
+}  // namespace marrow::cook

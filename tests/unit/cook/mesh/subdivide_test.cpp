@@ -1,0 +1,244 @@
+// The finer mesh, from the option to what the runtime draws, beside Loop's scheme on what it drew before.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <glm/geometric.hpp>
+
+#include "cook/cook.h"
+#include "cook/gltf/read.h"
+#include "cook/mesh/subdivide_mesh.h"
+#include "support/places.h"
+#include "unit/cook/loaded_cook.h"
+#include "unit/cook/mesh/looped.h"
+
+namespace marrow::cook {
+namespace {
+
+const std::string kTiny = test::in_golden("tiny.gltf");
+const std::string kNewt = test::newt_glb();
+
+std::uint32_t slot_of(const Geometry& g, std::size_t corner) {
+  std::uint32_t out = 0;
+  std::memcpy(&out, static_cast<const std::byte*>(g.indices) + corner * g.index_bytes, g.index_bytes);
+  return out;
+}
+
+// The bind pose, a slot each.
+Places bind_places(const Geometry& g) {
+  Places out;
+  const float* block = g.skin;
+  for (const Run& run : g.runs)
+    for (std::uint32_t v = 0; v < run.vertex_count; v += 4, block += 12 + 4 * (run.influences - 1))
+      for (std::size_t lane = 0; lane < 4; ++lane) out.emplace_back(block[lane], block[4 + lane], block[8 + lane]);
+  return out;
+}
+
+// A cooked mesh as a net: slots at one place are one point.
+struct Welded {
+  explicit Welded(const Geometry& g) {
+    const Places bind = bind_places(g);
+    std::map<std::tuple<double, double, double>, std::uint32_t> points;
+    for (std::uint32_t s = 0; s < g.slot_count; ++s) {
+      const glm::dvec3& v = bind[s];
+      const auto [at, is_new] = points.try_emplace({v.x, v.y, v.z}, static_cast<std::uint32_t>(slots.size()));
+      if (is_new) {
+        slots.push_back(s);
+        net.at.push_back(v);
+      }
+      point_of.push_back(at->second);
+    }
+    for (std::size_t i = 0; i < g.index_count; i += 3)
+      net.triangles.push_back({point_of[slot_of(g, i)], point_of[slot_of(g, i + 1)], point_of[slot_of(g, i + 2)]});
+  }
+  // The same net elsewhere.
+  Net placed(const std::vector<glm::vec3>& posed) const {
+    Net out = net;
+    for (std::size_t p = 0; p < slots.size(); ++p) out.at[p] = posed[slots[p]];
+    return out;
+  }
+  Net net;
+  std::vector<std::uint32_t> slots, point_of;  // of a point the first slot; of a slot the point
+};
+
+CookOptions finer(int steps, MeshCodec codec = MeshCodec::none, bool fits = true) {
+  CookOptions options;
+  options.subdivide = steps;
+  options.mesh_codec = codec;
+  options.raw_clips = true;
+  if (fits) {
+    options.learn.animation_space = AnimationSpace::fit;
+    options.learn.truth = Truth::dual_quaternions;
+    options.learn.helpers = kAutoHelpers;
+  }
+  return options;
+}
+
+const LoadedCook& fitted_newt() {
+  static const LoadedCook cooked(cook_file(kNewt, finer(0)));
+  return cooked;
+}
+
+// Fitted and once subdivided, which takes seconds, and minutes under sanitizers: each once.
+const CookResult& finer_newt(MeshCodec codec) {
+  static std::map<MeshCodec, CookResult> made;
+  const auto at = made.find(codec);
+  return at != made.end() ? at->second : made.emplace(codec, cook_file(kNewt, finer(1, codec))).first->second;
+}
+
+// How far the body, cooked finer, is from Loop's scheme on the posed coarse one, at four moments of each clip.
+struct Distance {
+  double rms = 0, worst = 0;
+  double off = 0;  // share of vertices that are ever further than single precision explains
+};
+
+Distance distance_from_loop(const File& coarse, const File& fine, double match_within, int steps = 1) {
+  const Mesh before = coarse.mesh(0), after = fine.mesh(0);
+  const Welded welded(before.geometry);
+  const auto times_looped = [&](Net net) {
+    for (int i = 0; i < steps; ++i) net = looped(net);
+    return net.at;
+  };
+  const std::vector<std::uint32_t> which = nearest(bind_places(after.geometry), times_looped(welded.net), match_within);
+  Distance out;
+  std::size_t count = 0;
+  std::vector<double> worst(which.size(), 0);
+  for (std::uint32_t clip = 0; clip < coarse.clip_count(); ++clip)
+    for (const float share : {0.0f, 0.3f, 0.55f, 0.8f}) {
+      const float time_s = share * coarse.clip(clip).duration_s;
+      const Places wanted = times_looped(welded.placed(skins_at(coarse, clip, time_s, before).as));
+      const std::vector<glm::vec3> got = skins_at(fine, clip, time_s, after).as;
+      for (std::size_t s = 0; s < got.size(); ++s, ++count) {
+        const double d = glm::length(glm::dvec3(got[s]) - wanted[which[s]]);
+        worst[s] = std::max(worst[s], d);
+        out.rms += d * d;
+      }
+    }
+  out.rms = std::sqrt(out.rms / static_cast<double>(count));
+  out.worst = std::ranges::max(worst);
+  out.off = static_cast<double>(std::ranges::count_if(worst, [](double d) { return d > 2e-6; })) /
+            static_cast<double>(worst.size());
+  return out;
+}
+
+// The newt measures 1.6 m. Without quantisation single precision is left, and points that would follow nine palette
+// entries or more. Neighbours follow different helpers, so that is one in twelve, 0.005 mm RMS and 0.34 mm at worst.
+constexpr double kMostOff = 0.1;
+
+TEST(CookSubdivide, PosingTheFinerNewtIsSubdividingThePosedOne) {
+  const LoadedCook fine(finer_newt(MeshCodec::none));
+  ASSERT_NE(fine.file.mesh(0).geometry.as_residual, nullptr);
+  ASSERT_GT(fine.file.mesh(0).helpers.size, 0u);
+  EXPECT_EQ(fine.report["warnings"][0]["rule"], "influences-dropped");
+  const Distance distance = distance_from_loop(fitted_newt().file, fine.file, 1e-6);
+  EXPECT_LT(distance.off, kMostOff);
+  EXPECT_LT(distance.rms, 6e-6);
+  EXPECT_LT(distance.worst, 4e-4);
+}
+
+// Packed, positions are rounded by up to 0.09 mm, weights by 1/4000 of how far joints take a vertex apart, residuals by
+// a quarter of what the fit leaves, an influence each. The coarse newt is then 0.14 mm off, 1.2 mm at worst.
+TEST(CookSubdivide, SoItIsPacked) {
+  const LoadedCook fine(finer_newt(MeshCodec::meshopt));
+  const Distance distance = distance_from_loop(fitted_newt().file, fine.file, 2e-4);
+  EXPECT_LT(distance.rms, 2e-4);
+  EXPECT_LT(distance.worst, 2.5e-3);
+}
+
+TEST(CookSubdivide, SoItIsTwice) {
+  CookOptions options = finer(0, MeshCodec::none, false);
+  options.learn.animation_space = AnimationSpace::smooth;
+  const LoadedCook coarse(cook_file(kTiny, options));
+  options.subdivide = 2;
+  const LoadedCook fine(cook_file(kTiny, options));
+  ASSERT_NE(fine.file.mesh(0).geometry.as_residual, nullptr);
+  const Distance distance = distance_from_loop(coarse.file, fine.file, 1e-5, 2);
+  EXPECT_EQ(distance.off, 0);
+}
+
+// The lift is linear blend skinning of the finer mesh, which is nearly the posed mesh subdivided.
+TEST(CookSubdivide, TheLiftHasNoResidual) {
+  const LoadedCook coarse(cook_file(kNewt, finer(0, MeshCodec::none, false))),
+      fine(cook_file(kNewt, finer(1, MeshCodec::none, false)));
+  EXPECT_EQ(fine.file.mesh(0).geometry.as_residual, nullptr);
+  const Distance distance = distance_from_loop(coarse.file, fine.file, 1e-6);
+  EXPECT_GT(distance.off, 0.1);
+  EXPECT_LT(distance.rms, 3e-4);
+  EXPECT_LT(distance.worst, 5e-3);
+}
+
+// The left half of the body has vertices and UVs of its own.
+RawScene cut_newt() {
+  RawScene scene = read_gltf(kNewt);
+  RawPrimitive& p = scene.meshes[0].primitives[0];
+  const std::size_t count = p.positions.size();
+  const auto twice = [](auto& values) {
+    const auto copy = values;
+    values.insert(values.end(), copy.begin(), copy.end());
+  };
+  p.uvs.assign(count, glm::vec2(0));
+  twice(p.positions), twice(p.normals), twice(p.tangents), twice(p.uvs), twice(p.colours), twice(p.influences);
+  p.targets.clear();
+  for (std::size_t v = 0; v < p.uvs.size(); ++v) p.uvs[v] = {v < count ? 0 : 0.5f, p.positions[v].y};
+  for (std::size_t i = 0; i < p.indices.size(); i += 3)
+    if (p.positions[p.indices[i]].x + p.positions[p.indices[i + 1]].x + p.positions[p.indices[i + 2]].x > 0)
+      for (std::size_t k = 0; k < 3; ++k) p.indices[i + k] += static_cast<std::uint32_t>(count);
+  return scene;
+}
+
+TEST(CookSubdivide, SeamsStayClosed) {
+  const LoadedCook fine(cook_scene(cut_newt(), finer(1)));
+  const Mesh mesh = fine.file.mesh(0);
+  const Welded welded(mesh.geometry);
+  std::set<std::uint32_t> seam;
+  for (std::uint32_t clip = 0; clip < fine.file.clip_count(); ++clip) {
+    const std::vector<glm::vec3> posed = skins_at(fine.file, clip, 0.6f * fine.file.clip(clip).duration_s, mesh).as;
+    for (std::uint32_t s = 0; s < posed.size(); ++s) {
+      const std::uint32_t other = welded.slots[welded.point_of[s]];
+      EXPECT_EQ(posed[s], posed[other]);
+      if (mesh.geometry.uvs[std::size_t{2} * s] != mesh.geometry.uvs[std::size_t{2} * other]) seam.insert(s);
+    }
+  }
+  EXPECT_GT(seam.size(), 100u);
+  // And it is the body that it was without the seam.
+  EXPECT_LT(distance_from_loop(fitted_newt().file, fine.file, 1e-6).off, kMostOff);
+}
+
+class FinerCodecs : public testing::TestWithParam<MeshCodec> {};
+
+TEST_P(FinerCodecs, FourTimesTheTriangles) {
+  const CookResult before = cook_file(kTiny, finer(0, GetParam(), false));
+  std::size_t times = 1;
+  for (int steps = 1; steps <= kMostSubdivisions; ++steps) {
+    const LoadedCook after(cook_file(kTiny, finer(steps, GetParam(), false)));
+    times *= 4;
+    for (std::uint32_t m = 0; m < after.file.mesh_count(); ++m) {
+      const std::size_t triangles = before.report["meshes"][m]["triangles"];
+      EXPECT_EQ(after.report["meshes"][m]["source_triangles"], triangles);
+      EXPECT_EQ(after.report["meshes"][m]["triangles"], times * triangles);
+      EXPECT_EQ(after.file.mesh(m).geometry.index_count, 3 * times * triangles);
+    }
+  }
+  EXPECT_FALSE(before.report["meshes"][0].contains("source_triangles"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Codecs, FinerCodecs, testing::Values(MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt));
+
+// Levels are of the finer mesh.
+TEST(CookSubdivide, LevelsOfDetailFollow) {
+  CookOptions options = finer(1, MeshCodec::none, false);
+  options.lod = {{0.25}};
+  const LoadedCook fine(cook_file(kNewt, options));
+  const std::size_t triangles = fine.report["meshes"][0]["triangles"];
+  EXPECT_NEAR(fine.file.mesh(0, 1).geometry.index_count, 0.75 * static_cast<double>(triangles), 12);
+}
+
+TEST(CookSubdivide, SameBytesEveryTime) {
+  EXPECT_EQ(cook_file(kNewt, finer(1, MeshCodec::meshopt)).file, finer_newt(MeshCodec::meshopt).file);
+}
+
+}  // namespace
+}  // namespace marrow::cook
