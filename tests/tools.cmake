@@ -1,7 +1,6 @@
 # Tests of the cooker and of the program; included where the tools are built.
 # Names of their own that another test's file has as well.
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
-  unit/deform/deformers_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/clips_test.cpp unit/cook/gltf/draco_test.cpp

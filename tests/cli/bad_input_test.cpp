@@ -10,8 +10,6 @@
 namespace marrow::test {
 namespace {
 
-enum Code { kUsage = 1, kIo = 2, kInvalid = 3, kUnsupported = 4 };
-
 class BadInput : public ::testing::Test {
  protected:
   BadInput() {

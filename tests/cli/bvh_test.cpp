@@ -12,8 +12,6 @@
 namespace marrow::test {
 namespace {
 
-constexpr int kUsage = 1, kInvalid = 3;
-
 // The arm of tiny.gltf, called otherwise, and of twice its size.
 constexpr const char* kArm = R"(HIERARCHY
 ROOT cap:Shoulder

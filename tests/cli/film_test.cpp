@@ -36,7 +36,6 @@ bool have_ffmpeg() {
 class FilmTest : public ::testing::Test {
  protected:
   static constexpr double kWaveSeconds = 1.25;  // of the clip "wave" of tests/golden/tiny.gltf
-  static constexpr int kUsage = 1, kIo = 2, kUnsupported = 4, kInterrupted = 130;
 
   FilmTest() { EXPECT_EQ(run_marrow({"cook", tiny_gltf(), "-o", folder_ / "t.mrw"}).code, 0); }
   ~FilmTest() override { ::setenv("PATH", path_.c_str(), 1); }

@@ -18,8 +18,6 @@ TEST(Version, IsThatOfTheHeader) {
                          std::to_string(MARROW_VERSION_PATCH) + '\n');
 }
 
-constexpr int kUsage = 1, kIo = 2, kInvalid = 3, kUnsupported = 4;
-
 // The sample, with one coarser level.
 class Names : public ::testing::Test {
  protected:

@@ -8,6 +8,9 @@
 
 namespace marrow::test {
 
+// Exit codes that docs/reference/command_line.md promises.
+enum ExitCode { kUsage = 1, kIo = 2, kInvalid = 3, kUnsupported = 4, kInterrupted = 130 };
+
 struct Ran {
   int code = -1;  // exit code; 1000 + signal if killed
   std::string out, err;

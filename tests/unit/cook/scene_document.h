@@ -106,4 +106,12 @@ class SceneDocument {
   int prop_mesh_ = -1;
 };
 
+// How much a vertex of the first primitive follows a joint.
+inline double weight_of(const RawScene& scene, std::size_t vertex, std::uint32_t joint) {
+  double out = 0;
+  for (const RawInfluence& i : scene.meshes[0].primitives[0].influences[vertex])
+    if (i.joint == joint) out += static_cast<double>(i.weight);
+  return out;
+}
+
 }  // namespace marrow::cook

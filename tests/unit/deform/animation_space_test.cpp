@@ -8,8 +8,6 @@
 namespace marrow::deform {
 namespace {
 
-const Pose kBent = cylinder_pose(80 * kDegree, 50 * kDegree);
-
 TEST(AnimationSpace, LiftIsSsd) {
   const SkinnedMesh mesh = cylinder();
   const Coordinates lifted = lift(mesh);

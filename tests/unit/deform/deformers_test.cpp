@@ -9,8 +9,6 @@
 namespace marrow::deform {
 namespace {
 
-const Pose kBent = cylinder_pose(80 * kDegree, 50 * kDegree);
-
 std::vector<std::pair<const char*, Deformer>> all(const SkinnedMesh& mesh) {
   return {{"rigid", rigid(mesh)},
           {"ssd", ssd(mesh)},

@@ -16,12 +16,6 @@ double apart(const Matrix& a, const Matrix& b) {
   return worst;
 }
 
-// A turn about z through `centre`.
-Matrix about(const glm::dvec3& centre, double degrees) {
-  const glm::dquat q = turn(degrees, {0, 0, 1});
-  return matrix(q, centre - q * centre);
-}
-
 // Two joints that share vertices all the way from one to the other, and a third.
 SkinnedMesh strip(int vertices) {
   SkinnedMesh mesh;

@@ -29,6 +29,15 @@ inline glm::dquat turn(double degrees, const glm::dvec3& axis) {
   return glm::angleAxis(degrees * kDegree, glm::normalize(axis));
 }
 
+// A turn about z through `centre`.
+inline Matrix about(const glm::dvec3& centre, double degrees) {
+  const glm::dquat q = turn(degrees, {0, 0, 1});
+  return matrix(q, centre - q * centre);
+}
+
+// The cylinder bent and twisted, far but not too far.
+inline const Pose kBent = cylinder_pose(80 * kDegree, 50 * kDegree);
+
 // The cylinder's joints, both in its middle.
 inline const std::vector<int> kCylinderParents = {-1, 0};
 inline const std::vector<glm::dvec3> kCylinderCentres = {{0, 0, 0}, {0, 0, 0}};

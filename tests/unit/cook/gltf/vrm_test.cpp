@@ -5,8 +5,8 @@
 
 #include "marrow/limits.h"
 #include "marrow/marrow.h"
-#include "unit/cook/loaded_cook.h"
 #include "unit/cook/gltf/vrm_document.h"
+#include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
 namespace {

@@ -12,20 +12,20 @@ namespace {
 
 using cook::OwnedStreams;
 
-struct Followed {
+struct Influences {
   std::vector<std::int32_t> joints, weights;  // ascending; of all but the last
   std::size_t count = 1;                      // vertices alike
 };
 
 // Positions are 0; weights of 8 bits.
-OwnedStreams mesh_of(const std::vector<Followed>& vertices, std::uint32_t influences) {
+OwnedStreams mesh_of(const std::vector<Influences>& vertices, std::uint32_t influences) {
   OwnedStreams out;
   out.mesh.joint_count = 60;
   out.mesh.influences = influences;
   out.add(StreamKind::position, 3, 14);
   out.add(StreamKind::joints, influences, 15);
   out.add(StreamKind::weights, influences - 1, 8).step = 1.0f / 255;
-  for (const Followed& f : vertices)
+  for (const Influences& f : vertices)
     for (std::size_t i = 0; i < f.count; ++i, ++out.mesh.vertex_count) {
       out.values[0].insert(out.values[0].end(), 3, 0);
       for (std::size_t j = 0; j < influences; ++j) {
@@ -140,9 +140,9 @@ TEST(MergeRuns, EveryVertexGoesWhereItWentToTheBit) {
   std::size_t merged = 0;
   for (int round = 0; round < 40; ++round) {
     const std::uint32_t influences = 2 + random.below(7);
-    std::vector<Followed> vertices;
+    std::vector<Influences> vertices;
     for (int i = 0; i < 60; ++i) {
-      Followed& f = vertices.emplace_back();
+      Influences& f = vertices.emplace_back();
       const std::uint32_t first = random.below(20), count = 1 + random.below(influences);
       for (std::uint32_t j = 0; f.joints.size() < count; ++j)
         if (j + 1 >= count || random.below(2) == 0) f.joints.push_back(static_cast<std::int32_t>(first + j));

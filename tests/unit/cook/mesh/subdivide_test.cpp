@@ -19,7 +19,7 @@ namespace marrow::cook {
 namespace {
 
 const std::string kTiny = test::in_golden("tiny.gltf");
-const std::string kNewt = test::newt_glb();
+const std::string kNewtSource = test::newt_glb();
 
 std::uint32_t slot_of(const Geometry& g, std::size_t corner) {
   std::uint32_t out = 0;
@@ -78,7 +78,7 @@ CookOptions finer(int steps, MeshCodec codec = MeshCodec::none, bool fits = true
 }
 
 const LoadedCook& fitted_newt() {
-  static const LoadedCook cooked(cook_file(kNewt, finer(0)));
+  static const LoadedCook cooked(cook_file(kNewtSource, finer(0)));
   return cooked;
 }
 
@@ -86,7 +86,7 @@ const LoadedCook& fitted_newt() {
 const CookResult& finer_newt(MeshCodec codec) {
   static std::map<MeshCodec, CookResult> made;
   const auto at = made.find(codec);
-  return at != made.end() ? at->second : made.emplace(codec, cook_file(kNewt, finer(1, codec))).first->second;
+  return at != made.end() ? at->second : made.emplace(codec, cook_file(kNewtSource, finer(1, codec))).first->second;
 }
 
 // How far the body, cooked finer, is from Loop's scheme on the posed coarse one, at four moments of each clip.
@@ -161,8 +161,8 @@ TEST(CookSubdivide, SoItIsTwice) {
 
 // The lift is linear blend skinning of the finer mesh, which is nearly the posed mesh subdivided.
 TEST(CookSubdivide, TheLiftHasNoResidual) {
-  const LoadedCook coarse(cook_file(kNewt, finer(0, MeshCodec::none, false))),
-      fine(cook_file(kNewt, finer(1, MeshCodec::none, false)));
+  const LoadedCook coarse(cook_file(kNewtSource, finer(0, MeshCodec::none, false))),
+      fine(cook_file(kNewtSource, finer(1, MeshCodec::none, false)));
   EXPECT_EQ(fine.file.mesh(0).geometry.as_residual, nullptr);
   const Distance distance = distance_from_loop(coarse.file, fine.file, 1e-6);
   EXPECT_GT(distance.off, 0.1);
@@ -172,7 +172,7 @@ TEST(CookSubdivide, TheLiftHasNoResidual) {
 
 // The left half of the body has vertices and UVs of its own.
 RawScene cut_newt() {
-  RawScene scene = read_gltf(kNewt);
+  RawScene scene = read_gltf(kNewtSource);
   RawPrimitive& p = scene.meshes[0].primitives[0];
   const std::size_t count = p.positions.size();
   const auto twice = [](auto& values) {
@@ -231,13 +231,13 @@ INSTANTIATE_TEST_SUITE_P(Codecs, FinerCodecs, testing::Values(MeshCodec::none, M
 TEST(CookSubdivide, LevelsOfDetailFollow) {
   CookOptions options = finer(1, MeshCodec::none, false);
   options.lod = {{0.25}};
-  const LoadedCook fine(cook_file(kNewt, options));
+  const LoadedCook fine(cook_file(kNewtSource, options));
   const std::size_t triangles = fine.report["meshes"][0]["triangles"];
   EXPECT_NEAR(fine.file.mesh(0, 1).geometry.index_count, 0.75 * static_cast<double>(triangles), 12);
 }
 
 TEST(CookSubdivide, SameBytesEveryTime) {
-  EXPECT_EQ(cook_file(kNewt, finer(1, MeshCodec::meshopt)).file, finer_newt(MeshCodec::meshopt).file);
+  EXPECT_EQ(cook_file(kNewtSource, finer(1, MeshCodec::meshopt)).file, finer_newt(MeshCodec::meshopt).file);
 }
 
 }  // namespace

@@ -139,13 +139,6 @@ class PaintPlaces : public ::testing::Test {
   Notes notes_;
 };
 
-double weight_of(const RawScene& scene, std::size_t vertex, std::uint32_t joint) {
-  double out = 0;
-  for (const RawInfluence& i : scene.meshes[0].primitives[0].influences[vertex])
-    if (i.joint == joint) out += static_cast<double>(i.weight);
-  return out;
-}
-
 TEST_F(PaintPlaces, VerticesAreKnownByWhereTheyAre) {
   const RawScene before = d_.read();
   const RawScene scene = painted(file_of(R"({"name": "hero mesh", "joints": ["arm", "hips"], "vertices": [)" +

@@ -12,6 +12,7 @@
 #include "cook/scene/node_motion.h"
 #include "options/options.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
 namespace {
@@ -68,13 +69,6 @@ RawScene strip(const std::string& channel = "loose", int numbers = 1) {
 
 WeightsOverTime rule(int splines = 1, double radius_m = 0) {
   return {"loose", "chest", "pole", splines, radius_m, {"", ""}};
-}
-
-double weight_of(const RawScene& scene, std::size_t vertex, std::uint32_t joint) {
-  double out = 0;
-  for (const RawInfluence& i : scene.meshes[0].primitives[0].influences[vertex])
-    if (i.joint == joint) out += static_cast<double>(i.weight);
-  return out;
 }
 
 // scene_from_mesh of a joint of the skin at a moment of the clip.
