@@ -157,12 +157,17 @@ def tell(costs):
 
 
 def texts():
-    """What the programs are made of, as a hash: of shaders, and of the sources that put them together."""
+    """What the programs are made of, as a hash: of shaders, and of the sources that put them together.
+
+    Without comments, and without the paths of headers: the compilers see neither."""
     made_of = hashlib.sha256()
     sources = ["runtime/gles3/program.cpp", "runtime/gles3/preskin.cpp", "runtime/gles3/crowd/crowd.cpp", "tools/gpu_cost/gpu_cost.cpp"]
     shaders = ["skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag"]
     for name in sources + [f"shaders/{name}" for name in shaders]:
-        made_of.update((ROOT / name).read_bytes())
+        for line in (ROOT / name).read_text().splitlines():
+            code = line.split("//")[0].strip()
+            if code and not code.startswith("#include"):
+                made_of.update(code.encode() + b"\n")
     return made_of.hexdigest()
 
 
