@@ -15,6 +15,11 @@ namespace {
 
 constexpr std::uint32_t kHeaderBytes = sizeof(format::TrackHeader), kConstantBytes = sizeof(format::Constant);
 
+// A number for each of two frames, in every lane.
+struct Weights {
+  alignas(16) float a[4], b[4];
+};
+
 struct Tables {
   // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
   // times 16, which is where the code stands in a header or how far an entry is from the first.
@@ -28,6 +33,7 @@ struct Tables {
   std::uint8_t header_bytes[16], constant_bytes[16];
   // Operands from memory.
   alignas(16) float one[4], two[4], series_limit[4];
+  Weights first;
   alignas(16) std::uint32_t codes[4], high[4];
 };
 constexpr Tables make_tables() {
@@ -48,7 +54,7 @@ constexpr Tables make_tables() {
     }
   }
   for (int i = 0; i < 4; ++i) {
-    t.one[i] = 1.0f;
+    t.one[i] = t.first.a[i] = 1.0f;
     t.two[i] = 2.0f;
     t.series_limit[i] = kSlerpSeriesLimit;
     t.codes[i] = 0xF0F0F0F0u;
@@ -180,19 +186,26 @@ struct TwoLanes {
   }
 }
 
-[[maybe_unused]] inline void load_kept(const FramePair& from, Unpacked& out) {
-  for (int c = 0; c < 3; ++c) {
-    out.a[c] = load_aligned(from.a[c]);
-    out.b[c] = load_aligned(from.b[c]);
-  }
-  for (int i = 0; i < 4; ++i) out.rest[i] = load_aligned(from.rest[i]);
+// In place of a step, which is above 0: the two frames are alike.
+constexpr float kAlike = -1.0f;
+[[maybe_unused]] inline bool are_alike(const FramePair& two) {
+  std::int32_t bits;
+  std::memcpy(&bits, two.rest[3], sizeof bits);
+  return bits < 0;
 }
-[[maybe_unused]] inline void keep(const Unpacked& four, FramePair& to) {
+
+// Whether it stood there before, and in `out` too. follows: what was kept is of the frame before.
+[[maybe_unused]] inline bool keep(const Unpacked& four, bool follows, FramePair& to) {
+  const f32x4 x = four.b[0] - four.a[0], y = four.b[1] - four.a[1], z = four.b[2] - four.a[2];
+  const bool alike = !any(splat(0.0f) < x * x + y * y + z * z);
+  if (alike && follows && are_alike(to)) return true;
   for (int c = 0; c < 3; ++c) {
     store(to.a[c], four.a[c]);
     store(to.b[c], four.b[c]);
   }
   for (int i = 0; i < 4; ++i) store(to.rest[i], four.rest[i]);
+  if (alike) to.rest[3][0] = kAlike;
+  return false;
 }
 
 // Writes the lanes in `lanes` of N components.
@@ -206,67 +219,72 @@ inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t 
   for (std::size_t i = 0; i < N; ++i) store(to[i], mask, value[i]);
 }
 
-// The quaternion of modified Rodrigues parameters m is (factor · m, factor - 1) with factor = 2 / (1 + m²).
-struct Rodrigues {
-  Vector<f32x4> m;
-  f32x4 factor;
-};
-
-// n: a or b of `four`, an Unpacked or a FramePair.
-template <class Numbers, class Four>
-inline Rodrigues rodrigues(const Tables& t, const Numbers& n, const Four& four) {
-  const f32x4 step = lanes_of(four.rest[3]);
-  const Vector<f32x4> m = {(lanes_of(n[0]) + lanes_of(four.rest[0])) * step,
-                           (lanes_of(n[1]) + lanes_of(four.rest[1])) * step,
-                           (lanes_of(n[2]) + lanes_of(four.rest[2])) * step};
-  return {m, load_aligned(t.two) / (dot(m, m) + load_aligned(t.one))};
-}
-
-// Two rotations a lane, ready to be blended.
+// Two rotations a lane, ready to be blended. The quaternion of modified Rodrigues parameters m is (factor · m,
+// factor - 1) with factor = 2 / (1 + m²).
 struct Rotations {
-  Vector<f32x4> a, b;
-  f32x4 factor_a, factor_b, chord_squared;
+  f32x4 a[3], b[3], factor_a, factor_b, chord_squared;
+  bool alike;  // all lanes are the same in both frames
 };
+
+// n: a or b of `four`, an Unpacked or a FramePair. Returns the factor.
+template <class Numbers, class Four>
+[[gnu::always_inline]] inline f32x4 rodrigues(const Tables& t, const Numbers& n, const Four& four, f32x4 (&m)[3]) {
+  const f32x4 step = lanes_of(four.rest[3]);
+  for (int c = 0; c < 3; ++c) m[c] = (lanes_of(n[c]) + lanes_of(four.rest[c])) * step;
+  return load_aligned(t.two) / (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + load_aligned(t.one));
+}
 
 template <class Four>
-inline Rotations rotations(const Tables& t, const Four& four) {
-  const Rodrigues a = rodrigues(t, four.a, four), b = rodrigues(t, four.b, four);
+[[gnu::always_inline]] inline void rotations(const Tables& t, const Four& four, Rotations& out) {
+  out.factor_a = rodrigues(t, four.a, four, out.a);
+  out.factor_b = rodrigues(t, four.b, four, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
-  const Vector<f32x4> d = a.m - b.m;
-  return {a.m, b.m, a.factor, b.factor, dot(d, d) * (a.factor * b.factor)};
+  const f32x4 x = out.a[0] - out.b[0], y = out.a[1] - out.b[1], z = out.a[2] - out.b[2];
+  const f32x4 squared = x * x + y * y + z * z;
+  out.chord_squared = squared * (out.factor_a * out.factor_b);
+  out.alike = !any(splat(0.0f) < squared);
 }
 
-inline Vector<f32x4> load3(const float (&from)[3][4]) {
-  return {load_aligned(from[0]), load_aligned(from[1]), load_aligned(from[2])};
+[[gnu::always_inline, maybe_unused]] inline void load_kept(const FramePair& from, Rotations& out) {
+  for (int c = 0; c < 3; ++c) {
+    out.a[c] = load_aligned(from.a[c]);
+    out.b[c] = load_aligned(from.b[c]);
+  }
+  out.factor_a = load_aligned(from.rest[0]);
+  out.factor_b = load_aligned(from.rest[1]);
+  out.chord_squared = load_aligned(from.rest[2]);
+  out.alike = false;
 }
-inline void store3(const Vector<f32x4>& v, float (&to)[3][4]) {
-  store(to[0], v.x);
-  store(to[1], v.y);
-  store(to[2], v.z);
-}
-
-[[maybe_unused]] inline Rotations kept_rotations(const FramePair& from) {
-  return {load3(from.a), load3(from.b), load_aligned(from.rest[0]), load_aligned(from.rest[1]),
-          load_aligned(from.rest[2])};
-}
-[[maybe_unused]] inline void keep(const Rotations& r, FramePair& to) {
-  store3(r.a, to.a);
-  store3(r.b, to.b);
+[[gnu::always_inline, maybe_unused]] inline bool keep(const Rotations& r, bool follows, FramePair& to) {
+  if (r.alike && follows && are_alike(to)) return true;
+  for (int c = 0; c < 3; ++c) {
+    store(to.a[c], r.a[c]);
+    store(to.b[c], r.b[c]);
+  }
   store(to.rest[0], r.factor_a);
   store(to.rest[1], r.factor_b);
   store(to.rest[2], r.chord_squared);
+  to.rest[3][0] = r.alike ? kAlike : 0.0f;
+  return false;
 }
 
 // The blend of two frames, the same for every joint.
 struct FrameBlend {
   f32x4 u;
   SlerpSeries a, b;
-  explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
+  Weights linear;
+  explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {
+    store(linear.a, a.c[0]);
+    store(linear.b, b.c[0]);
+  }
+  // Of frames that are alike the first: a blend of the two would round as the time says.
+  const Weights& linear_of(const Tables& t, bool alike) const { return alike ? t.first : linear; }
 };
 
-// Rotations, into the lanes in `lanes`.
-inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend, const float (&rest)[4][4],
-                        std::uint32_t lanes, float (&rotation)[4][4]) {
+// Rotations, into the lanes in `lanes`. linear: of `blend`.
+[[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend,
+                                               const Weights& linear, const float (&rest)[4][4], std::uint32_t lanes,
+                                               float (&rotation)[4][4]) {
   const f32x4 chord_squared = two.chord_squared;
   f32x4 wa, wb;
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
@@ -276,12 +294,12 @@ inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend&
     wa = exact_a;
     wb = select(far, splat(0.0f) - exact_b, exact_b);
   } else {
-    wa = slerp_weight(blend.a, chord_squared);
-    wb = slerp_weight(blend.b, chord_squared);
+    wa = slerp_weight({{load_aligned(linear.a), blend.a.c[1], blend.a.c[2]}}, chord_squared);
+    wb = slerp_weight({{load_aligned(linear.b), blend.b.c[1], blend.b.c[2]}}, chord_squared);
   }
   const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
-  const Vector<f32x4> v = two.a * fa + two.b * fb;
-  const f32x4 x = v.x, y = v.y, z = v.z, w = (fa + fb) - (wa + wb);
+  const f32x4 x = two.a[0] * fa + two.b[0] * fb, y = two.a[1] * fa + two.b[1] * fb, z = two.a[2] * fa + two.b[2] * fb,
+              w = (fa + fb) - (wa + wb);
   const f32x4 rx = load_aligned(rest[0]), ry = load_aligned(rest[1]), rz = load_aligned(rest[2]),
               rw = load_aligned(rest[3]);
   store_lanes(t,
@@ -305,12 +323,16 @@ inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float 
 [[gnu::noinline, maybe_unused]] void blend_kept(const FramePair& two, std::uint32_t kind, const FrameBlend& blend,
                                                 const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
   const Tables& t = tables();
-  if (kind == 0) return rotate_rest(t, rotations(t, two), blend, rest.rotation, lanes, out.rotation);
+  if (kind == 0) {
+    Rotations r;
+    rotations(t, two, r);
+    return rotate_rest(t, r, blend, blend.linear_of(t, r.alike), rest.rotation, lanes, out.rotation);
+  }
   add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
               kind == 2 ? out.scale : out.translation);
 }
 
-// What moves, group after group. One loop for all kinds, since they are unpacked alike.
+// What moves, group after group.
 struct Moving {
   const Skeleton& skeleton;
   const CodedTracks& coded;
@@ -318,8 +340,10 @@ struct Moving {
   FrameBlend blend;
   FramePair *kept, *kept_end;  // one a kind and group; null: none is kept
   bool is_kept;                // by an earlier call
+  bool follows;                // what is kept is of the frame before, of the same segment
 };
 
+// Of a frame to be unpacked; where code is small, of any. One loop for all kinds, since they are unpacked alike.
 void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
@@ -345,25 +369,57 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
         FramePair& two = pair != nullptr ? *pair : one;
         if (!m.is_kept) unpack_each(cursor, tracks, two);
         blend_kept(two, kind, m.blend, *rest, lanes, *out);
+        if (pair != nullptr) ++pair;
       } else {
         Unpacked four;
-        if (!m.is_kept) unpack(cursor, t, tracks, four);
+        unpack(cursor, t, tracks, four);
         if (kind == 0) {
-          const Rotations two = m.is_kept ? kept_rotations(*pair) : rotations(t, four);
-          if (!m.is_kept && pair != nullptr) keep(two, *pair);
-          rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
+          Rotations two;
+          rotations(t, four, two);
+          if (pair != nullptr && keep(two, m.follows, *pair++)) continue;
+          rotate_rest(t, two, m.blend, m.blend.linear_of(t, two.alike), rest->rotation, lanes, out->rotation);
         } else {
-          if (m.is_kept) {
-            load_kept(*pair, four);
-          } else if (pair != nullptr) {
-            keep(four, *pair);
-          }
+          if (pair != nullptr && keep(four, m.follows, *pair++)) continue;
           const bool scales = kind == 2;
           add_to_rest(t, four, m.blend.u, scales ? rest->scale : rest->translation, lanes,
                       scales ? out->scale : out->translation);
         }
       }
-      if (pair != nullptr) ++pair;
+    }
+  }
+}
+
+// Of frames that are kept: all joints. What is alike in both stands there already.
+[[maybe_unused]] void set_kept(const Moving& m, SoaTransform* out) {
+  const Tables& t = tables();
+  const GroupMasks* masks = m.coded.masks;
+  const SoaTransform* rest = m.skeleton.rest;
+  SoaTransform* const end = out + m.skeleton.soa_size();
+  const FramePair* pair = m.kept;
+  const auto next = [&]() -> const FramePair* { return pair != m.kept_end ? pair++ : nullptr; };
+  for (; out != end; ++out, ++rest, ++masks) {
+    const std::uint32_t moving = masks->moving;
+    if (const std::uint32_t lanes = moving & 15u; lanes != 0) {
+      const FramePair* const two = next();
+      if (two == nullptr) [[unlikely]]
+        return;
+      if (!are_alike(*two)) {
+        Rotations r;
+        load_kept(*two, r);
+        rotate_rest(t, r, m.blend, m.blend.linear, rest->rotation, lanes, out->rotation);
+      }
+    }
+    if (moving <= 15) continue;
+    for (std::uint32_t shift = 4; shift <= 8; shift += 4) {
+      const std::uint32_t lanes = moving >> shift & 15u;
+      if (lanes == 0) continue;
+      const FramePair* const two = next();
+      if (two == nullptr) [[unlikely]]
+        return;
+      if (are_alike(*two)) continue;
+      const bool scales = shift == 8;
+      add_to_rest(t, *two, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+                  scales ? out->scale : out->translation);
     }
   }
 }
@@ -476,15 +532,21 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
                   SoaTransform* out, bool is_still, SampleCache* cache) {
   if (!is_still) (kSmall ? set_still_each : set_still)(skeleton, coded, options, out);
   const Place place = find(coded, time_s);
-  const std::uint32_t segment = place.frame / coded.segment_intervals;
-  const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count,
-                           place.frame - segment * coded.segment_intervals);
   Span<FramePair> kept;
   if (cache != nullptr && cache->room)
     kept = {reinterpret_cast<FramePair*>(cache->memory.data), cache->memory.size / sizeof(FramePair)};
-  set_moving({skeleton, coded, options, FrameBlend(place.between), kept.begin(), kept.end(),
-              !kept.empty() && cache->frame == place.frame},
-             cursor, out);
+  const bool is_kept = !kept.empty() && cache->frame == place.frame;
+  const std::uint32_t segment = place.frame / coded.segment_intervals;
+  const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
+  const bool follows = !kept.empty() && in_segment != 0 && cache->frame == place.frame - 1;
+  const Moving moving = {skeleton,     coded,      options, FrameBlend(place.between),
+                         kept.begin(), kept.end(), is_kept, follows};
+  if (!kSmall && is_kept) {
+    set_kept(moving, out);
+    return;
+  }
+  const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, in_segment);
+  set_moving(moving, cursor, out);
   if (cache != nullptr) cache->frame = place.frame;
 }
 

@@ -33,6 +33,7 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
 // Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended.
 //   rotations  modified Rodrigues parameters a and b; 2 / (1 + a²), 2 / (1 + b²), the squared chord between the two
 //   others     integers a and b; the least, which is to be added to them; the step
+// The first of rest[3] is below 0 if the two frames are alike.
 struct FramePair {
   alignas(16) float a[3][4], b[3][4], rest[4][4];
 };

@@ -61,7 +61,7 @@ constexpr StageHash kStored[] = {
     {"channels, additive clips", 0x805BF74F6C8D50A9},
     {"a clip at uneven times", 0xAFBEA18630CBECCA},
     {"a coded clip", 0xFFA1079F0FF28595},
-    {"some joints of a coded clip", 0xC2DF422F2128B61B},
+    {"some joints of a coded clip", 0x0C0B5C9CD0479E3E},
     {"a clip pack", 0x37B5BAFA4434C299},
     {"half-joints", 0x11C9ABFE8ADD36CB},
     {"a helper about a centre", 0x356396B41926B66C},
