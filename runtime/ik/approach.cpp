@@ -14,20 +14,22 @@ MARROW_CALLED_WHERE_SMALL float smooth_step(float x) {
   return u * u * (3.0f - 2.0f * u);
 }
 
-// The shortest turn from one direction to another; if they are opposite, about `axis`.
+// The shortest turn from one direction to another; if they are all but opposite, half a turn about `axis` and then the
+// little that is left.
 WideRotation arc(f32x4 from, f32x4 to, f32x4 axis) {
-  const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, a), sum = a + b;
-  if (squared3(sum) > 3e-8f || !(squared3(a) > 0)) return shortest_arc(a, b);
-  return {unit3_or(across3(axis, a), any_across3(a))};
+  const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, a);
+  if (squared3(a + b) > 1e-4f || !(squared3(a) > 0)) return shortest_arc(a, b);
+  return shortest_arc(a * -1.0f, b) * WideRotation{unit3_or(across3(axis, a), any_across3(a))};
 }
 
 // Turns the first node, and the chain with it, by `share` of that.
 void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   IkNode& node = h.tree->nodes[0];
   if (h.plain) {  // by its points alone
-    h.turned = part_of(arc(from, to, axis), share);
+    const WideRotation by = part_of(arc(from, to, axis), share);
+    h.turned = by * h.turned;
     for (std::size_t i = 1; i <= h.tree->nodes.size; ++i)
-      h.parts[i].at = h.parts[0].at + rotate(h.turned, h.parts[i].at - h.parts[0].at);
+      h.parts[i].at = h.parts[0].at + rotate(by, h.parts[i].at - h.parts[0].at);
     return;
   }
   const InverseAxes inverse(node.frame.axis);
@@ -74,19 +76,20 @@ f32x4 up() {
 f32x4 own_side(const IkHeuristic& h) {
   const IkTree& tree = *h.tree;
   const f32x4 bone = tree.nodes.size > 1 ? tree.nodes[1].above.origin : tree.ends[0].point;
-  return turn(tree.nodes[0].frame, any_across3(unit3_or(bone, up())));
+  return rotate(h.turned, turn(tree.nodes[0].frame, any_across3(unit3_or(bone, up()))));
 }
 
-// To which side of a line through the root the joints are, each by how far it is; and the farthest of them.
-f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, float& farthest) {
-  f32x4 sum = splat(0.0f);
+// To which side of a line through the root the joints are, each by how far it is, and a little of the chain's own if
+// `own`, of which nothing is left only where there is neither; and how far the farthest of them is.
+f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest) {
+  f32x4 sum = own_side(h) * (own ? h.size_m * 1e-3f : 0.0f);
   farthest = 0;
   for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
     const f32x4 off = across3(h.parts[i].at - h.parts[0].at, line);
     farthest = std::max(farthest, length3(off));
     sum = sum + off;
   }
-  return sum;
+  return unit3_or(across3(sum, line), splat(0.0f));
 }
 
 // From the root to the goal; if that is there, to where the end is.
@@ -101,20 +104,31 @@ f32x4 line_to_goal(const IkHeuristic& h) {
 void bow(IkHeuristic& h) {
   const f32x4 root = h.parts[0].at, line = line_to_goal(h);
   float off;
-  const f32x4 sides = side_of_joints(h, line, off) * h.per_size + own_side(h) * 1e-3f;
+  const f32x4 aside = side_of_joints(h, line, true, off);
   const float straight = 1.0f - off * h.per_size * (1.0f / kNearlyALine);
   const float slack = 1.0f - length3(h.aims[0].goal - root) * h.per_size;
   if (!(straight > 0 && slack > 0)) return;
   const float share = straight * straight;
   // A parabola that is as long as the chain, nearly; and a little more where it would be flat.
   const float sag = sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
-  const f32x4 side = unit3_or(across3(sides, line), any_across3(line)) * (4.0f * sag * h.size_m * share);
+  const f32x4 side = (squared3(aside) > 0 ? aside : any_across3(line)) * (4.0f * sag * h.size_m * share);
   float so_far = 0;
   for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
     f32x4& at = h.parts[i].at;
     so_far += h.parts[i].length * h.per_size;
     at = at - line * (slack * share * dot3(at - root, line)) + side * (so_far * (1.0f - so_far));
   }
+}
+
+// Turns the chain about the line from its top to its end until its joints are on the side of that line that is wanted;
+// of less weight, to a side between. Within 6 degrees of the line what is wanted has less and less to say.
+void face(IkHeuristic& h, f32x4 wanted, bool own, float weight) {
+  const f32x4 none = splat(0.0f), line = unit3_or(h.end(0).at - h.parts[0].at, none), to = across3(wanted, line);
+  float off;
+  const f32x4 side = side_of_joints(h, line, own, off);
+  if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
+  const float share = weight * smooth_step(10.0f * length3(to));
+  turn_all(h, side, side * (1.0f - share) + unit3_or(to, none) * share, line, 1.0f);
 }
 
 }  // namespace
@@ -136,25 +150,26 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   return beyond;
 }
 
+// The shortest turns to goals all about the opposite take the chain's side anywhere, and so would one step past it. So
+// within 29 degrees of there the whole keeps more and more to the side to which half a turn in its plane takes it. Of
+// what is left, two goals where it has to change sides at once, none lies in that plane or straight across it.
 void set_out(IkHeuristic& h) {
   const f32x4 root = h.parts[0].at, from = h.end(0).at - root, to = h.aims[0].goal - root;
-  const float near = 4.0f * (length3(from) * h.per_size) * (length3(to) * h.per_size);
-  const f32x4 line = unit3_or(from, up());
+  const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // of the goal, from the opposite
+  const float opposite = smooth_step(1.0f - 4.0f * squared3(apart)), keeps = h.free ? opposite : 0.0f;
+  const float near = (4.0f + 4.0f * keeps) * (length3(from) * h.per_size) * (length3(to) * h.per_size);
   float off;
-  const f32x4 side = unit3_or(side_of_joints(h, line, off), own_side(h));
+  f32x4 side = splat(0.0f);
+  if (opposite > 0) side = side_of_joints(h, line, true, off);
   turn_all(h, from, to, cross3(line, side), std::min(near, 1.0f));
+  const float weight = keeps * smooth_step(2.0f * near - 1.0f);
+  if (weight > 0) face(h, apart * 2.0f - side, true, weight);
   bow(h);
 }
 
 void face_pole(IkHeuristic& h, const IkProblem& problem) {
-  const f32x4 root = h.parts[0].at, none = splat(0.0f), line = unit3_or(h.end(0).at - root, none);
-  float off;
-  const f32x4 side = unit3_or(side_of_joints(h, line, off), none);
-  if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
-  const f32x4 wanted = across3(unit3_or(to_f32x4(vector3(problem.pole)) - root, none), line);
-  // Within 6 degrees of the line the pole has less and less to say.
-  const float weight = problem.pole_weight * smooth_step(10.0f * length3(wanted));
-  turn_all(h, side, side * (1.0f - weight) + unit3_or(wanted, none) * weight, line, 1.0f);
+  const f32x4 towards = to_f32x4(vector3(problem.pole)) - h.parts[0].at;
+  face(h, unit3_or(towards, splat(0.0f)), false, problem.pole_weight);
 }
 
 void straighten(IkHeuristic& h, float beyond) {
