@@ -43,6 +43,26 @@ double aim_error(const Map& joint, const Aim& goal) {
   return kRadian * angle_deg(direction(joint, test::vec3(goal.forward)), minus(test::vec3(goal.target), eye));
 }
 
+// What is across the direction of the target: of the pole, and of where the joint's up is.
+struct Sides {
+  Vec3 pole, up;
+};
+Sides sides_of(const Map& joint, const Aim& goal) {
+  const Vec3 to = test::normalised(minus(test::vec3(goal.target), test::origin_of(joint)));
+  return {across(test::vec3(goal.pole), to), across(direction(joint, test::vec3(goal.up)), to)};
+}
+// Whether the pole has its whole say, and up is enough across to be measured.
+bool has_sides(const Map& joint, const Aim& goal) {
+  const Sides sides = sides_of(joint, goal);
+  return length(sides.pole) >= 0.11 * length(test::vec3(goal.pole)) &&
+         length(sides.up) >= 0.05 * length(direction(joint, test::vec3(goal.up)));
+}
+// Angle in radians between up and the pole's side.
+double off_the_side(const Map& joint, const Aim& goal) {
+  const Sides sides = sides_of(joint, goal);
+  return kRadian * angle_deg(sides.pole, sides.up);
+}
+
 TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
   test::Random random(2);
   int cases = 0, seen = 0, poled = 0;
@@ -69,12 +89,8 @@ TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
     EXPECT_LT(error, 1e-4) << i;
     worst = std::fmax(worst, error);
     ++seen;
-    const Vec3 to = test::normalised(way), side = across(test::vec3(goal.pole), to);
-    const Vec3 up = across(direction(now, test::vec3(goal.up)), to);
-    if (i % 2 != 0 || length(side) < 0.11 * length(test::vec3(goal.pole)) ||
-        length(up) < 0.05 * length(direction(now, test::vec3(goal.up))))
-      continue;
-    const double off = kRadian * angle_deg(side, up);
+    if (i % 2 != 0 || !has_sides(now, goal)) continue;
+    const double off = off_the_side(now, goal);
     EXPECT_LT(off, 1e-4) << i;
     worst_up = std::fmax(worst_up, off);
     ++poled;
@@ -85,10 +101,10 @@ TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
   std::printf("aim %.2g rad, up %.2g rad; %d seen, %d with a pole\n", worst, worst_up, seen, poled);
 }
 
-TEST(LookAt, TheLastOfAChainSeesTheTarget) {
+TEST(LookAt, TheLastOfAChainSeesTheTargetWithUpOnThePolesSide) {
   test::Random random(3);
-  int seen = 0;
-  double worst = 0;
+  int seen = 0, poled = 0;
+  double worst = 0, worst_up = 0;
   for (int i = 0; i < 20000; ++i) {
     Chain c = random_neck(random, i % 4 == 0, true);
     const std::uint32_t joints[] = {1, 2, 4};
@@ -101,13 +117,20 @@ TEST(LookAt, TheLastOfAChainSeesTheTarget) {
                             &reached),
               Status::ok);
     if (!reached) continue;
-    const double error = aim_error(c.maps()[4], goal);
+    const Map now = c.maps()[4];
+    const double error = aim_error(now, goal);
     EXPECT_LT(error, 1e-4) << i;
     worst = std::fmax(worst, error);
     ++seen;
+    if (i % 2 != 0 || !has_sides(now, goal)) continue;
+    const double off = off_the_side(now, goal);
+    EXPECT_LT(off, 1e-4) << i;
+    worst_up = std::fmax(worst_up, off);
+    ++poled;
   }
   EXPECT_GT(seen, 19000);
-  std::printf("look at %.2g rad; %d seen\n", worst, seen);
+  EXPECT_GT(poled, 9000);
+  std::printf("look at %.2g rad, up %.2g rad; %d seen, %d with a pole\n", worst, worst_up, seen, poled);
 }
 
 TEST(AimTest, NothingDegenerateBecomesInfinite) {
