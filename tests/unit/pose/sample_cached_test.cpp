@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "marrow/marrow.h"
+#include "pose/sample_each.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
 
@@ -68,6 +69,60 @@ TEST(SampleCached, UnpacksAFrameOnce) {
   ASSERT_EQ(sample_cached(player.skeleton, player.clip, between(1, 0.75f), player.out, cache), Status::ok);
   EXPECT_EQ(std::memcmp(whole.data(), player.out.data(), whole.size() * sizeof(SoaTransform)), 0);
   EXPECT_TRUE(player.is_same(between(2, 0.25f), cache));  // the next frame is
+}
+
+// Makes frames of a clip like the ones before them: bit k of `pattern` says whether interval k, modulo 8, rests.
+void make_rest(const Clip& clip, std::uint32_t pattern) {
+  const CodedTracks& coded = clip.coded;
+  for (std::uint32_t i = 0; i + 1 < coded.frame_count; ++i) {
+    if ((pattern >> i % 8 & 1u) == 0) continue;
+    const std::uint32_t segment = i / coded.segment_intervals, in_segment = i % coded.segment_intervals;
+    const TrackCursor first(coded.payload + coded.segment_offsets[segment], coded.track_count, in_segment);
+    std::memcpy(const_cast<std::byte*>(first.record) + first.frame_bytes, first.record, first.frame_bytes);
+  }
+}
+
+// What rests is left as it stands while a clip plays on, and only then: not where it has moved since, and not from one
+// segment to the next, whose steps are its own.
+TEST(SampleCached, LeavesWhatRestsAsItStands) {
+  std::size_t compared = 0;
+  for (std::uint32_t pattern = 0; pattern < 256; ++pattern) {
+    const test::AlignedBlock even = test::golden_coded_copy(), uneven = test::golden_uneven_copy();
+    for (const test::AlignedBlock* const block : {&even, &uneven}) {
+      Player player(*block);
+      const CodedTracks& coded = player.clip.coded;
+      ASSERT_GT((coded.frame_count - 1) / coded.segment_intervals, 1u) << "segments";
+      make_rest(player.clip, pattern);
+      SampleCache cache = {player.memory()};
+      for (std::uint32_t i = 0; i + 1 < coded.frame_count; ++i) {
+        const float from_s = coded.time_of(i), to_s = coded.time_of(i + 1);
+        for (const float share : {0.25f, 0.5f, 0.75f}) {
+          ASSERT_TRUE(player.is_same(from_s + (to_s - from_s) * share, cache)) << pattern << ' ' << i;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 2000u);
+}
+
+// Two frames alike give the first one's bits at any time between them; a blend would round as the time says.
+TEST(SampleCached, FramesThatAreAlikeAreNotBlended) {
+  const test::AlignedBlock block = test::golden_coded_copy();
+  Player player(block);
+  make_rest(player.clip, 255);
+  const CodedTracks& coded = player.clip.coded;
+  const auto at = [&](float share) {
+    std::vector<SoaTransform> out(player.out.size());
+    EXPECT_EQ(sample(player.skeleton, player.clip, coded.time_of(0) + share / coded.frames_per_s, out), Status::ok);
+    return out;
+  };
+  const std::vector<SoaTransform> first = at(0);
+  for (const float share : {0.1f, 0.3f, 0.7f, 0.9f}) {
+    const std::vector<SoaTransform> later = at(share);
+    for (std::size_t g = 0; g < first.size(); ++g)
+      EXPECT_EQ(std::memcmp(first[g].rotation, later[g].rotation, sizeof first[g].rotation), 0) << share << ' ' << g;
+  }
 }
 
 // Each time the pose holds another's bits, which the cache may not take for its own.
