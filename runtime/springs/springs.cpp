@@ -316,8 +316,8 @@ MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBo
   SpringStrengths s;
   SpringForce force;
   SpringWay way;
+  Number u = zero;
   for (int step = 0;; ++step) {
-    const Number u = number(static_cast<float>(step) / static_cast<float>(call.steps));
     const Vector<Number> animated = animated_at(pull, u);
     if (step > 0) {
       NearestRotation nearest;
@@ -336,10 +336,11 @@ MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBo
     }
     if (step == call.steps) break;
     force = next;
-    was = m.velocity, from = m.direction, outwards = Lanes::same(splat(0.0f));
+    was = m.velocity, from = m.direction;
     m.velocity = was * s.decay + force.across * s.first_kick;
     m = drifted(m, s.drift, way);
     if (may_touch) collide_bones(call, place, bones, m, descents[step].joint, outwards);
+    u = number(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
   }
   m.direction = normalised(m.direction);
   Lanes::store(group.direction, place.lane, m.direction);
