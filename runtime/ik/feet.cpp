@@ -37,6 +37,9 @@ MARROW_CALLED_WHERE_SMALL bool is_smaller(f32x4 v, float limit) {
 bool near(f32x4 v) {
   return is_smaller(v, kTooFar);
 }
+MARROW_CALLED_WHERE_SMALL bool near(const float (&v)[3]) {  // with something behind it
+  return near(load_wide(v));
+}
 bool near(const Affine& a) {
   return near(load_aligned(a.rows[0])) && near(load_aligned(a.rows[1])) && near(load_aligned(a.rows[2]));
 }
@@ -46,7 +49,7 @@ MARROW_CALLED_WHERE_SMALL f32x4 turned_by(const Affine& a, f32x4 v) {
   return turn(columns(a), v);
 }
 MARROW_CALLED_WHERE_SMALL f32x4 at(const Columns& world, const Affine& a, const float (&point)[3]) {
-  return transform(world, transform(columns(a), load_wide(point)));
+  return transform(world, transform(columns(a), load_three(point)));
 }
 
 // The place of a joint in the world.
@@ -70,16 +73,16 @@ MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& f
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
   if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
-  MARROW_CHECK(near(load_wide(foot.sole)));
-  MARROW_CHECK(near(load_wide(foot.bend_axis)));
+  MARROW_CHECK(near(foot.sole));
+  MARROW_CHECK(near(foot.bend_axis));
   MARROW_CHECK(within(foot.weight, 0, 1));
-  MARROW_CHECK(near(load_wide(ground.point)));
-  MARROW_CHECK(near(load_wide(ground.normal)));
+  MARROW_CHECK(near(ground.point));
+  MARROW_CHECK(near(ground.normal));
   for (const std::uint32_t joint : joints) {
     const Affine& m = call.pose.scene_from_joint[joint];
     MARROW_CHECK(near(m));
     MARROW_CHECK(near(place_of(call, joint)));
-    MARROW_CHECK(near(turned_by(m, load_wide(foot.sole))));
+    MARROW_CHECK(near(turned_by(m, load_three(foot.sole))));
   }
   return {};
 }
@@ -118,7 +121,7 @@ void die_away(const FeetCall& call, F& x, F& speed) {
   speed = (speed - both * call.rate * call.frame.dt_s) * call.decay;
 }
 MARROW_CALLED_WHERE_SMALL void die_away(const FeetCall& call, float (&x)[3], float (&speed)[3]) {
-  f32x4 wide_x = load_wide(x), wide_speed = load_wide(speed);
+  f32x4 wide_x = load_three(x), wide_speed = load_three(speed);
   die_away(call, wide_x, wide_speed);
   store_wide(x, wide_x);
   store_wide(speed, wide_speed);
@@ -152,7 +155,7 @@ struct Ground {
 };
 Ground ground_of(const FeetCall& call, const FootGround& given) {
   const f32x4 normal = unit3_or(load_wide(given.normal), splat(0.0f));
-  if (given.hit && dot3(normal, call.up) > kLeastRise) return {load_wide(given.point), normal, true};
+  if (given.hit && dot3(normal, call.up) > kLeastRise) return {load_three(given.point), normal, true};
   return {call.world.origin, call.up, false};
 }
 // By how much the animated sole is lifted to be as high above the plane as it is above the animation's level ground.
@@ -163,17 +166,17 @@ MARROW_CALLED_WHERE_SMALL float lift_to(const FeetCall& call, const Ground& grou
 
 // Another plane than in the last frame makes no difference yet: the offset makes up for it.
 void change_ground(const FeetCall& call, const Ground& now, f32x4 sole, FootMotion& m) {
-  Ground was = {load_wide(m.point), load_wide(m.normal), m.hit != 0};
+  Ground was = {load_three(m.point), load_three(m.normal), m.hit != 0};
   if (!was.hit) was = {call.world.origin, call.up, false};
   const float step = lift_to(call, now, sole) - lift_to(call, was, sole);
-  store_wide(m.offset, load_wide(m.offset) - call.up * step);
-  store_wide(m.lean, load_wide(m.lean) + lean_of(call, was.normal) - lean_of(call, now.normal));
+  store_wide(m.offset, load_three(m.offset) - call.up * step);
+  store_wide(m.lean, load_three(m.lean) + lean_of(call, was.normal) - lean_of(call, now.normal));
 }
 
 // The heading of a planted foot: captured, held, or on its way back.
 void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, FootMotion& m) {
   if (m.planted != 0) {
-    store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), load_wide(m.heading)).v);
+    store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), load_three(m.heading)).v);
     m.turn_share = 1;
     m.turn_share_speed = 0;
     if (planted) return;
@@ -201,18 +204,18 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
   } else {
     change_ground(call, ground, sole, m);
   }
-  const f32x4 target = sole + call.up * lift_to(call, ground, sole), was = load_wide(m.offset);
+  const f32x4 target = sole + call.up * lift_to(call, ground, sole), was = load_three(m.offset);
   die_away(call, m.offset, m.offset_speed);
   die_away(call, m.lean, m.lean_speed);
-  f32x4 shown = target + load_wide(m.offset);
+  f32x4 shown = target + load_three(m.offset);
   follow_heading(call, right_axes(call.world, call.pose.scene_from_joint[foot.ankle]), given.planted, m);
   if (given.planted && m.planted != 0) {
-    const f32x4 place = load_wide(m.place);
+    const f32x4 place = load_three(m.place);
     shown = place + call.up * dot3(shown - place, call.up);
     const f32x4 offset = shown - target;
     if (call.frame.dt_s > 0) {  // level, with what speed it is left behind; up and down, as it dies away
       const f32x4 speed = (offset - was) * (1.0f / call.frame.dt_s);
-      store_wide(m.offset_speed, speed + call.up * dot3(load_wide(m.offset_speed) - speed, call.up));
+      store_wide(m.offset_speed, speed + call.up * dot3(load_three(m.offset_speed) - speed, call.up));
     }
     store_wide(m.offset, offset);
   }
@@ -250,13 +253,13 @@ void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& gi
 
 // From the animated attitude of a foot to the one that is shown.
 WideRotation turn_of(const FeetCall& call, const FootMotion& m) {
-  const f32x4 normal = unit3_or(lean_of(call, load_wide(m.normal)) + load_wide(m.lean), call.up);
+  const f32x4 normal = unit3_or(lean_of(call, load_three(m.normal)) + load_three(m.lean), call.up);
   return shortest_arc(call.up, normal) * share_of(WideRotation{load(m.turn)}, m.turn_share);
 }
 
 f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, WideRotation turned) {
-  const f32x4 sole = turned_by(call.pose.scene_from_joint[foot.ankle], load_wide(foot.sole));
-  return load_wide(m.place) - rotate(turned, turn(call.world, sole));
+  const f32x4 sole = turned_by(call.pose.scene_from_joint[foot.ankle], load_three(foot.sole));
+  return load_three(m.place) - rotate(turned, turn(call.world, sole));
 }
 
 // By how much the pelvis is too high, `lift` included, for a leg no longer than it may be. A leg that the animation has
@@ -278,7 +281,7 @@ MARROW_CALLED_WHERE_SMALL float pelvis_lift(const FeetCall& call, Span<const Foo
   bool first = true;
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     const Foot& foot = call.feet.feet[i];
-    const float own = foot.weight * dot3(load_wide(motion[i].place) - sole_of(call, foot), call.up);
+    const float own = foot.weight * dot3(load_three(motion[i].place) - sole_of(call, foot), call.up);
     lift = first || own < lift ? own : lift;
     first = false;
   }
@@ -340,7 +343,7 @@ MARROW_CALLED_WHERE_SMALL void place_foot(const FeetCall& call, const Foot& foot
     bool reached = false;
     turn_leg(call, foot, goal, want, reached);
     m.reached = reached ? 1 : 0;
-    const f32x4 miss = load_wide(m.place) - sole_of(call, foot);
+    const f32x4 miss = load_three(m.place) - sole_of(call, foot);
     const f32x4 leg = target - place_of(call, foot.hip);
     if (goal.weight < 1 || !reached || squared3(miss) <= 1e-8f * squared3(leg)) break;
     target = place_of(call, foot.ankle) + miss;

@@ -69,13 +69,14 @@ bool is_longer(f32x4 v, float most) {
 bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, const RateLimit& limit) {
   const f32x4 target_velocity = from * (-1.0f / time_s);
   const float between_s = 0.5f * (time_s + last_s), gain = limit.acceleration * between_s;
-  const bool slow = limit.speed == 0 || !is_longer(target_velocity, limit.speed);
-  const bool soft = limit.acceleration == 0 || !is_longer(target_velocity - m.velocity, gain);
-  bool arrived = (on_target && slow && soft) || (limit.speed == 0 && limit.acceleration == 0);
+  const bool has_speed = limit.speed > 0, has_acceleration = limit.acceleration > 0;
+  const bool slow = !has_speed || !is_longer(target_velocity, limit.speed);
+  const bool soft = !has_acceleration || !is_longer(target_velocity - m.velocity, gain);
+  bool arrived = (on_target && slow && soft) || (!has_speed && !has_acceleration);
   if (!arrived) {
     follow_origin(m, from, time_s, limit);
     arrived = squared3(m.at) <= kArrived * kArrived &&
-              (limit.acceleration == 0 || !is_longer(target_velocity - m.velocity, kArrivedSpeed));
+              (!has_acceleration || !is_longer(target_velocity - m.velocity, kArrivedSpeed));
     arrived = arrived || !all_finite(m.at) || !all_finite(m.velocity);  // lost
   }
   if (arrived) m.velocity = target_velocity;
@@ -102,7 +103,7 @@ float frame_time(float dt_s) {
 }
 
 bool is_time(float dt_s) {
-  return dt_s >= 0 && is_finite(dt_s);
+  return dt_s >= 0 && dt_s < kInfinity;
 }
 bool is_limit(const RateLimit& limit) {
   return limit.speed >= 0 && limit.speed < 1e18f && limit.acceleration >= 0 && limit.acceleration < 1e18f;
@@ -130,7 +131,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
     state.mode = kOnTarget;
     return {};
   }
-  if (dt_s == 0) return {};
+  if (!(dt_s > 0)) return {};
   const float time_s = frame_time(dt_s);
   // As rotation vectors from where the target now is.
   const auto from_target = [&](const float(&q)[4]) {
@@ -167,7 +168,7 @@ Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, 
     state.mode = kOnTarget;
     return Status::ok;
   }
-  if (dt_s == 0) return Status::ok;
+  if (!(dt_s > 0)) return Status::ok;
   const float time_s = frame_time(dt_s);
   Motion m = {load_wide(state.point) - to, load_wide(state.velocity)};
   const f32x4 from = load_wide(state.target) - to;
@@ -187,10 +188,9 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
 
 Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local) {
   MARROW_MARK;
-  MARROW_REQUIRE(holds(limits) && holds(local));
+  MARROW_REQUIRE_GOOD(check_joints(limits, local));
   MARROW_REQUIRE(holds(states, limits.size));
   MARROW_REQUIRE(is_time(dt_s));
-  for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
   for (std::size_t i = 0; i < limits.size; ++i) {
     const RateLimit& rate = limits[i].rate;
     if (rate.speed == 0 && rate.acceleration == 0) continue;

@@ -119,6 +119,12 @@ WideRotation nearest(const JointLimit& limit, WideRotation t) {
 
 namespace marrow {
 
+BadCall check_joints(Span<const JointLimit> limits, Span<const SoaTransform> local) {
+  MARROW_CHECK(holds(limits) && holds(local));
+  for (const JointLimit& limit : limits) MARROW_CHECK(limit.joint / 4u < local.size);
+  return {};
+}
+
 float angle_between(WideRotation a, WideRotation b) {
   const WideRotation d = conjugate(a) * b;
   const float sine_squared = squared3(d.v), w = absolute(w_lane(d));
@@ -157,8 +163,7 @@ float limit_excess(const JointLimit& limit, const float (&local)[4]) {
 
 Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local) {
   MARROW_MARK;
-  MARROW_REQUIRE(holds(limits) && holds(local));
-  for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint / 4u < local.size);
+  MARROW_REQUIRE_GOOD(check_joints(limits, local));
   for (const JointLimit& limit : limits) {
     if (limit.kind == LimitKind::none) continue;
     set_rotation(local, limit.joint, clamped(limit, wide_rotation_of(local, limit.joint)));

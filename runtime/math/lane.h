@@ -63,8 +63,10 @@ inline bool operator<(One a, One b) {
 inline One sqrt(One a) {
   return {sqrt(a.v)};
 }
+// Not by `m ? yes : no`: of two that have names GCC makes one address, for which both must lie in memory.
 inline One select(bool m, One yes, One no) {
-  return m ? yes : no;
+  if (m) return yes;
+  return no;
 }
 inline One only_where(bool m, One a) {
   return {m ? a.v : splat(0.0f)};

@@ -80,6 +80,9 @@ template <class F>
 inline Vector<F> select(bool m, const Vector<F>& yes, const Vector<F>& no) {
   return m ? yes : no;
 }
+inline Vector<f32x4> only_where(mask4 m, const Vector<f32x4>& a) {
+  return {only_where(m, a.x), only_where(m, a.y), only_where(m, a.z)};
+}
 template <class F>
 inline Vector<F> flip(const Vector<F>& a, F by) {
   return {flip(a.x, by), flip(a.y, by), flip(a.z, by)};
@@ -131,6 +134,9 @@ inline One dot(Vector<One> a, Vector<One> b) {
 }
 inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
+}
+inline Vector<One> only_where(bool m, Vector<One> a) {
+  return {m ? a.v : splat(0.0f)};
 }
 inline Vector<One> flip(Vector<One> a, One by) {
   return {flip(a.v, by.v)};

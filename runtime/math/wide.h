@@ -24,6 +24,10 @@ inline Vector3 narrow(f32x4 v) {
 inline f32x4 load_wide(const float* p) {
   return without_w(load(p));
 }
+// The same for what reads three lanes: in the fourth is what they have behind them, best a float that is no denormal.
+inline f32x4 load_three(const float* p) {
+  return load(p);
+}
 MARROW_CALLED_WHERE_SMALL inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }

@@ -24,9 +24,7 @@ struct SpringStrengths {
 inline SpringStrengths spring_strengths(Number damping, Number field, float step_s) {
   const Number zero = number(0.0f), one = number(1.0f), h = number(step_s);
   const Number most = number(2.8f), highest = number(4.2f), least = number(1e-3f);
-  Number x = damping * number(0.5f * step_s), y = field * (h * h);
-  x = select(x < most, x, most);
-  y = select(y < highest, y, highest);
+  const Number x = lesser(damping * number(0.5f * step_s), most), y = lesser(field * (h * h), highest);
   const Number minus_xx = zero - x * x, q = y + minus_xx;
   Number slope;
   const Number cosh = cos_of_signed_root(minus_xx, q, slope);

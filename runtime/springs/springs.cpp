@@ -77,10 +77,10 @@ void place_colliders(SpringCall& call) {
   for (std::size_t i = 0; i < call.frame.colliders.size; ++i) {
     const SpringCollider& c = call.frame.colliders[i];
     const Columns joint = columns(call.scene_from_joint[c.joint]);
-    const f32x4 from = to_f32x4(vector3(c.from));
+    const f32x4 from = load_wide(c.from);
     PlacedCollider& out = call.colliders[i];
     out.from = turn(call.world, transform(joint, from));
-    out.along = turn(call.world, turn(joint, to_f32x4(vector3(c.to)) - from));
+    out.along = turn(call.world, turn(joint, load_wide(c.to) - from));
     const float squared = squared3(out.along);
     out.over_squared = squared > 1e-20f ? 1.0f / squared : 0.0f;
     float scale = 0.0f;
@@ -128,7 +128,7 @@ MARROW_CALLED_WHERE_SMALL void follow(const SpringCall& call, f32x4 position, Sp
     first = held_within((mean * 6.0f - begin * 4.0f - end * 2.0f) * (1.0f / dt), most);
     last = held_within((mean * -6.0f + begin * 2.0f + end * 4.0f) * (1.0f / dt), most);
   }
-  const f32x4 wind = to_f32x4(vector3(call.frame.wind));
+  const f32x4 wind = load_wide(call.frame.wind);
   store(root.acceleration[0], first);
   store(root.acceleration[1], last);
   store(root.air[0], wind - begin);
@@ -202,10 +202,9 @@ SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16
     chain = root;
   }
   const Vector<Number> bone = in_world(call, Lanes::vector(in_scene));
-  const Number squared = dot(bone, bone), zero = number(0.0f);
+  const Number squared = dot(bone, bone);
   const Number shortest = number(kShortestBone_m * kShortestBone_m), longest = number(kLongestBone_m * kLongestBone_m);
-  Number over = select(squared < longest, inverse_length(squared), zero);
-  over = select(shortest < squared, over, zero);
+  const Number over = only_where(shortest < squared, only_where(squared < longest, inverse_length(squared)));
   out.over_length = over;
   out.length = squared * over;
   out.animated = bone * over;
@@ -215,11 +214,11 @@ SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16
 // Lanes that have not begun, or whose bone had no length, stand as animated.
 void begin(const SpringBones& bones, const SpringPlace& place) {
   SpringGroup& group = place.group;
-  const Vector<Number> d = place.vector(group.direction), none = Lanes::same(splat(0.0f));
+  const Vector<Number> d = place.vector(group.direction);
   const auto has_motion = number(0.25f) < dot(d, d), has_length = number(0.0f) < bones.over_length;
-  const Vector<Number> velocity = select(has_motion, place.vector(group.velocity), none);
-  Lanes::store(group.direction, place.lane, select(has_length, select(has_motion, d, bones.animated), none));
-  Lanes::store(group.velocity, place.lane, select(has_length, velocity, none));
+  const Vector<Number> velocity = only_where(has_motion, place.vector(group.velocity));
+  Lanes::store(group.direction, place.lane, only_where(has_length, select(has_motion, d, bones.animated)));
+  Lanes::store(group.velocity, place.lane, only_where(has_length, velocity));
   Lanes::store(group.animated, place.lane, select(has_motion, place.vector(group.animated), bones.animated));
 }
 
@@ -251,7 +250,8 @@ Vector<Number> of_roots(const SpringCall& call, const SpringPlace& place, const 
   return Lanes::rows(rows);
 }
 
-SpringPull pull_of(const SpringCall& call, const SpringPlace& place, const SpringBones& bones) {
+MARROW_CALLED_WHERE_SMALL SpringPull pull_of(const SpringCall& call, const SpringPlace& place,
+                                             const SpringBones& bones) {
   const SpringGroup& group = place.group;
   const Vector<Number> was = place.vector(group.animated);
   const Vector<Number> weight = Lanes::same(load_wide(call.frame.gravity)) * place.number(group.gravity);
@@ -311,29 +311,36 @@ MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBo
   SpringMotion m = {place.vector(group.direction), place.vector(group.velocity)};
   Quaternion<Number> bent = Lanes::rotation(group.bent, place.lane);
   const Number zero = number(0.0f), damping = place.number(group.damping) + place.number(group.drag);
-  const Vector<Number> field = field_at(pull, animated_at(pull, zero), zero, bent, m.direction);
-  const SpringStrengths s = spring_strengths(damping, sqrt(dot(field, field)), call.step_s);
-  SpringForce force = force_on(field, m.direction);
   const bool may_touch = !call.frame.colliders.empty();
-  for (int step = 0; step < call.steps; ++step) {
-    const Vector<Number> was = m.velocity, from = m.direction;
-    m.velocity = was * s.decay + force.across * s.first_kick;
-    SpringWay way;
-    m = drifted(m, s.drift, way);
-    Vector<Number> outwards = Lanes::same(splat(0.0f));
-    if (may_touch) collide_bones(call, place, bones, m, descents[step].joint, outwards);
-    const Number u =
-        number(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
+  Vector<Number> was, from, outwards;  // before the drift; what it touches
+  SpringStrengths s;
+  SpringForce force;
+  SpringWay way;
+  Number u = zero;
+  for (int step = 0;; ++step) {
     const Vector<Number> animated = animated_at(pull, u);
-    NearestRotation nearest;
-    nearest_rotation(animated, m.direction, nearest.columns);
-    bent = bend(nearest, bones.begins, descents[step].bent);
-    const SpringForce next = force_on(field_at(pull, animated, u, bent, m.direction), m.direction);
-    m.velocity = (m.velocity + next.across * s.last_kick) * s.decay;
-    Number work = twice_work(force, next, way);
-    if (may_touch) work = select(zero < dot(outwards, outwards), twice_work(force, next, from, m.direction), work);
-    m.velocity = no_faster(m.velocity, was, work);
+    if (step > 0) {
+      NearestRotation nearest;
+      nearest_rotation(animated, m.direction, nearest.columns);
+      bent = bend(nearest, bones.begins, descents[step - 1].bent);
+    }
+    const Vector<Number> field = field_at(pull, animated, u, bent, m.direction);
+    const SpringForce next = force_on(field, m.direction);
+    if (step == 0) {
+      s = spring_strengths(damping, sqrt(dot(field, field)), call.step_s);
+    } else {
+      m.velocity = (m.velocity + next.across * s.last_kick) * s.decay;
+      Number work = twice_work(force, next, way);
+      if (may_touch) work = select(zero < dot(outwards, outwards), twice_work(force, next, from, m.direction), work);
+      m.velocity = no_faster(m.velocity, was, work);
+    }
+    if (step == call.steps) break;
     force = next;
+    was = m.velocity, from = m.direction;
+    m.velocity = was * s.decay + force.across * s.first_kick;
+    m = drifted(m, s.drift, way);
+    if (may_touch) collide_bones(call, place, bones, m, descents[step].joint, outwards);
+    u = number(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
   }
   m.direction = normalised(m.direction);
   Lanes::store(group.direction, place.lane, m.direction);

@@ -156,90 +156,100 @@ void place(Misuse& m) {
   m.returned(place_feet(skeleton_of(m), feet, frame, m.in(ground), moving, local, joints));
 }
 
+void call_two_bone(Misuse& m) {
+  TwoBoneTurns& out = m.one(TwoBoneTurns{});
+  const Status status = two_bone(limb_of(m), reach_of(m), out);
+  m.returned(status);
+  expect_turn(status, out.start);
+  expect_turn(status, out.mid);
+}
+
+void call_two_bone_x4(Misuse& m) {
+  const TwoBoneJoints limbs[4] = {limb_of(m), limb_of(m), limb_of(m), limb_of(m)};
+  const TwoBone goals[4] = {reach_of(m), reach_of(m), reach_of(m), reach_of(m)};
+  TwoBoneTurns out[4];
+  const Status status = two_bone_x4(limbs, goals, out);
+  m.returned(status);
+  for (const TwoBoneTurns& turns : out) expect_turn(status, turns.mid);
+}
+
+void call_solve_two_bone(Misuse& m) {
+  const TwoBoneLimb limb{m.index(2), m.index(5), m.index(10)};
+  const Span<SoaTransform> local = m.out(stage().pose);
+  const Span<Affine> joints = m.out(stage().joints);
+  bool reached = false;
+  m.returned(solve_two_bone(skeleton_of(m), limb, reach_of(m), local, joints, m.pointer(&reached)));
+}
+
+void call_aim(Misuse& m) {
+  AimTurn& out = m.one(AimTurn{});
+  const Status status = aim(*matrix(m, 5), aim_of(m), out);
+  m.returned(status);
+  expect_turn(status, out.turn);
+}
+
+void call_solve_aim(Misuse& m) {
+  const Span<SoaTransform> local = m.out(stage().pose);
+  const Span<Affine> joints = m.out(stage().joints);
+  bool reached = false;
+  m.returned(solve_aim(skeleton_of(m), m.index(5), aim_of(m), local, joints, m.pointer(&reached)));
+}
+
+void call_solve_look_at(Misuse& m) {
+  const std::vector<std::uint32_t> chain = {0, 2, 5};
+  const Span<SoaTransform> local = m.out(stage().pose);
+  const Span<Affine> joints = m.out(stage().joints);
+  m.returned(solve_look_at(skeleton_of(m), m.in(chain), aim_of(m), m.number(0.5f), local, joints));
+}
+
+void call_ik_scratch_bytes(Misuse& m) {
+  Asked asked;
+  (void)ik_scratch_bytes(skeleton_of(m), problem_of(m, asked), options_of(m));
+  m.returned_ok();
+}
+
+void call_ik_genetic_scratch_bytes(Misuse& m) {
+  Asked asked;
+  (void)ik_genetic_scratch_bytes(skeleton_of(m), problem_of(m, asked));
+  m.returned_ok();
+}
+
+void call_solve_ik_genetic(Misuse& m) {
+  Asked asked;
+  const IkProblem problem = problem_of(m, asked);
+  const IkOptions options = options_of(m);
+  const Skeleton& skeleton = skeleton_of(m);
+  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_genetic_scratch_bytes(skeleton, problem)));
+  const Span<SoaTransform> local = m.out(stage().pose);
+  const Span<Affine> joints = m.out(stage().joints);
+  m.returned(solve_ik_genetic(skeleton, local, joints, problem, options, scratch));
+}
+
+void call_foot_sole(Misuse& m) {
+  float sole[3] = {};
+  const Span<const Affine> joints = m.in(stage().joints);
+  const Status status = foot_sole(foot_of(m, 2, 5, 10), *matrix(m, 0), joints, sole);
+  m.returned(status);
+  for (const float x : sole) EXPECT_TRUE(status != Status::ok || std::isfinite(x));
+}
+
 }  // namespace
 
 std::vector<MisuseRow> rows_of_reaching() {
   return {
-      {"two_bone",
-       [](Misuse& m) {
-         TwoBoneTurns& out = m.one(TwoBoneTurns{});
-         const Status status = two_bone(limb_of(m), reach_of(m), out);
-         m.returned(status);
-         expect_turn(status, out.start);
-         expect_turn(status, out.mid);
-       }},
-      {"two_bone_x4",
-       [](Misuse& m) {
-         const TwoBoneJoints limbs[4] = {limb_of(m), limb_of(m), limb_of(m), limb_of(m)};
-         const TwoBone goals[4] = {reach_of(m), reach_of(m), reach_of(m), reach_of(m)};
-         TwoBoneTurns out[4];
-         const Status status = two_bone_x4(limbs, goals, out);
-         m.returned(status);
-         for (const TwoBoneTurns& turns : out) expect_turn(status, turns.mid);
-       }},
-      {"solve_two_bone",
-       [](Misuse& m) {
-         const TwoBoneLimb limb{m.index(2), m.index(5), m.index(10)};
-         const Span<SoaTransform> local = m.out(stage().pose);
-         const Span<Affine> joints = m.out(stage().joints);
-         bool reached = false;
-         m.returned(solve_two_bone(skeleton_of(m), limb, reach_of(m), local, joints, m.pointer(&reached)));
-       }},
-      {"aim",
-       [](Misuse& m) {
-         AimTurn& out = m.one(AimTurn{});
-         const Status status = aim(*matrix(m, 5), aim_of(m), out);
-         m.returned(status);
-         expect_turn(status, out.turn);
-       }},
-      {"solve_aim",
-       [](Misuse& m) {
-         const Span<SoaTransform> local = m.out(stage().pose);
-         const Span<Affine> joints = m.out(stage().joints);
-         bool reached = false;
-         m.returned(solve_aim(skeleton_of(m), m.index(5), aim_of(m), local, joints, m.pointer(&reached)));
-       }},
-      {"solve_look_at",
-       [](Misuse& m) {
-         const std::vector<std::uint32_t> chain = {0, 2, 5};
-         const Span<SoaTransform> local = m.out(stage().pose);
-         const Span<Affine> joints = m.out(stage().joints);
-         m.returned(solve_look_at(skeleton_of(m), m.in(chain), aim_of(m), m.number(0.5f), local, joints));
-       }},
-      {"ik_scratch_bytes",
-       [](Misuse& m) {
-         Asked asked;
-         (void)ik_scratch_bytes(skeleton_of(m), problem_of(m, asked), options_of(m));
-         m.returned_ok();
-       }},
-      {"ik_genetic_scratch_bytes",
-       [](Misuse& m) {
-         Asked asked;
-         (void)ik_genetic_scratch_bytes(skeleton_of(m), problem_of(m, asked));
-         m.returned_ok();
-       }},
+      {"two_bone", call_two_bone},
+      {"two_bone_x4", call_two_bone_x4},
+      {"solve_two_bone", call_solve_two_bone},
+      {"aim", call_aim},
+      {"solve_aim", call_solve_aim},
+      {"solve_look_at", call_solve_look_at},
+      {"ik_scratch_bytes", call_ik_scratch_bytes},
+      {"ik_genetic_scratch_bytes", call_ik_genetic_scratch_bytes},
       {"solve_ik", [](Misuse& m) { solve(m, solve_ik, IkMethod::gauss_newton); }},
       {"solve_ik_chain", [](Misuse& m) { solve(m, solve_ik_chain, IkMethod::fabrik); }},
       {"solve_ik_body", [](Misuse& m) { solve(m, solve_ik_body, IkMethod::gauss_newton); }},
-      {"solve_ik_genetic",
-       [](Misuse& m) {
-         Asked asked;
-         const IkProblem problem = problem_of(m, asked);
-         const IkOptions options = options_of(m);
-         const Skeleton& skeleton = skeleton_of(m);
-         const Span<std::byte> scratch = m.memory(scratch_bytes(ik_genetic_scratch_bytes(skeleton, problem)));
-         const Span<SoaTransform> local = m.out(stage().pose);
-         const Span<Affine> joints = m.out(stage().joints);
-         m.returned(solve_ik_genetic(skeleton, local, joints, problem, options, scratch));
-       }},
-      {"foot_sole",
-       [](Misuse& m) {
-         float sole[3] = {};
-         const Span<const Affine> joints = m.in(stage().joints);
-         const Status status = foot_sole(foot_of(m, 2, 5, 10), *matrix(m, 0), joints, sole);
-         m.returned(status);
-         for (const float x : sole) EXPECT_TRUE(status != Status::ok || std::isfinite(x));
-       }},
+      {"solve_ik_genetic", call_solve_ik_genetic},
+      {"foot_sole", call_foot_sole},
       {"place_feet", place},
   };
 }
