@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "unit/pose/springs_support.h"
+#include "unit/ik/springs_support.h"
 
 namespace marrow::cook {
 namespace {

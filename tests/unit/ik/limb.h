@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "marrow/ik.h"
-#include "unit/pose/reach.h"
+#include "unit/ik/reach.h"
 
 namespace marrow::test {
 

@@ -9,7 +9,7 @@
 #include "support/allocations.h"
 #include "support/pose_file.h"
 #include "support/poses.h"
-#include "unit/pose/springs_support.h"
+#include "unit/ik/springs_support.h"
 
 namespace marrow {
 namespace {

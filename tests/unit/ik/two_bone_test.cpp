@@ -8,7 +8,7 @@
 
 #include "support/expect_joint.h"
 #include "support/poses.h"
-#include "unit/pose/limb.h"
+#include "unit/ik/limb.h"
 
 namespace marrow {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "marrow/limits.h"
-#include "unit/pose/ik_posed.h"
-#include "unit/pose/limit_reference.h"
+#include "unit/ik/limit_reference.h"
+#include "unit/ik/posed.h"
 
 namespace marrow {
 namespace {

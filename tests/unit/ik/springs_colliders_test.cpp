@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "springs/spring_state.h"
-#include "unit/pose/springs_support.h"
+#include "unit/ik/springs_support.h"
 
 namespace marrow {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_file.h"
-#include "unit/pose/ik_solving.h"
+#include "unit/ik/solving.h"
 
 namespace marrow {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "marrow/limits.h"
 #include "support/pose_file.h"
-#include "unit/pose/ik_posed.h"
+#include "unit/ik/posed.h"
 
 namespace marrow {
 namespace {

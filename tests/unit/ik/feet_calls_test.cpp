@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "support/allocations.h"
-#include "unit/pose/feet_support.h"
+#include "unit/ik/feet_support.h"
 
 namespace marrow {
 namespace {

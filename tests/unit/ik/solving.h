@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "marrow/limits.h"
-#include "unit/pose/ik_chains.h"
-#include "unit/pose/limit_reference.h"
+#include "unit/ik/chains.h"
+#include "unit/ik/limit_reference.h"
 
 namespace marrow::test {
 

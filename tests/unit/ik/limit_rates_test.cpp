@@ -10,7 +10,7 @@
 #include "marrow/limits.h"
 #include "support/allocations.h"
 #include "support/rig.h"
-#include "unit/pose/limit_reference.h"
+#include "unit/ik/limit_reference.h"
 
 namespace marrow {
 namespace {

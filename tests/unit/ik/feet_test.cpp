@@ -1,5 +1,5 @@
 // Feet on the ground: heights, slopes, planting and release.
-#include "unit/pose/feet_support.h"
+#include "unit/ik/feet_support.h"
 
 namespace marrow {
 namespace {

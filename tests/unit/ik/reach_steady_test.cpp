@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/pose_file.h"
-#include "unit/pose/reach.h"
+#include "unit/ik/reach.h"
 
 namespace marrow {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/pose/limb.h"
+#include "unit/ik/limb.h"
 
 namespace marrow {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/pose/reach.h"
+#include "unit/ik/reach.h"
 
 namespace marrow {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "unit/pose/limit_reference.h"
+#include "unit/ik/limit_reference.h"
 
 namespace marrow {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "support/pose_file.h"
-#include "unit/pose/ik_solving.h"
+#include "unit/ik/solving.h"
 
 namespace marrow {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/aligned.h"
-#include "unit/pose/ik_chains.h"
+#include "unit/ik/chains.h"
 
 namespace marrow::test {
 

@@ -148,7 +148,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 TEST(FollowingExamples, AreThoseOfTheDocumentation) {
   const std::filesystem::path root = marrow::test::in_source("");
-  const std::string source = text_of(root / "tests/unit/pose/following_examples_test.cpp");
+  const std::string source = text_of(root / "tests/unit/ik/following_examples_test.cpp");
   std::string docs;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs"))
     if (entry.path().extension() == ".md") docs += text_of(entry.path());

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "support/call_errors.h"
-#include "unit/pose/ik_solving.h"
+#include "unit/ik/solving.h"
 
 namespace marrow {
 namespace {
