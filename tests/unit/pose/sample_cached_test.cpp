@@ -82,28 +82,58 @@ void make_rest(const Clip& clip, std::uint32_t pattern) {
   }
 }
 
-// What rests is left as it stands while a clip plays on, and only then: not where it has moved since, and not from one
-// segment to the next, whose steps are its own.
+// Plays a clip on, three times between any two frames, then leaves out every other frame; compares with sample().
+// Returns how often.
+std::size_t play_through(Player& player, std::uint32_t pattern) {
+  const CodedTracks& coded = player.clip.coded;
+  make_rest(player.clip, pattern);
+  std::size_t out = 0;
+  for (const std::uint32_t step : {1u, 2u}) {
+    SampleCache cache = {player.memory()};
+    for (std::uint32_t i = 0; i + 1 < coded.frame_count; i += step) {
+      const float from_s = coded.time_of(i), to_s = coded.time_of(i + 1);
+      for (const float share : {0.25f, 0.5f, 0.75f}) {
+        EXPECT_TRUE(player.is_same(from_s + (to_s - from_s) * share, cache)) << pattern << ' ' << i << ' ' << share;
+        ++out;
+      }
+    }
+  }
+  return out;
+}
+
+// What rests is left as it stands while a clip plays on, and only then: not where it has moved since.
 TEST(SampleCached, LeavesWhatRestsAsItStands) {
   std::size_t compared = 0;
   for (std::uint32_t pattern = 0; pattern < 256; ++pattern) {
     const test::AlignedBlock even = test::golden_coded_copy(), uneven = test::golden_uneven_copy();
     for (const test::AlignedBlock* const block : {&even, &uneven}) {
       Player player(*block);
-      const CodedTracks& coded = player.clip.coded;
-      ASSERT_GT((coded.frame_count - 1) / coded.segment_intervals, 1u) << "segments";
-      make_rest(player.clip, pattern);
-      SampleCache cache = {player.memory()};
-      for (std::uint32_t i = 0; i + 1 < coded.frame_count; ++i) {
-        const float from_s = coded.time_of(i), to_s = coded.time_of(i + 1);
-        for (const float share : {0.25f, 0.5f, 0.75f}) {
-          ASSERT_TRUE(player.is_same(from_s + (to_s - from_s) * share, cache)) << pattern << ' ' << i;
-          ++compared;
-        }
-      }
+      compared += play_through(player, pattern);
     }
   }
   EXPECT_GT(compared, 2000u);
+}
+
+// The second segment has the first one's integers with steps twice as large: what is alike in both rests elsewhere.
+TEST(SampleCached, MovesWhatRestsFromSegmentToSegment) {
+  const test::AlignedBlock block = test::golden_coded_copy();
+  Player player(block);
+  CodedTracks& coded = player.clip.coded;
+  ASSERT_EQ(coded.segment_intervals, coded.frame_count - 1) << "one segment";
+  const TrackCursor whole(coded.payload, coded.track_count, coded.frame_count);
+  const auto bytes = static_cast<std::uint32_t>(whole.record - coded.payload);
+  std::vector<std::byte> payload(2 * bytes + 8);
+  std::memcpy(payload.data(), coded.payload, bytes);
+  std::memcpy(payload.data() + bytes, coded.payload, bytes);
+  for (std::uint32_t t = 0; t < coded.track_count; ++t) {
+    std::byte& step = payload[bytes + 4 + t * sizeof(format::TrackHeader) + offsetof(format::TrackHeader, step)];
+    step = std::byte(std::to_integer<int>(step) + 4);
+  }
+  const std::uint32_t offsets[] = {0, bytes};
+  coded.frame_count = 2 * coded.segment_intervals + 1;
+  coded.payload = payload.data();
+  coded.segment_offsets = offsets;
+  EXPECT_GT(play_through(player, 255), 10u);
 }
 
 // Two frames alike give the first one's bits at any time between them; a blend would round as the time says.
