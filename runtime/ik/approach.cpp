@@ -150,9 +150,10 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   return beyond;
 }
 
-// The shortest turns to goals all about the opposite take the chain's side anywhere, and so would one step past it. So
-// within 29 degrees of there the whole keeps more and more to the side to which half a turn in its plane takes it. Of
-// what is left, two goals where it has to change sides at once, none lies in that plane or straight across it.
+// About the goal opposite to the end, shortest turns put the chain's bend on one side for one goal and on another for
+// its neighbour. So within 29 degrees of there the bend is kept, the more the nearer, on the side to which half a turn
+// in the chain's own plane takes it. It has to change sides at once for goals in two directions. Neither is in that
+// plane or straight across it.
 void set_out(IkHeuristic& h) {
   const f32x4 root = h.parts[0].at, from = h.end(0).at - root, to = h.aims[0].goal - root;
   const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // of the goal, from the opposite
