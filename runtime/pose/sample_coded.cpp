@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::uint32_t kHeaderBytes = sizeof(format::TrackHeader), kConstantBytes = sizeof(format::Constant);
 
-// A number for each of two frames, in every lane.
-struct Weights {
-  alignas(16) float a[4], b[4];
-};
-
 struct Tables {
   // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
   // times 16, which is where the code stands in a header or how far an entry is from the first.
@@ -33,7 +28,6 @@ struct Tables {
   std::uint8_t header_bytes[16], constant_bytes[16];
   // Operands from memory.
   alignas(16) float one[4], two[4], series_limit[4];
-  Weights first;
   alignas(16) std::uint32_t codes[4], high[4];
 };
 constexpr Tables make_tables() {
@@ -54,7 +48,7 @@ constexpr Tables make_tables() {
     }
   }
   for (int i = 0; i < 4; ++i) {
-    t.one[i] = t.first.a[i] = 1.0f;
+    t.one[i] = 1.0f;
     t.two[i] = 2.0f;
     t.series_limit[i] = kSlerpSeriesLimit;
     t.codes[i] = 0xF0F0F0F0u;
@@ -272,18 +266,12 @@ template <class Four>
 struct FrameBlend {
   f32x4 u;
   SlerpSeries a, b;
-  Weights linear;
-  explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {
-    store(linear.a, a.c[0]);
-    store(linear.b, b.c[0]);
-  }
-  // Of frames that are alike the first: a blend of the two would round as the time says.
-  const Weights& linear_of(const Tables& t, bool alike) const { return alike ? t.first : linear; }
+  explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
-// Rotations, into the lanes in `lanes`. linear: of `blend`.
+// Rotations, into the lanes in `lanes`.
 [[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend,
-                                               const Weights& linear, const float (&rest)[4][4], std::uint32_t lanes,
+                                               const float (&rest)[4][4], std::uint32_t lanes,
                                                float (&rotation)[4][4]) {
   const f32x4 chord_squared = two.chord_squared;
   f32x4 wa, wb;
@@ -294,8 +282,8 @@ struct FrameBlend {
     wa = exact_a;
     wb = select(far, splat(0.0f) - exact_b, exact_b);
   } else {
-    wa = slerp_weight({{load_aligned(linear.a), blend.a.c[1], blend.a.c[2]}}, chord_squared);
-    wb = slerp_weight({{load_aligned(linear.b), blend.b.c[1], blend.b.c[2]}}, chord_squared);
+    wa = slerp_weight(blend.a, chord_squared);
+    wb = slerp_weight(blend.b, chord_squared);
   }
   const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
   const f32x4 x = two.a[0] * fa + two.b[0] * fb, y = two.a[1] * fa + two.b[1] * fb, z = two.a[2] * fa + two.b[2] * fb,
@@ -320,28 +308,34 @@ inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float 
   store_lanes(t, out, lanes, vector);
 }
 
-[[gnu::noinline, maybe_unused]] void blend_kept(const FramePair& two, std::uint32_t kind, const FrameBlend& blend,
-                                                const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
-  const Tables& t = tables();
-  if (kind == 0) {
-    Rotations r;
-    rotations(t, two, r);
-    return rotate_rest(t, r, blend, blend.linear_of(t, r.alike), rest.rotation, lanes, out.rotation);
-  }
-  add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
-              kind == 2 ? out.scale : out.translation);
-}
-
 // What moves, group after group.
 struct Moving {
   const Skeleton& skeleton;
   const CodedTracks& coded;
   const SampleOptions& options;
-  FrameBlend blend;
+  FrameBlend blend, first;
   FramePair *kept, *kept_end;  // one a kind and group; null: none is kept
   bool is_kept;                // by an earlier call
   bool follows;                // what is kept is of the frame before, of the same segment
 };
+
+// The blend of rotations that are, or are not, alike. Of those that are it is the first: a blend of two equal ones
+// would round as the time says.
+inline const FrameBlend& blend_of(const Moving& m, bool alike) {
+  return alike ? m.first : m.blend;
+}
+
+[[gnu::noinline, maybe_unused]] void blend_kept(const Moving& m, const FramePair& two, std::uint32_t kind,
+                                                const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
+  const Tables& t = tables();
+  if (kind == 0) {
+    Rotations r;
+    rotations(t, two, r);
+    return rotate_rest(t, r, blend_of(m, r.alike), rest.rotation, lanes, out.rotation);
+  }
+  add_to_rest(t, two, m.blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
+              kind == 2 ? out.scale : out.translation);
+}
 
 // Of a frame to be unpacked; where code is small, of any. One loop for all kinds, since they are unpacked alike.
 void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
@@ -368,7 +362,7 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
         FramePair one;
         FramePair& two = pair != nullptr ? *pair : one;
         if (!m.is_kept) unpack_each(cursor, tracks, two);
-        blend_kept(two, kind, m.blend, *rest, lanes, *out);
+        blend_kept(m, two, kind, *rest, lanes, *out);
         if (pair != nullptr) ++pair;
       } else {
         Unpacked four;
@@ -377,7 +371,7 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
           Rotations two;
           rotations(t, four, two);
           if (pair != nullptr && keep(two, m.follows, *pair++)) continue;
-          rotate_rest(t, two, m.blend, m.blend.linear_of(t, two.alike), rest->rotation, lanes, out->rotation);
+          rotate_rest(t, two, blend_of(m, two.alike), rest->rotation, lanes, out->rotation);
         } else {
           if (pair != nullptr && keep(four, m.follows, *pair++)) continue;
           const bool scales = kind == 2;
@@ -406,7 +400,7 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
       if (!are_alike(*two)) {
         Rotations r;
         load_kept(*two, r);
-        rotate_rest(t, r, m.blend, m.blend.linear, rest->rotation, lanes, out->rotation);
+        rotate_rest(t, r, m.blend, rest->rotation, lanes, out->rotation);
       }
     }
     if (moving <= 15) continue;
@@ -539,8 +533,8 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
   const bool follows = !kept.empty() && in_segment != 0 && cache->frame == place.frame - 1;
-  const Moving moving = {skeleton,     coded,      options, FrameBlend(place.between),
-                         kept.begin(), kept.end(), is_kept, follows};
+  const Moving moving = {skeleton,   coded,   options, FrameBlend(place.between), FrameBlend(0.0f), kept.begin(),
+                         kept.end(), is_kept, follows};
   if (!kSmall && is_kept) {
     set_kept(moving, out);
     return;
