@@ -177,16 +177,12 @@ inline void load_xyz(const float* p, f32x4& x, f32x4& y, f32x4& z) {
   z.v = _mm_shuffle_ps(y0z0y1z1, c, _MM_SHUFFLE(3, 0, 3, 1));
 }
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
-  const auto store_low = [](float* to, __m128 v) { _mm_storel_pi(reinterpret_cast<__m64*>(to), v); };
-  const auto store_high = [](float* to, __m128 v) { _mm_storeh_pi(reinterpret_cast<__m64*>(to), v); };
+  const __m128 x0x2y0y2 = _mm_shuffle_ps(x.v, y.v, _MM_SHUFFLE(2, 0, 2, 0));
+  const __m128 y1y3z1z3 = _mm_shuffle_ps(y.v, z.v, _MM_SHUFFLE(3, 1, 3, 1));
   const __m128 z0z2x1x3 = _mm_shuffle_ps(z.v, x.v, _MM_SHUFFLE(3, 1, 2, 0));
-  const __m128 z0x1z2x3 = _mm_shuffle_ps(z0z2x1x3, z0z2x1x3, _MM_SHUFFLE(3, 1, 2, 0));
-  store_low(p, _mm_unpacklo_ps(x.v, y.v));
-  store_low(p + 2, z0x1z2x3);
-  store_high(p + 4, _mm_unpacklo_ps(y.v, z.v));
-  store_low(p + 6, _mm_unpackhi_ps(x.v, y.v));
-  store_high(p + 8, z0x1z2x3);
-  store_high(p + 10, _mm_unpackhi_ps(y.v, z.v));
+  _mm_storeu_ps(p, _mm_shuffle_ps(x0x2y0y2, z0z2x1x3, _MM_SHUFFLE(2, 0, 2, 0)));
+  _mm_storeu_ps(p + 4, _mm_shuffle_ps(y1y3z1z3, x0x2y0y2, _MM_SHUFFLE(3, 1, 2, 0)));
+  _mm_storeu_ps(p + 8, _mm_shuffle_ps(z0z2x1x3, y1y3z1z3, _MM_SHUFFLE(3, 1, 3, 1)));
 }
 
 // Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …

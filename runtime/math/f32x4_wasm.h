@@ -157,14 +157,12 @@ inline void load_xyz(const float* p, f32x4& x, f32x4& y, f32x4& z) {
   z.v = wasm_i32x4_shuffle(y0z0y1z1, c, 1, 3, 4, 7);
 }
 inline void store_xyz(float* p, f32x4 x, f32x4 y, f32x4 z) {
-  const v128_t xy0 = wasm_i32x4_shuffle(x.v, y.v, 0, 4, 1, 5);  // x0 y0 x1 y1
-  const v128_t xy2 = wasm_i32x4_shuffle(x.v, y.v, 2, 6, 3, 7);
-  const v128_t yz1 = wasm_i32x4_shuffle(y.v, z.v, 1, 5, 2, 6);  // y1 z1 y2 z2
-  const v128_t zx = wasm_i32x4_shuffle(z.v, x.v, 0, 5, 2, 7);   // z0 x1 z2 x3
-  wasm_v128_store(p, wasm_i32x4_shuffle(xy0, zx, 0, 1, 4, 5));
-  wasm_v128_store(p + 4, wasm_i32x4_shuffle(yz1, xy2, 0, 1, 4, 5));
-  const v128_t yz3 = wasm_i32x4_shuffle(y.v, z.v, 3, 7, 3, 7);
-  wasm_v128_store(p + 8, wasm_i32x4_shuffle(zx, yz3, 2, 3, 4, 5));
+  const v128_t x0x2y0y2 = wasm_i32x4_shuffle(x.v, y.v, 0, 2, 4, 6);
+  const v128_t y1y3z1z3 = wasm_i32x4_shuffle(y.v, z.v, 1, 3, 5, 7);
+  const v128_t z0z2x1x3 = wasm_i32x4_shuffle(z.v, x.v, 0, 2, 5, 7);
+  wasm_v128_store(p, wasm_i32x4_shuffle(x0x2y0y2, z0z2x1x3, 0, 2, 4, 6));
+  wasm_v128_store(p + 4, wasm_i32x4_shuffle(y1y3z1z3, x0x2y0y2, 0, 2, 5, 7));
+  wasm_v128_store(p + 8, wasm_i32x4_shuffle(z0z2x1x3, y1y3z1z3, 1, 3, 5, 7));
 }
 
 // Sixteen floats: x0 y0 z0 w0 x1 y1 z1 w1 …

@@ -4927,12 +4927,12 @@ extern "C" {
     ///   position = M_j (v, 1)
     /// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
     /// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
-    /// Cost: positions 51 / 32; with exact normals 78 / 49.
+    /// Cost: positions 50 / 32; with exact normals 78 / 49.
     #[link_name = "mrw_skin_rigid"]
     pub fn skin_rigid(mesh: *const Mesh, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
     /// Skeletal subspace deformation, also called linear blend skinning.
     ///   position = (Σ_j w_j M_j) (v, 1)
-    /// Cost: positions 39 / 29; with normals through the blended matrix 49 / 35, and tangents 61 / 42; through the inverse
+    /// Cost: positions 38 / 29; with normals through the blended matrix 47 / 34, and tangents 59 / 42; through the inverse
     /// transpose 66 / 47 and 83 / 56. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
     /// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
     /// transpose.
@@ -4975,7 +4975,7 @@ extern "C" {
     ///            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
     /// Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
     /// coordinates: from as_coordinates() of this geometry.
-    /// Cost: positions 40 / 31; with normals through the blended matrix 75 / 56, and tangents 86 / 62; through the inverse
+    /// Cost: positions 40 / 31; with normals through the blended matrix 73 / 56, and tangents 85 / 62; through the inverse
     /// transpose 92 / 69 and 108 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
     /// more an influence but the last.
     ///
