@@ -4778,7 +4778,7 @@ extern "C" {
     /// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
     /// Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
     /// of its range, or there are more than kMaxSpringColliders; nothing is written.
-    /// Cost: at 60 frames/s 720 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
+    /// Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
     /// thread-safe on different springs and poses.
     #[link_name = "mrw_simulate_springs"]
     pub fn simulate_springs(skeleton: *const Skeleton, frame: *const SpringFrame, springs: *mut Springs, local: *mut SoaTransform, local_count: usize, scene_from_joint: *mut Affine, scene_from_joint_count: usize) -> Status;
