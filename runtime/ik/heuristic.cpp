@@ -189,6 +189,7 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
     if (h.plain) {
       h.plain = false;
       if (report.iterations > 0) turn_to_points(h);
+      h.turned = no_turn();  // the frames have it
       // Lengths that depend on how joints are turned, by scales that are not the same in all directions.
       if (report.why == IkStop::reached && error_of(h) > 1.1f * options.tolerance_m)
         iterate(h, problem, options, report);

@@ -5183,11 +5183,11 @@ public static unsafe class Marrow {
     /// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
     /// of a File by Clip::id, one that is made by hand by where its tracks lie.
     ///
-    /// out: as of sample(), and nobody else writes to it as long as the cache is in use; for a pose that is changed
-    /// afterwards copy it, or let blend() read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out`
-    /// was written by others. Errors: as sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes;
-    /// then it forgets nothing. Cost: in the worst case that of sample() and a copy of the frames; playing at 60 Hz over
-    /// keys at 30 Hz about half.
+    /// out: as of sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
+    /// what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let blend()
+    /// read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out` was written by others. Errors: as
+    /// sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing. Cost: in
+    /// the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
     /// </summary>
     [DllImport(Library, EntryPoint = "mrw_sample_cached", CallingConvention = CallingConvention.Cdecl)]
     public static extern Status SampleCached(Skeleton* skeleton, Clip* clip, float time_s, SoaTransform* @out, UIntPtr out_count, SampleCache* cache);
