@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostSteps = 10;
 
 template <bool plain>
-inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
+MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
   return {mid - start,
           end - mid,
@@ -156,7 +156,7 @@ MARROW_CALLED_WHERE_SMALL void turn_limb(Span<SoaTransform> local, const TwoBone
 }
 
 // Whether the limb, once it is stretched, meets the target: where secants have not come to an end, it does not.
-[[gnu::noinline]] bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
+bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
   const Vector<One> start = wide_origin(*u.at.start), upper = wide_origin(*u.at.mid) - start,
                     way = wide_origin(*u.at.end) - start, lower = way - upper,
                     miss = wide(goal.target) - start - way * all_lanes<One>(stretch);
@@ -165,7 +165,7 @@ MARROW_CALLED_WHERE_SMALL void turn_limb(Span<SoaTransform> local, const TwoBone
 }
 
 // Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
-MARROW_CALLED_WHERE_SMALL void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
+void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);

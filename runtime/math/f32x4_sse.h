@@ -148,7 +148,7 @@ inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
   const __m128 ab = _mm_unpackhi_ps(a.v, b.v);  // z, z, w, w
   return without_w({_mm_shuffle_ps(ab, c.v, _MM_SHUFFLE(3, 3, 3, 2))});
 }
-inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
+[[gnu::always_inline]] inline void transpose(f32x4& a, f32x4& b, f32x4& c, f32x4& d) {
   _MM_TRANSPOSE4_PS(a.v, b.v, c.v, d.v);
 }
 

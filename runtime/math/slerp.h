@@ -1,6 +1,8 @@
 // Weights of spherical linear interpolation.
 #pragma once
 
+#include <type_traits>
+
 #include "math/elementary.h"
 
 namespace marrow {
@@ -14,7 +16,11 @@ struct SlerpWeights {
 // arc): sin((1-u) θ) / sin θ and sin(u θ) / sin θ with sin(θ/2) = |b - a| / 2, all as even functions of θ, which leaves
 // nothing to divide by zero at θ = 0. The angle is off by at most 4e-7 of itself.
 template <class F>
-inline SlerpWeights<F> slerp_weights(F chord_squared, F u) {
+MARROW_CALLED_WHERE_SMALL inline SlerpWeights<F> slerp_weights(F chord_squared, F u) {
+  if constexpr (kSmall && std::is_same_v<F, float>) {  // the same bits by what is there for four
+    const SlerpWeights<f32x4> four = slerp_weights(splat(chord_squared), splat(u));
+    return {first_lane(four.a), first_lane(four.b)};
+  }
   const F half = asinc_for_slerp(all_lanes<F>(0.25f) * chord_squared);
   const F angle_squared = chord_squared * half * half;
   const F v = all_lanes<F>(1.0f) - u;

@@ -75,7 +75,7 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
 }
 
 bool wanted(const SampleOptions& options, std::uint32_t joint) {
-  return options.joints.empty() || (options.joints[joint / 32] >> (joint % 32) & 1u) != 0;
+  return (wanted_lanes(options, joint / 4) >> (joint % 4) & 1u) != 0;
 }
 
 // Finds the moment of a time in list after list; one search serves neighbours that share theirs.
@@ -133,15 +133,11 @@ BadCall check_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Spa
   return {};
 }
 
-// is_still, cache: as for sample_coded.
+// is_still: `out` holds already what does not move. cache: as for sample_coded.
 void sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                  const SampleOptions& options, bool is_still, SampleCache* cache) {
-  if (clip.coded.frame_count != 0) {
-    sample_coded(skeleton, clip.coded, time_s, options, out.data, is_still, cache);
-  } else if (!is_still) {
-    for (std::size_t g = 0; g < skeleton.soa_size(); ++g)
-      copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
-  }
+  if (!is_still) set_still(skeleton, clip.coded, options, out.data);
+  if (clip.coded.frame_count != 0) sample_coded(skeleton, clip.coded, time_s, options, out.data, cache);
   MomentFinder moment(clip, time_s);
   for (const Track& track : clip.tracks)
     if (wanted(options, track.joint)) sample_track(clip, track, moment.in(track.first_time, track.key_count), out.data);

@@ -16,6 +16,9 @@ namespace {
 constexpr std::uint32_t kHeaderBytes = sizeof(format::TrackHeader), kConstantBytes = sizeof(format::Constant);
 
 struct Tables {
+  // Operands from memory.
+  alignas(16) float one[4], two[4], series_limit[4];
+  alignas(16) std::uint32_t codes[4], high[4];
   // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
   // times 16, which is where the code stands in a header or how far an entry is from the first.
   alignas(16) std::uint64_t mask[16][2];
@@ -26,9 +29,6 @@ struct Tables {
   alignas(16) std::uint32_t lanes[16][4];
   std::uint8_t header[16][4], constant[16][4];
   std::uint8_t header_bytes[16], constant_bytes[16];
-  // Operands from memory.
-  alignas(16) float one[4], two[4], series_limit[4];
-  alignas(16) std::uint32_t codes[4], high[4];
 };
 constexpr Tables make_tables() {
   Tables t{};
@@ -202,15 +202,24 @@ constexpr float kAlike = -1.0f;
   return false;
 }
 
-// Writes the lanes in `lanes` of N components.
-template <std::size_t N>
-inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
+// Writes the lanes in `lanes` of `count` components.
+template <class Count>
+MARROW_CALLED_WHERE_SMALL inline void store_some(const Tables& t, const f32x4* value, Count count, std::uint32_t lanes,
+                                                 float (*to)[4]) {
   if (lanes == 15) {
-    for (std::size_t i = 0; i < N; ++i) store(to[i], value[i]);
+    for (std::size_t i = 0; i < count; ++i) store(to[i], value[i]);
     return;
   }
   const mask4 mask = load_mask(t.lanes[lanes]);
-  for (std::size_t i = 0; i < N; ++i) store(to[i], mask, value[i]);
+  for (std::size_t i = 0; i < count; ++i) store(to[i], mask, value[i]);
+}
+template <std::size_t N>
+inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
+  if constexpr (kSmall) {
+    store_some(t, value, N, lanes, to);
+  } else {
+    store_some(t, value, Fixed<N>(), lanes, to);
+  }
 }
 
 // Two rotations a lane, ready to be blended. The quaternion of modified Rodrigues parameters m is (factor · m,
@@ -222,14 +231,15 @@ struct Rotations {
 
 // n: a or b of `four`, an Unpacked or a FramePair. Returns the factor.
 template <class Numbers, class Four>
-[[gnu::always_inline]] inline f32x4 rodrigues(const Tables& t, const Numbers& n, const Four& four, f32x4 (&m)[3]) {
+MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const Tables& t, const Numbers& n, const Four& four,
+                                                      f32x4 (&m)[3]) {
   const f32x4 step = lanes_of(four.rest[3]);
   for (int c = 0; c < 3; ++c) m[c] = (lanes_of(n[c]) + lanes_of(four.rest[c])) * step;
   return load_aligned(t.two) / (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + load_aligned(t.one));
 }
 
 template <class Four>
-[[gnu::always_inline]] inline void rotations(const Tables& t, const Four& four, Rotations& out) {
+MARROW_CALLED_ONLY_WHERE_SMALL inline void rotations(const Tables& t, const Four& four, Rotations& out) {
   out.factor_a = rodrigues(t, four.a, four, out.a);
   out.factor_b = rodrigues(t, four.b, four, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
@@ -269,22 +279,25 @@ struct FrameBlend {
   explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
+// Of a and b. A blend of two equal ones would round as the time says.
+MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& t, const Rotations& two,
+                                                                  const FrameBlend& blend) {
+  const f32x4 chord_squared = two.chord_squared;
+  if (two.alike) return {load_aligned(t.one), splat(0.0f)};
+  if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
+    // Beyond half a turn, -b is as good as b, and nearer.
+    const mask4 far = splat(2.0f) < chord_squared;
+    const auto [a, b] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
+    return {a, select(far, splat(0.0f) - b, b)};
+  }
+  return {slerp_weight(blend.a, chord_squared), slerp_weight(blend.b, chord_squared)};
+}
+
 // Rotations, into the lanes in `lanes`.
 [[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend,
                                                const float (&rest)[4][4], std::uint32_t lanes,
                                                float (&rotation)[4][4]) {
-  const f32x4 chord_squared = two.chord_squared;
-  f32x4 wa, wb;
-  if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
-    // Beyond half a turn, -b is as good as b, and nearer.
-    const mask4 far = splat(2.0f) < chord_squared;
-    const auto [exact_a, exact_b] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
-    wa = exact_a;
-    wb = select(far, splat(0.0f) - exact_b, exact_b);
-  } else {
-    wa = slerp_weight(blend.a, chord_squared);
-    wb = slerp_weight(blend.b, chord_squared);
-  }
+  const auto [wa, wb] = weights(t, two, blend);
   const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
   const f32x4 x = two.a[0] * fa + two.b[0] * fb, y = two.a[1] * fa + two.b[1] * fb, z = two.a[2] * fa + two.b[2] * fb,
               w = (fa + fb) - (wa + wb);
@@ -313,32 +326,26 @@ struct Moving {
   const Skeleton& skeleton;
   const CodedTracks& coded;
   const SampleOptions& options;
-  FrameBlend blend, first;
-  FramePair *kept, *kept_end;  // one a kind and group; null: none is kept
-  bool is_kept;                // by an earlier call
-  bool follows;                // what is kept is of the frame before, of the same segment
+  const FrameBlend& blend;
+  FramePair *kept, *kept_last;  // one a kind and group, and the last that there is memory for; null: none is kept
+  bool is_kept;                 // by an earlier call
+  bool follows;                 // what is kept is of the frame before, of the same segment
 };
 
-// The blend of rotations that are, or are not, alike. Of those that are it is the first: a blend of two equal ones
-// would round as the time says.
-inline const FrameBlend& blend_of(const Moving& m, bool alike) {
-  return alike ? m.first : m.blend;
-}
-
-[[gnu::noinline, maybe_unused]] void blend_kept(const Moving& m, const FramePair& two, std::uint32_t kind,
+[[gnu::noinline, maybe_unused]] void blend_kept(const FrameBlend& blend, const FramePair& two, std::uint32_t kind,
                                                 const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
   const Tables& t = tables();
   if (kind == 0) {
     Rotations r;
     rotations(t, two, r);
-    return rotate_rest(t, r, blend_of(m, r.alike), rest.rotation, lanes, out.rotation);
+    return rotate_rest(t, r, blend, rest.rotation, lanes, out.rotation);
   }
-  add_to_rest(t, two, m.blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
+  add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
               kind == 2 ? out.scale : out.translation);
 }
 
 // Of a frame to be unpacked; where code is small, of any. One loop for all kinds, since they are unpacked alike.
-void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
+void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
@@ -356,13 +363,13 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
         continue;
       }
       // Only if a clip passes for another one by its id, as a file might that was made for that.
-      if (pair != nullptr && pair == m.kept_end) [[unlikely]]
+      if (pair > m.kept_last) [[unlikely]]
         return;
       if constexpr (kSmall) {
         FramePair one;
         FramePair& two = pair != nullptr ? *pair : one;
         if (!m.is_kept) unpack_each(cursor, tracks, two);
-        blend_kept(m, two, kind, *rest, lanes, *out);
+        blend_kept(m.blend, two, kind, *rest, lanes, *out);
         if (pair != nullptr) ++pair;
       } else {
         Unpacked four;
@@ -371,7 +378,7 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
           Rotations two;
           rotations(t, four, two);
           if (pair != nullptr && keep(two, m.follows, *pair++)) continue;
-          rotate_rest(t, two, blend_of(m, two.alike), rest->rotation, lanes, out->rotation);
+          rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
         } else {
           if (pair != nullptr && keep(four, m.follows, *pair++)) continue;
           const bool scales = kind == 2;
@@ -390,7 +397,7 @@ void set_moving(const Moving& m, TrackCursor cursor, SoaTransform* out) {
   const SoaTransform* rest = m.skeleton.rest;
   SoaTransform* const end = out + m.skeleton.soa_size();
   const FramePair* pair = m.kept;
-  const auto next = [&]() -> const FramePair* { return pair != m.kept_end ? pair++ : nullptr; };
+  const auto next = [&]() -> const FramePair* { return pair <= m.kept_last ? pair++ : nullptr; };
   for (; out != end; ++out, ++rest, ++masks) {
     const std::uint32_t moving = masks->moving;
     if (const std::uint32_t lanes = moving & 15u; lanes != 0) {
@@ -445,8 +452,9 @@ inline void set_vectors(const Tables& t, i32x4 ab, i32x4 cd, const float (&rest)
               lanes, vector);
 }
 
-// What does not move: the rest pose, over it the constants.
-void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
+// What does not move, four at a time: the rest pose, over it the constants.
+[[maybe_unused]] void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
+                                      SoaTransform* out) {
   const Tables& t = tables();
   const std::byte* next = coded.constants;
   const GroupMasks* masks = coded.masks;
@@ -515,6 +523,12 @@ void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform
     if ((lanes >> i % 4 & 1u) != 0) target[i] = source[i];
 }
 
+void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
+  if (kSmall) return set_still_each(skeleton, coded, options, out);
+  if (coded.frame_count != 0) return set_still_coded(skeleton, coded, options, out);
+  for (std::size_t g = 0; g < skeleton.soa_size(); ++g) copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
+}
+
 std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
   std::size_t out = 0;
   for (std::size_t g = 0; g < groups; ++g)
@@ -523,23 +537,24 @@ std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
 }
 
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
-                  SoaTransform* out, bool is_still, SampleCache* cache) {
-  if (!is_still) (kSmall ? set_still_each : set_still)(skeleton, coded, options, out);
+                  SoaTransform* out, SampleCache* cache) {
   const Place place = find(coded, time_s);
-  Span<FramePair> kept;
-  if (cache != nullptr && cache->room)
-    kept = {reinterpret_cast<FramePair*>(cache->memory.data), cache->memory.size / sizeof(FramePair)};
-  const bool is_kept = !kept.empty() && cache->frame == place.frame;
+  FramePair *kept = nullptr, *last = nullptr;
+  if (cache != nullptr && cache->room && cache->memory.size >= sizeof(FramePair)) {
+    kept = reinterpret_cast<FramePair*>(cache->memory.data);
+    last = reinterpret_cast<FramePair*>(cache->memory.end() - sizeof(FramePair));
+  }
+  const bool is_kept = kept != nullptr && cache->frame == place.frame;
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
-  const bool follows = !kept.empty() && in_segment != 0 && cache->frame == place.frame - 1;
-  const Moving moving = {skeleton,   coded,   options, FrameBlend(place.between), FrameBlend(0.0f), kept.begin(),
-                         kept.end(), is_kept, follows};
+  const bool follows = !kSmall && kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
+  const FrameBlend blend(place.between);
+  const Moving moving = {skeleton, coded, options, blend, kept, last, is_kept, follows};
   if (!kSmall && is_kept) {
     set_kept(moving, out);
     return;
   }
-  const TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, in_segment);
+  TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, in_segment);
   set_moving(moving, cursor, out);
   if (cache != nullptr) cache->frame = place.frame;
 }

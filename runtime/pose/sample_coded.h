@@ -8,7 +8,7 @@
 namespace marrow {
 
 // The joints of a group of four that are asked for, one bit each.
-inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t group) {
+MARROW_CALLED_WHERE_SMALL inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t group) {
   return options.joints.empty() ? 15u : options.joints[group / 8] >> (4 * (group % 8)) & 15u;
 }
 
@@ -38,13 +38,16 @@ struct FramePair {
   alignas(16) float a[3][4], b[3][4], rest[4][4];
 };
 
-// Writes the joints asked for: the rest pose, over it what is constant in the clip, and what moves. time_s is a number.
-// is_still: `out` holds already what does not move. cache: null, or of this clip; all joints are asked for then.
+// Writes what does not move of the joints asked for: the rest pose, over it what is constant in the clip. There need
+// not be coded tracks.
+void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out);
+
+// Writes over it what moves. time_s is a number. cache: null, or of this clip; all joints are asked for then.
 // Method: rotations are rest · q(m) with m = axis · tan(θ/4), the modified Rodrigues parameters (Shuster, "A survey of
 // attitude representations", 1993), translations and scales rest + v; each component an integer times the track's step.
 // Two neighbouring frames are unpacked and blended, rotations on the sphere.
 void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time_s, const SampleOptions& options,
-                  SoaTransform* out, bool is_still, SampleCache* cache);
+                  SoaTransform* out, SampleCache* cache);
 
 // How many pairs of frames a clip has: one for each kind of sub-track that moves in a group of four joints.
 std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups);

@@ -62,7 +62,8 @@ struct TrackCursor {
     const std::uint32_t wanted = wanted_lanes(options, g);
     const SoaTransform& rest = skeleton.rest[g];
     copy_some_lanes(rest, wanted, out[g]);
-    for (std::uint32_t i = 0, bits = coded.masks[g].constant; bits != 0; ++i, bits >>= 1) {
+    for (std::uint32_t i = 0, bits = coded.frame_count != 0 ? coded.masks[g].constant : 0u; bits != 0;
+         ++i, bits >>= 1) {
       if ((bits & 1u) == 0) continue;
       format::Constant c;
       std::memcpy(&c, next, sizeof c);
