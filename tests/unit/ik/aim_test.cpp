@@ -63,10 +63,30 @@ double off_the_side(const Map& joint, const Aim& goal) {
   return kRadian * angle_deg(sides.pole, sides.up);
 }
 
+// What joints that look at targets show, at most, and how many there were.
+struct Measured {
+  int seen = 0, poled = 0;
+  double off_target = 0, off_side = 0;  // radians
+  void add(const Map& joint, const Aim& goal, bool has_pole) {
+    const double error = aim_error(joint, goal);
+    EXPECT_LT(error, 1e-4) << seen;
+    off_target = std::fmax(off_target, error);
+    ++seen;
+    if (!has_pole || !has_sides(joint, goal)) return;
+    const double off = off_the_side(joint, goal);
+    EXPECT_LT(off, 1e-4) << seen;
+    off_side = std::fmax(off_side, off);
+    ++poled;
+  }
+  void print(const char* what) const {
+    std::printf("%s %.2g rad, up %.2g rad; %d seen, %d with a pole\n", what, off_target, off_side, seen, poled);
+  }
+};
+
 TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
   test::Random random(2);
-  int cases = 0, seen = 0, poled = 0;
-  double worst = 0, worst_up = 0;
+  int cases = 0;
+  Measured measured;
   for (int i = 0; i < 100000; ++i) {
     Chain c = random_neck(random, i % 4 == 0, i % 8 != 3);
     const Map joint = c.maps()[2];
@@ -85,26 +105,17 @@ TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
     const Vec3 eye = point(now, test::vec3(goal.offset)), way = minus(test::vec3(goal.target), at);
     if (length(minus(test::vec3(goal.target), eye)) < 0.02 * length(way)) continue;  // nothing to measure an angle by
     EXPECT_LT(length(minus(test::origin_of(now), at)), 1e-5);
-    const double error = aim_error(now, goal);
-    EXPECT_LT(error, 1e-4) << i;
-    worst = std::fmax(worst, error);
-    ++seen;
-    if (i % 2 != 0 || !has_sides(now, goal)) continue;
-    const double off = off_the_side(now, goal);
-    EXPECT_LT(off, 1e-4) << i;
-    worst_up = std::fmax(worst_up, off);
-    ++poled;
+    measured.add(now, goal, i % 2 == 0);
   }
   EXPECT_EQ(cases, 100000);
-  EXPECT_GT(seen, 80000);
-  EXPECT_GT(poled, 35000);
-  std::printf("aim %.2g rad, up %.2g rad; %d seen, %d with a pole\n", worst, worst_up, seen, poled);
+  EXPECT_GT(measured.seen, 80000);
+  EXPECT_GT(measured.poled, 35000);
+  measured.print("aim");
 }
 
 TEST(LookAt, TheLastOfAChainSeesTheTargetWithUpOnThePolesSide) {
   test::Random random(3);
-  int seen = 0, poled = 0;
-  double worst = 0, worst_up = 0;
+  Measured measured;
   for (int i = 0; i < 20000; ++i) {
     Chain c = random_neck(random, i % 4 == 0, true);
     const std::uint32_t joints[] = {1, 2, 4};
@@ -118,19 +129,11 @@ TEST(LookAt, TheLastOfAChainSeesTheTargetWithUpOnThePolesSide) {
               Status::ok);
     if (!reached) continue;
     const Map now = c.maps()[4];
-    const double error = aim_error(now, goal);
-    EXPECT_LT(error, 1e-4) << i;
-    worst = std::fmax(worst, error);
-    ++seen;
-    if (i % 2 != 0 || !has_sides(now, goal)) continue;
-    const double off = off_the_side(now, goal);
-    EXPECT_LT(off, 1e-4) << i;
-    worst_up = std::fmax(worst_up, off);
-    ++poled;
+    measured.add(now, goal, i % 2 == 0);
   }
-  EXPECT_GT(seen, 19000);
-  EXPECT_GT(poled, 9000);
-  std::printf("look at %.2g rad, up %.2g rad; %d seen, %d with a pole\n", worst, worst_up, seen, poled);
+  EXPECT_GT(measured.seen, 19000);
+  EXPECT_GT(measured.poled, 9000);
+  measured.print("look at");
 }
 
 TEST(AimTest, NothingDegenerateBecomesInfinite) {
