@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -155,6 +156,14 @@ std::string RunningMarrow::out() const {
 
 std::string RunningMarrow::err() const {
   return read_text(folder_ / "err");
+}
+
+double RunningMarrow::processor_s() const {
+  clockid_t clock;
+  timespec used{};
+  if (clock_getcpuclockid(child_, &clock) != 0 || clock_gettime(clock, &used) != 0)
+    throw std::runtime_error("cannot read the program's processor time");
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 Ran RunningMarrow::interrupt() {

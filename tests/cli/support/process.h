@@ -55,6 +55,8 @@ class RunningMarrow {
   // What it has written so far.
   std::string out() const;
   std::string err() const;
+  // Processor time that it has used so far.
+  double processor_s() const;
   // SIGINT, and what became of it.
   Ran interrupt();
 
