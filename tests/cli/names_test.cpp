@@ -24,7 +24,7 @@ class Names : public ::testing::Test {
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
     ASSERT_EQ(run_marrow({"sample", "-o", newt()}).code, 0);
-    ASSERT_EQ(run_marrow({"cook", newt(), "-o", cooked(), "--lod", "0.5", "--jobs", "2"}).code, 0);
+    ASSERT_EQ(run_marrow({"cook", newt(), "-o", cooked(), "--lod", "0.5", "--clip-codec", "raw"}).code, 0);
   }
   static void TearDownTestSuite() {
     delete folder_;
