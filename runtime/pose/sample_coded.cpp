@@ -363,11 +363,15 @@ struct Moving {
               kind == 2 ? out.scale : out.translation);
 }
 
+// Which of two frames are unpacked into a cache's memory. The later alone, if what is kept there is of the frame
+// before, of the same segment. Where code is small set_moving() does not ask.
+enum class Keeps { none, both, later };
+
 // Unpacks, and writes to the pose what is not kept, or is alike from now on; where code is small, all. One loop for all
 // kinds, since they are unpacked alike.
-// kFollows: what is kept is of the frame before, of the same segment. Only the later frame is unpacked then.
-template <bool kFollows>
+template <Keeps kKeeps>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
+  constexpr bool kFollows = kKeeps == Keeps::later;
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
@@ -376,7 +380,7 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
     std::uint32_t moving = masks->moving;
     if (moving == 0) continue;
-    const std::uint32_t wanted = kFollows ? 15u : wanted_lanes(m.options, g);
+    const std::uint32_t wanted = kKeeps != Keeps::none ? 15u : wanted_lanes(m.options, g);
     for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
       const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
       if (tracks == 0) continue;
@@ -405,11 +409,11 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
             two.factor_a = rodrigues(t, four, 0, two.a);
           }
           later_rotations(t, four, two);
-          if ((kFollows || pair != nullptr) && !keep<kFollows>(two, m.first, *pair++)) continue;
+          if (kKeeps != Keeps::none && !keep<kFollows>(two, m.first, *pair++)) continue;
           rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
         } else {
           if constexpr (kFollows) load_frame(numbers_of(*pair, m.first), four.frame[0]);
-          if ((kFollows || pair != nullptr) && !keep<kFollows>(four, m.first, *pair++)) continue;
+          if (kKeeps != Keeps::none && !keep<kFollows>(four, m.first, *pair++)) continue;
           const bool scales = kind == 2;
           add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
                       scales ? out->scale : out->translation);
@@ -589,13 +593,15 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const FrameBlend blend(place.between);
   const Moving moving = {skeleton, coded, options, blend, kept, last, place.frame % 2, is_kept};
   if (kSmall || !is_kept) {
-    const std::byte* const data = coded.payload + coded.segment_offsets[segment];
-    if (!kSmall && kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1) {
-      TrackCursor cursor(data, coded.track_count, in_segment + 1);
-      set_moving<true>(moving, cursor, out);
+    const bool follows = kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
+    const std::uint32_t from = !kSmall && follows ? in_segment + 1 : in_segment;
+    TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, from);
+    if (kSmall || kept == nullptr) {
+      set_moving<Keeps::none>(moving, cursor, out);
+    } else if (follows) {
+      set_moving<Keeps::later>(moving, cursor, out);
     } else {
-      TrackCursor cursor(data, coded.track_count, in_segment);
-      set_moving<false>(moving, cursor, out);
+      set_moving<Keeps::both>(moving, cursor, out);
     }
   }
   if (!kSmall && kept != nullptr) set_kept(moving, out);
