@@ -220,6 +220,14 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   return {vreinterpretq_u64_u8(vcombine_u8(vld1_u8(reinterpret_cast<const std::uint8_t*>(a)),
                                            vld1_u8(reinterpret_cast<const std::uint8_t*>(b))))};
 }
+// From one place; the second word is 0.
+inline u64x2 load_one(const std::byte* p) {
+  return {vreinterpretq_u64_u8(vcombine_u8(vld1_u8(reinterpret_cast<const std::uint8_t*>(p)), vdup_n_u8(0)))};
+}
+// The first word of each.
+inline u64x2 firsts(u64x2 a, u64x2 b) {
+  return {vzip1q_u64(a.v, b.v)};
+}
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {vld1q_u64(p)};
 }

@@ -229,6 +229,16 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   std::memcpy(out.v + 1, b, 8);
   return out;
 }
+// From one place; the second word is 0.
+inline u64x2 load_one(const std::byte* p) {
+  u64x2 out = {};
+  std::memcpy(out.v, p, 8);
+  return out;
+}
+// The first word of each.
+inline u64x2 firsts(u64x2 a, u64x2 b) {
+  return {{a.v[0], b.v[0]}};
+}
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {{p[0], p[1]}};
 }

@@ -247,6 +247,14 @@ inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(a));
   return {_mm_castps_si128(_mm_loadh_pi(_mm_castsi128_ps(low), reinterpret_cast<const __m64*>(b)))};
 }
+// From one place; the second word is 0.
+inline u64x2 load_one(const std::byte* p) {
+  return {_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))};
+}
+// The first word of each.
+inline u64x2 firsts(u64x2 a, u64x2 b) {
+  return {_mm_unpacklo_epi64(a.v, b.v)};
+}
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {_mm_load_si128(reinterpret_cast<const __m128i*>(p))};
 }

@@ -219,6 +219,14 @@ inline i32x4 float_as_bits(f32x4 a) {
 inline u64x2 load_pair(const std::byte* a, const std::byte* b) {
   return {wasm_v128_load64_lane(b, wasm_v128_load64_zero(a), 1)};
 }
+// From one place; the second word is 0.
+inline u64x2 load_one(const std::byte* p) {
+  return {wasm_v128_load64_zero(p)};
+}
+// The first word of each.
+inline u64x2 firsts(u64x2 a, u64x2 b) {
+  return {wasm_i64x2_shuffle(a.v, b.v, 0, 2)};
+}
 inline u64x2 load_aligned(const std::uint64_t* p) {
   return {wasm_v128_load(p)};
 }

@@ -1,6 +1,7 @@
 #include "pose/sample_coded.h"
 
 #include <cstring>
+#include <utility>
 
 #include "asset/format.h"
 #include "core/fixed.h"
@@ -67,15 +68,26 @@ inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_
   return reinterpret_cast<const std::uint64_t*>(reinterpret_cast<const std::byte*>(table) + code_times_16);
 }
 
-// Two neighbouring frames of four sub-tracks, one lane each, (a or b + least) · step: in registers as in a FramePair.
+// A FramePair of integers in registers, the earlier frame first.
 struct Unpacked {
-  f32x4 a[3], b[3], rest[4];  // the least, and the step
+  f32x4 frame[2][3], other[3], step;
 };
 [[maybe_unused]] inline f32x4 lanes_of(f32x4 number) {
   return number;
 }
 [[maybe_unused]] inline f32x4 lanes_of(const float (&number)[4]) {
   return load_aligned(number);
+}
+[[maybe_unused]] inline void load_frame(const float (&from)[3][4], f32x4 (&to)[3]) {
+  for (int i = 0; i < 3; ++i) to[i] = load_aligned(from[i]);
+}
+[[maybe_unused]] inline void store_frame(const f32x4 (&from)[3], float (&to)[3][4]) {
+  for (int i = 0; i < 3; ++i) store(to[i], from[i]);
+}
+// A frame of a pair, by one address for all its numbers.
+template <class Pair>
+inline auto& numbers_of(Pair& two, std::uint32_t frame) {
+  return *opaque(&two.frame[frame]);
 }
 
 // Of codes times 65536.
@@ -111,12 +123,13 @@ struct Codes {
   alignas(16) std::byte lower[16];  // y in byte 1
 };
 
-// Both frames' integers of a track.
+// A track's integers, in both frames or in the later one alone.
 struct Fields {
   u64x2 x, y, z;
 };
 
 // The next track's; moves `record` to the byte where its bits begin, and `bit_times_16` from there behind them.
+template <bool kLater>
 inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, std::size_t frame_bytes, const Tables& t,
                         const Codes& codes, std::uint32_t lane, Fields& out) {
   const auto x = static_cast<std::uint64_t>(codes.upper[4 * lane]),
@@ -124,7 +137,8 @@ inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, s
              z = static_cast<std::uint64_t>(codes.upper[4 * lane + 1]);
   record += bit_times_16 / 128;
   bit_times_16 %= 128;
-  const u64x2 w = shift_right(load_pair(record, record + frame_bytes), at(t.shift, bit_times_16));
+  const u64x2 bits = kLater ? load_one(record) : load_pair(record, record + frame_bytes);
+  const u64x2 w = shift_right(bits, at(t.shift, bit_times_16));
   // In this order each sum takes an operand from memory.
   bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, x));
   bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, y));
@@ -135,12 +149,14 @@ inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, s
   out.z = shift_right(v, at(t.shift, y)) & load_aligned(at(t.mask, z));
 }
 
-// Two lanes' fields side by side: of the first frame and of the second, in turn.
+// Two lanes' fields side by side.
 struct TwoLanes {
   i32x4 c[3];
 };
 
-// The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in both frames.
+// The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in all frames.
+// kLater: of the later frame alone, at which the cursor stands.
+template <bool kLater>
 [[gnu::always_inline, maybe_unused]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes,
                                                         Unpacked& out) {
   const std::uint8_t(&offsets)[4] = t.header[lanes];
@@ -156,8 +172,8 @@ struct TwoLanes {
   const f32x4 power = bits_as_float(shift_left<23>(heads & splat_int(15)) + splat_int((127 - 16) << 23));
   i32x4 least[4];
   widen(t, load_two(h0 + 3, h1 + 3), load_two(h2 + 3, h3 + 3), least);
-  for (int c = 0; c < 3; ++c) out.rest[c] = to_float(least[c]) * power;
-  out.rest[3] = step_sizes(heads & splat_int(0xFF0000));
+  for (int c = 0; c < 3; ++c) out.other[c] = to_float(least[c]) * power;
+  out.step = step_sizes(heads & splat_int(0xFF0000));
 
   const std::byte* record = cursor.record;
   std::uint64_t bit = cursor.bit_times_16;
@@ -166,17 +182,18 @@ struct TwoLanes {
     const u64x2 zero = load_aligned(kTables.mask[0]);
     Fields f = {zero, zero, zero}, g = f;
     if ((lanes >> first & 1u) != 0) [[likely]]
-      next_fields(record, bit, frame_bytes, t, codes, first, f);
+      next_fields<kLater>(record, bit, frame_bytes, t, codes, first, f);
     if ((lanes >> (first + 1) & 1u) != 0) [[likely]]
-      next_fields(record, bit, frame_bytes, t, codes, first + 1, g);
-    return TwoLanes{{even(words(f.x), words(g.x)), even(words(f.y), words(g.y)), even(words(f.z), words(g.z))}};
+      next_fields<kLater>(record, bit, frame_bytes, t, codes, first + 1, g);
+    const auto beside = [](u64x2 a, u64x2 b) { return kLater ? words(firsts(a, b)) : even(words(a), words(b)); };
+    return TwoLanes{{beside(f.x, g.x), beside(f.y, g.y), beside(f.z, g.z)}};
   };
   const TwoLanes ab = two(0), cd = two(2);
   cursor.record = record;
   cursor.bit_times_16 = bit;
   for (int c = 0; c < 3; ++c) {
-    out.a[c] = to_float(even(ab.c[c], cd.c[c]));
-    out.b[c] = to_float(odd(ab.c[c], cd.c[c]));
+    if constexpr (!kLater) out.frame[0][c] = to_float(even(ab.c[c], cd.c[c]));
+    out.frame[1][c] = to_float(kLater ? even(ab.c[c], cd.c[c]) : odd(ab.c[c], cd.c[c]));
   }
 }
 
@@ -184,22 +201,24 @@ struct TwoLanes {
 constexpr float kAlike = -1.0f;
 [[maybe_unused]] inline bool are_alike(const FramePair& two) {
   std::int32_t bits;
-  std::memcpy(&bits, two.rest[3], sizeof bits);
+  std::memcpy(&bits, two.step, sizeof bits);
   return bits < 0;
 }
 
-// Whether it stood there before, and in `out` too. follows: what was kept is of the frame before.
-[[maybe_unused]] inline bool keep(const Unpacked& four, bool follows, FramePair& to) {
-  const f32x4 x = four.b[0] - four.a[0], y = four.b[1] - four.a[1], z = four.b[2] - four.a[2];
+// Whether it is to be written to the pose at once: it is alike, and was not. kFollows: what was kept is of the frame
+// before, whose later one is the earlier now.
+template <bool kFollows>
+[[maybe_unused]] inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
+  const f32x4(&a)[3] = four.frame[0], (&b)[3] = four.frame[1];
+  const f32x4 x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
   const bool alike = !any(splat(0.0f) < x * x + y * y + z * z);
-  if (alike && follows && are_alike(to)) return true;
-  for (int c = 0; c < 3; ++c) {
-    store(to.a[c], four.a[c]);
-    store(to.b[c], four.b[c]);
-  }
-  for (int i = 0; i < 4; ++i) store(to.rest[i], four.rest[i]);
-  if (alike) to.rest[3][0] = kAlike;
-  return false;
+  if (kFollows && alike && are_alike(to)) return false;
+  if constexpr (!kFollows) store_frame(a, numbers_of(to, first));
+  store_frame(b, numbers_of(to, 1 - first));
+  if constexpr (!kFollows) store_frame(four.other, to.other);
+  store(to.step, four.step);
+  if (alike) to.step[0] = kAlike;
+  return alike;
 }
 
 // Writes the lanes in `lanes` of `count` components.
@@ -229,19 +248,19 @@ struct Rotations {
   bool alike;  // all lanes are the same in both frames
 };
 
-// n: a or b of `four`, an Unpacked or a FramePair. Returns the factor.
-template <class Numbers, class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const Tables& t, const Numbers& n, const Four& four,
+// Of a frame of `four`, an Unpacked or a FramePair. Returns the factor.
+template <class Four>
+MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const Tables& t, const Four& four, std::uint32_t frame,
                                                       f32x4 (&m)[3]) {
-  const f32x4 step = lanes_of(four.rest[3]);
-  for (int c = 0; c < 3; ++c) m[c] = (lanes_of(n[c]) + lanes_of(four.rest[c])) * step;
+  const f32x4 step = lanes_of(four.step);
+  for (int c = 0; c < 3; ++c) m[c] = (lanes_of(four.frame[frame][c]) + lanes_of(four.other[c])) * step;
   return load_aligned(t.two) / (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + load_aligned(t.one));
 }
 
+// Of rotations whose `a` and `factor_a` are there.
 template <class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline void rotations(const Tables& t, const Four& four, Rotations& out) {
-  out.factor_a = rodrigues(t, four.a, four, out.a);
-  out.factor_b = rodrigues(t, four.b, four, out.b);
+MARROW_CALLED_ONLY_WHERE_SMALL inline void later_rotations(const Tables& t, const Four& four, Rotations& out) {
+  out.factor_b = rodrigues(t, four, 1, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
   const f32x4 x = out.a[0] - out.b[0], y = out.a[1] - out.b[1], z = out.a[2] - out.b[2];
   const f32x4 squared = x * x + y * y + z * z;
@@ -249,55 +268,54 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline void rotations(const Tables& t, const Four
   out.alike = !any(splat(0.0f) < squared);
 }
 
-[[gnu::always_inline, maybe_unused]] inline void load_kept(const FramePair& from, Rotations& out) {
-  for (int c = 0; c < 3; ++c) {
-    out.a[c] = load_aligned(from.a[c]);
-    out.b[c] = load_aligned(from.b[c]);
+template <bool kFollows>
+[[gnu::always_inline, maybe_unused]] inline bool keep(const Rotations& r, std::uint32_t first, FramePair& to) {
+  if (kFollows && r.alike && are_alike(to)) return false;
+  if constexpr (!kFollows) {
+    store_frame(r.a, numbers_of(to, first));
+    store(to.other[first], r.factor_a);
   }
-  out.factor_a = load_aligned(from.rest[0]);
-  out.factor_b = load_aligned(from.rest[1]);
-  out.chord_squared = load_aligned(from.rest[2]);
-  out.alike = false;
-}
-[[gnu::always_inline, maybe_unused]] inline bool keep(const Rotations& r, bool follows, FramePair& to) {
-  if (r.alike && follows && are_alike(to)) return true;
-  for (int c = 0; c < 3; ++c) {
-    store(to.a[c], r.a[c]);
-    store(to.b[c], r.b[c]);
-  }
-  store(to.rest[0], r.factor_a);
-  store(to.rest[1], r.factor_b);
-  store(to.rest[2], r.chord_squared);
-  to.rest[3][0] = r.alike ? kAlike : 0.0f;
-  return false;
+  store_frame(r.b, numbers_of(to, 1 - first));
+  store(to.other[1 - first], r.factor_b);
+  store(to.other[2], r.chord_squared);
+  to.step[0] = r.alike ? kAlike : 0.0f;
+  return r.alike;
 }
 
-// The blend of two frames, the same for every joint.
+// The blend of two frames, a and b, the same for every joint.
 struct FrameBlend {
   f32x4 u;
   SlerpSeries a, b;
+  bool swapped = false;  // b is the earlier
   explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
-// Of a and b. A blend of two equal ones would round as the time says.
-MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& t, const Rotations& two,
-                                                                  const FrameBlend& blend) {
-  const f32x4 chord_squared = two.chord_squared;
-  if (two.alike) return {load_aligned(t.one), splat(0.0f)};
+// Of a and b, whose squared chord this is.
+[[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const Tables& t, f32x4 chord_squared,
+                                                          const FrameBlend& blend) {
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
-    // Beyond half a turn, -b is as good as b, and nearer.
+    // Beyond half a turn, minus the later is as good as the later, and nearer.
     const mask4 far = splat(2.0f) < chord_squared;
-    const auto [a, b] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
-    return {a, select(far, splat(0.0f) - b, b)};
+    const auto [earlier, after] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
+    const f32x4 later = select(far, splat(0.0f) - after, after);
+    if (!kSmall && blend.swapped) return {later, earlier};
+    return {earlier, later};
   }
   return {slerp_weight(blend.a, chord_squared), slerp_weight(blend.b, chord_squared)};
 }
 
+// A blend of two equal ones would round as the time says.
+MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& t, const Rotations& two,
+                                                                  const FrameBlend& blend) {
+  if (two.alike) return {load_aligned(t.one), splat(0.0f)};
+  return weights(t, two.chord_squared, blend);
+}
+
 // Rotations, into the lanes in `lanes`.
-[[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const FrameBlend& blend,
+[[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const SlerpWeights<f32x4>& weight,
                                                const float (&rest)[4][4], std::uint32_t lanes,
                                                float (&rotation)[4][4]) {
-  const auto [wa, wb] = weights(t, two, blend);
+  const auto [wa, wb] = weight;
   const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
   const f32x4 x = two.a[0] * fa + two.b[0] * fb, y = two.a[1] * fa + two.b[1] * fb, z = two.a[2] * fa + two.b[2] * fb,
               w = (fa + fb) - (wa + wb);
@@ -309,15 +327,15 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& 
               lanes, rotation);
 }
 
-// Translations or scales.
+// Translations or scales. first: which frame of `four` is the earlier.
 template <class Four>
-inline void add_to_rest(const Tables& t, const Four& four, f32x4 u, const float (&rest)[3][4], std::uint32_t lanes,
-                        float (&vector)[3][4]) {
+inline void add_to_rest(const Tables& t, const Four& four, std::uint32_t first, f32x4 u, const float (&rest)[3][4],
+                        std::uint32_t lanes, float (&vector)[3][4]) {
   f32x4 out[3];
-  for (int c = 0; c < 3; ++c)
-    out[c] = load_aligned(rest[c]) +
-             (lanes_of(four.a[c]) + (lanes_of(four.b[c]) - lanes_of(four.a[c])) * u + lanes_of(four.rest[c])) *
-                 lanes_of(four.rest[3]);
+  for (int c = 0; c < 3; ++c) {
+    const f32x4 a = lanes_of(four.frame[first][c]), b = lanes_of(four.frame[1 - first][c]);
+    out[c] = load_aligned(rest[c]) + (a + (b - a) * u + lanes_of(four.other[c])) * lanes_of(four.step);
+  }
   store_lanes(t, out, lanes, vector);
 }
 
@@ -328,8 +346,8 @@ struct Moving {
   const SampleOptions& options;
   const FrameBlend& blend;
   FramePair *kept, *kept_last;  // one a kind and group, and the last that there is memory for; null: none is kept
+  std::uint32_t first;          // which of the two in a FramePair is the earlier
   bool is_kept;                 // by an earlier call
-  bool follows;                 // what is kept is of the frame before, of the same segment
 };
 
 [[gnu::noinline, maybe_unused]] void blend_kept(const FrameBlend& blend, const FramePair& two, std::uint32_t kind,
@@ -337,15 +355,23 @@ struct Moving {
   const Tables& t = tables();
   if (kind == 0) {
     Rotations r;
-    rotations(t, two, r);
-    return rotate_rest(t, r, blend, rest.rotation, lanes, out.rotation);
+    r.factor_a = rodrigues(t, two, 0, r.a);
+    later_rotations(t, two, r);
+    return rotate_rest(t, r, weights(t, r, blend), rest.rotation, lanes, out.rotation);
   }
-  add_to_rest(t, two, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
+  add_to_rest(t, two, 0, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
               kind == 2 ? out.scale : out.translation);
 }
 
-// Of a frame to be unpacked; where code is small, of any. One loop for all kinds, since they are unpacked alike.
+// Which of two frames are unpacked into a cache's memory. The later alone, if what is kept there is of the frame
+// before, of the same segment. Where code is small set_moving() does not ask.
+enum class Keeps { none, both, later };
+
+// Unpacks, and writes to the pose what is not kept, or is alike from now on; where code is small, all. One loop for all
+// kinds, since they are unpacked alike.
+template <Keeps kKeeps>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
+  constexpr bool kFollows = kKeeps == Keeps::later;
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
@@ -354,7 +380,7 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
     std::uint32_t moving = masks->moving;
     if (moving == 0) continue;
-    const std::uint32_t wanted = wanted_lanes(m.options, g);
+    const std::uint32_t wanted = kKeeps != Keeps::none ? 15u : wanted_lanes(m.options, g);
     for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
       const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
       if (tracks == 0) continue;
@@ -373,16 +399,23 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
         if (pair != nullptr) ++pair;
       } else {
         Unpacked four;
-        unpack(cursor, t, tracks, four);
+        unpack<kFollows>(cursor, t, tracks, four);
         if (kind == 0) {
           Rotations two;
-          rotations(t, four, two);
-          if (pair != nullptr && keep(two, m.follows, *pair++)) continue;
-          rotate_rest(t, two, m.blend, rest->rotation, lanes, out->rotation);
+          if constexpr (kFollows) {
+            load_frame(numbers_of(*pair, m.first), two.a);
+            two.factor_a = load_aligned(pair->other[m.first]);
+          } else {
+            two.factor_a = rodrigues(t, four, 0, two.a);
+          }
+          later_rotations(t, four, two);
+          if (kKeeps != Keeps::none && !keep<kFollows>(two, m.first, *pair++)) continue;
+          rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
         } else {
-          if (pair != nullptr && keep(four, m.follows, *pair++)) continue;
+          if constexpr (kFollows) load_frame(numbers_of(*pair, m.first), four.frame[0]);
+          if (kKeeps != Keeps::none && !keep<kFollows>(four, m.first, *pair++)) continue;
           const bool scales = kind == 2;
-          add_to_rest(t, four, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+          add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
                       scales ? out->scale : out->translation);
         }
       }
@@ -390,36 +423,46 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   }
 }
 
-// Of frames that are kept: all joints. What is alike in both stands there already.
+// Of frames that are kept: all joints. What is alike in both stands there already. A loop of its own: processors do not
+// see far enough ahead to unpack a group while they blend the one before.
 [[maybe_unused]] void set_kept(const Moving& m, SoaTransform* out) {
   const Tables& t = tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
   SoaTransform* const end = out + m.skeleton.soa_size();
+  // Rotations of the even frame are `a`. Which is the earlier is a matter of weights alone, but for vectors.
+  FrameBlend blend = m.blend;
+  if (m.first != 0) {
+    std::swap(blend.a, blend.b);
+    blend.swapped = true;
+  }
   const FramePair* pair = m.kept;
-  const auto next = [&]() -> const FramePair* { return pair <= m.kept_last ? pair++ : nullptr; };
   for (; out != end; ++out, ++rest, ++masks) {
     const std::uint32_t moving = masks->moving;
     if (const std::uint32_t lanes = moving & 15u; lanes != 0) {
-      const FramePair* const two = next();
-      if (two == nullptr) [[unlikely]]
+      if (pair > m.kept_last) [[unlikely]]
         return;
-      if (!are_alike(*two)) {
+      const FramePair& two = *pair++;
+      if (!are_alike(two)) {
+        const SlerpWeights<f32x4> weight = weights(t, load_aligned(two.other[2]), blend);
         Rotations r;
-        load_kept(*two, r);
-        rotate_rest(t, r, m.blend, rest->rotation, lanes, out->rotation);
+        load_frame(two.frame[0], r.a);
+        load_frame(two.frame[1], r.b);
+        r.factor_a = load_aligned(two.other[0]);
+        r.factor_b = load_aligned(two.other[1]);
+        rotate_rest(t, r, weight, rest->rotation, lanes, out->rotation);
       }
     }
     if (moving <= 15) continue;
     for (std::uint32_t shift = 4; shift <= 8; shift += 4) {
       const std::uint32_t lanes = moving >> shift & 15u;
       if (lanes == 0) continue;
-      const FramePair* const two = next();
-      if (two == nullptr) [[unlikely]]
+      if (pair > m.kept_last) [[unlikely]]
         return;
-      if (are_alike(*two)) continue;
+      const FramePair& two = *pair++;
+      if (are_alike(two)) continue;
       const bool scales = shift == 8;
-      add_to_rest(t, *two, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+      add_to_rest(t, two, m.first, blend.u, scales ? rest->scale : rest->translation, lanes,
                   scales ? out->scale : out->translation);
     }
   }
@@ -547,15 +590,21 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const bool is_kept = kept != nullptr && cache->frame == place.frame;
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
-  const bool follows = !kSmall && kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
   const FrameBlend blend(place.between);
-  const Moving moving = {skeleton, coded, options, blend, kept, last, is_kept, follows};
-  if (!kSmall && is_kept) {
-    set_kept(moving, out);
-    return;
+  const Moving moving = {skeleton, coded, options, blend, kept, last, place.frame % 2, is_kept};
+  if (kSmall || !is_kept) {
+    const bool follows = kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
+    const std::uint32_t from = !kSmall && follows ? in_segment + 1 : in_segment;
+    TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, from);
+    if (kSmall || kept == nullptr) {
+      set_moving<Keeps::none>(moving, cursor, out);
+    } else if (follows) {
+      set_moving<Keeps::later>(moving, cursor, out);
+    } else {
+      set_moving<Keeps::both>(moving, cursor, out);
+    }
   }
-  TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, in_segment);
-  set_moving(moving, cursor, out);
+  if (!kSmall && kept != nullptr) set_kept(moving, out);
   if (cache != nullptr) cache->frame = place.frame;
 }
 

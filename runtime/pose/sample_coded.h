@@ -30,12 +30,14 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
   copy(from.scale, to.scale);
 }
 
-// Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended.
-//   rotations  modified Rodrigues parameters a and b; 2 / (1 + a²), 2 / (1 + b²), the squared chord between the two
-//   others     integers a and b; the least, which is to be added to them; the step
-// The first of rest[3] is below 0 if the two frames are alike.
+// Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended. An even frame stands in
+// frame[0], an odd one in frame[1], so that both stay where they are when the later one becomes the earlier.
+//   rotations  modified Rodrigues parameters m; factors 2 / (1 + m²) of the even and the odd frame, and the squared
+//              chord between the two
+//   others     integers; the least x, y and z, which are to be added to them; the step
+// The first step, or number in its place, is below 0 if the two frames are alike.
 struct FramePair {
-  alignas(16) float a[3][4], b[3][4], rest[4][4];
+  alignas(16) float frame[2][3][4], other[3][4], step[4];
 };
 
 // Writes what does not move of the joints asked for: the rest pose, over it what is constant in the clip. There need

@@ -44,12 +44,12 @@ struct TrackCursor {
         std::memcpy(&word, place, sizeof word);
         return static_cast<float>(static_cast<std::int32_t>(word >> bit % 8 & ((1u << width) - 1)));
       };
-      out.a[c][lane] = number_at(first);
-      out.b[c][lane] = number_at(first + cursor.frame_bytes);
-      out.rest[c][lane] = static_cast<float>(std::int32_t{h.least[c]} << shift);
+      out.frame[0][c][lane] = number_at(first);
+      out.frame[1][c][lane] = number_at(first + cursor.frame_bytes);
+      out.other[c][lane] = static_cast<float>(std::int32_t{h.least[c]} << shift);
       bit += width;
     }
-    out.rest[3][lane] = format::step_size(h.step);
+    out.step[lane] = format::step_size(h.step);
   }
   cursor.bit_times_16 = bit * 16;
 }

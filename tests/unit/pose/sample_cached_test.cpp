@@ -68,7 +68,27 @@ TEST(SampleCached, UnpacksAFrameOnce) {
   for (std::size_t i = 16; i < 64; ++i) payload[i] ^= std::byte{0xFF};
   ASSERT_EQ(sample_cached(player.skeleton, player.clip, between(1, 0.75f), player.out, cache), Status::ok);
   EXPECT_EQ(std::memcmp(whole.data(), player.out.data(), whole.size() * sizeof(SoaTransform)), 0);
-  EXPECT_TRUE(player.is_same(between(2, 0.25f), cache));  // the next frame is
+  EXPECT_TRUE(player.is_same(between(0, 0.25f), cache));  // another frame is
+}
+
+// Nor is a frame unpacked again that was the later of two, and is the earlier now.
+TEST(SampleCached, UnpacksTheLaterFrameAlone) {
+  for (const std::uint32_t frame : {1u, 2u}) {
+    const test::AlignedBlock block = test::golden_coded_copy();
+    Player player(block);
+    const CodedTracks& coded = player.clip.coded;
+    SampleCache cache = {player.memory()};
+    const float time_s = coded.time_of(frame) + 0.25f / coded.frames_per_s;
+    std::vector<SoaTransform> whole(player.out.size()), changed(player.out.size());
+    ASSERT_EQ(sample(player.skeleton, player.clip, time_s, whole), Status::ok);
+    EXPECT_TRUE(player.is_same(coded.time_of(frame) - 0.25f / coded.frames_per_s, cache));
+    const TrackCursor first(coded.payload, coded.track_count, frame);
+    for (std::size_t i = 0; i < first.frame_bytes; ++i) const_cast<std::byte*>(first.record)[i] ^= std::byte{0xFF};
+    ASSERT_EQ(sample(player.skeleton, player.clip, time_s, changed), Status::ok);
+    EXPECT_NE(std::memcmp(whole.data(), changed.data(), whole.size() * sizeof(SoaTransform)), 0);
+    ASSERT_EQ(sample_cached(player.skeleton, player.clip, time_s, player.out, cache), Status::ok);
+    EXPECT_EQ(std::memcmp(whole.data(), player.out.data(), whole.size() * sizeof(SoaTransform)), 0) << frame;
+  }
 }
 
 // Makes frames of a clip like the ones before them: bit k of `pattern` says whether interval k, modulo 8, rests.
