@@ -44,7 +44,7 @@ class AnimationSpace {
       Blend m = joints.last;
       const float* const q = at.stream;
       Vector<f32x4> p;
-      if constexpr (kSmall) {
+      if constexpr (std::is_same_v<Count, std::uint32_t>) {
         p = turned(m, q) + m.origin;
         add_others(influences, joints, q + 12, 16, p);
         if (directions != Directions::none) add_others(influences, joints, q + 24, 16, m);

@@ -40,8 +40,8 @@ struct JointSet {
     }
 #if defined(__GNUC__)
     // Where an instruction multiplies by a lane, it is to: GCC would spread the lanes of many rows over registers
-    // before the loop, and spill those.
-    if (!kMemoryOperands && influences > 2) asm("" : : "r"(this) : "memory");
+    // before the loop, and spill those. Of any number of influences it would copy what lies in memory to memory.
+    if (std::is_same_v<Count, std::uint32_t> || (!kMemoryOperands && influences > 2)) asm("" : : "r"(this) : "memory");
 #endif
   }
 
