@@ -10,6 +10,8 @@ namespace marrow {
 
 // Operands come from registers only.
 inline constexpr bool kMemoryOperands = false;
+// An instruction multiplies by one lane of a register.
+inline constexpr bool kMultipliesByLane = true;
 
 struct f32x4 {
   float32x4_t v;
@@ -106,6 +108,13 @@ inline Factors factors(f32x4 a) {
 template <int Lane>
 inline f32x4 times(f32x4 v, const Factors& f) {
   return {vmulq_laneq_f32(v.v, f.row.v, Lane)};
+}
+// Says that these may have changed: what was made of single lanes before is forgotten.
+inline void stay_whole(f32x4& a) {
+  asm("" : "+w"(a.v));
+}
+inline void stay_whole(Factors& f) {
+  stay_whole(f.row);
 }
 
 // 0, 0, 0, a.w

@@ -11,6 +11,8 @@ namespace marrow {
 
 // Instructions take an operand from memory: what is used once need not be loaded first.
 inline constexpr bool kMemoryOperands = true;
+// An instruction multiplies by one lane of a register.
+inline constexpr bool kMultipliesByLane = false;
 
 struct f32x4 {
   __m128 v;

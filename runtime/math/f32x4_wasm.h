@@ -10,6 +10,8 @@ namespace marrow {
 
 // As on NEON.
 inline constexpr bool kMemoryOperands = false;
+// An instruction multiplies by one lane of a register.
+inline constexpr bool kMultipliesByLane = false;
 
 struct f32x4 {
   v128_t v;

@@ -38,13 +38,14 @@ class AnimationSpace {
   template <class D, class Count>
   [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
                                          const Affine* palette, Cursor& at) {
-    const JointSet<Row<D, Count>> joints(set, influences, palette);
+    JointSet<Row<D, Count>> joints(set, influences, palette);
     const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks) {
+      joints.stay(directions, influences);
       Blend m = joints.last;
       const float* const q = at.stream;
       Vector<f32x4> p;
-      if constexpr (kSmall) {
+      if constexpr (std::is_same_v<Count, std::uint32_t>) {
         p = turned(m, q) + m.origin;
         add_others(influences, joints, q + 12, 16, p);
         if (directions != Directions::none) add_others(influences, joints, q + 24, 16, m);
@@ -91,10 +92,11 @@ class WithTangents {
   template <class D>
   [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
                                   std::uint32_t blocks, const Affine* palette, Cursor& at) {
-    const JointSet<Factors> joints(set, influences, palette);
+    JointSet<Factors> joints(set, influences, palette);
     const f32x4 mirror = determinant(joints.last);
     const float* tau = tangents_;
     for (; blocks > 0; --blocks) {
+      joints.stay(directions, influences);
       Vector<f32x4> p = turned(joints.last, at.stream) + joints.last.origin;
       add_others(influences, joints, at.stream + 12, 16, p);
       store_xyz(at.out_positions, p);

@@ -22,6 +22,22 @@ struct JointSet {
     }
   }
 
+  // Before each block. GCC would spread the lanes of many rows over registers ahead of the blocks, and spill those, or
+  // copy from memory to memory what has been spread.
+  template <class D, class Count>
+  [[gnu::always_inline]] void stay([[maybe_unused]] D directions, [[maybe_unused]] Count influences) {
+    if constexpr (kMultipliesByLane && !std::is_same_v<Count, std::uint32_t>) {
+      if (directions == Directions::none || influences == 2) {  // then there are registers for all rows
+        for (std::uint32_t j = 0; j + 1 < influences; ++j)
+          for (Row& row : others[j]) stay_whole(row);
+        return;
+      }
+    }
+#if defined(__GNUC__)
+    if (std::is_same_v<Count, std::uint32_t> || (!kMemoryOperands && influences > 2)) asm("" : : "r"(this) : "memory");
+#endif
+  }
+
  private:
   // For all kernels alike.
   [[gnu::noinline]] void load_called(const std::uint16_t* set, std::uint32_t influences, const Affine* palette) {
@@ -38,11 +54,6 @@ struct JointSet {
       keep(load_aligned(other.rows[1]) - b, others[j][1]);
       keep(load_aligned(other.rows[2]) - c, others[j][2]);
     }
-#if defined(__GNUC__)
-    // Where an instruction multiplies by a lane, it is to: GCC would spread the lanes of many rows over registers
-    // before the loop, and spill those.
-    if (!kMemoryOperands && influences > 2) asm("" : : "r"(this) : "memory");
-#endif
   }
 
   static void keep(f32x4 row, f32x4& to) {

@@ -11,9 +11,10 @@ struct Ssd {
   template <class D, class Count>
   [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
                                          const Affine* palette, Cursor& at) {
-    const JointSet<Row<Count>> joints(set, influences, palette);
+    JointSet<Row<Count>> joints(set, influences, palette);
     const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks) {
+      joints.stay(directions, influences);
       const float* const weights = at.stream + 12;
       const Vector<f32x4> v = load_block(at.stream);
       Blend m = joints.last;
