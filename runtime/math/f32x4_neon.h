@@ -110,8 +110,10 @@ inline f32x4 times(f32x4 v, const Factors& f) {
   return {vmulq_laneq_f32(v.v, f.row.v, Lane)};
 }
 // Says that these may have changed: what was made of single lanes before is forgotten.
-inline void stay_whole(f32x4& a) {
+inline void stay_whole([[maybe_unused]] f32x4& a) {
+#if defined(__GNUC__)
   asm("" : "+w"(a.v));
+#endif
 }
 inline void stay_whole(Factors& f) {
   stay_whole(f.row);
