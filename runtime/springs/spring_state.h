@@ -37,8 +37,6 @@ struct JointRange {
 
 // What chains feel of the character's motion. The arrays of four are rows for transposing.
 struct alignas(16) SpringRoot {
-  Affine parent;           // scene_from_joint of what the chain hangs on, in the last frame
-  Affine world;            // world_from_scene of the last frame
   float position[3];       // of the first joint, in the last frame
   float velocity[3];       // at its end
   float mean_velocity[3];  // over it
@@ -52,6 +50,8 @@ struct alignas(16) SpringRoot {
   std::uint64_t colliders;               // SpringChain::colliders
   alignas(16) float air[2][4];           // wind - V at both ends of this frame
   alignas(16) float acceleration[2][4];  // at both ends of this frame
+  Affine parent;           // scene_from_joint of what the chain hangs on, in the last frame
+  Affine world;            // world_from_scene of the last frame
 };
 
 static_assert(sizeof(SpringRoot) == 272);
