@@ -77,11 +77,7 @@ void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std
 }
 
 MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
-  float* const t = &local[joint / 4].translation[0][joint % 4];
-  const Vector3 v = narrow(to);
-  t[0] = v.x;
-  t[4] = v.y;
-  t[8] = v.z;
+  set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
 // Translations of all joints from the goal's up to, and not with, the first that turns.

@@ -230,15 +230,10 @@ void move_along(const SpringCall& call, const SpringBones& bones, const SpringPl
   for (int i = 0; i < Lanes::kCount; ++i) {
     const SpringRoot& root = place.root(call, i);
     if (place.joint(i) == kNoBone || root.moved == 0) continue;
-    const auto put = [lane = place.lane + i](float* to, f32x4 v) {
-      const Vector3 n = narrow(v);
-      to[lane] = n.x, to[lane + 4] = n.y, to[lane + 8] = n.z;
-    };
-    for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]}) {
-      const float* const from = v + place.lane + i;
-      put(v, turned(root, lanes(from[0], from[4], from[8], 0.0f)));
-    }
-    put(group.animated[0], animated[i]);
+    const int lane = place.lane + i;
+    for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]})
+      set_three_of_lane(v + lane, turned(root, three_of_lane(v + lane)));
+    set_three_of_lane(group.animated[0] + lane, animated[i]);
   }
 }
 
