@@ -169,7 +169,7 @@ void set_out(IkHeuristic& h) {
 }
 
 void face_pole(IkHeuristic& h, const IkProblem& problem) {
-  const f32x4 towards = to_f32x4(vector3(problem.pole)) - h.parts[0].at;
+  const f32x4 towards = load_wide(problem.pole) - h.parts[0].at;
   face(h, unit3_or(towards, splat(0.0f)), false, problem.pole_weight);
 }
 

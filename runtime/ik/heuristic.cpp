@@ -26,7 +26,7 @@ void set_aims(IkHeuristic& h) {
     const IkEnd& end = tree.ends[k];
     IkAim& aim = h.aims[k];
     const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
-    aim.goal = to_f32x4(vector3(end.goal->position));
+    aim.goal = load_wide(end.goal->position);
     aim.rotation = normalised(WideRotation{load(end.goal->rotation)}) * conjugate(end.rotation);
     aim.position = position * position;
     aim.turn = turn * turn;

@@ -61,7 +61,7 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
 
 void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std::uint16_t* node_of, IkEnd& end) {
   std::uint16_t joint = end.goal->joint;
-  f32x4 point = to_f32x4(vector3(end.goal->offset)), bone = splat(0.0f);
+  f32x4 point = load_wide(end.goal->offset), bone = splat(0.0f);
   WideRotation rotation = no_turn();
   for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
     const Columns frame = local_frame(local, joint);

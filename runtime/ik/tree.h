@@ -76,7 +76,7 @@ MARROW_CALLED_WHERE_SMALL inline void turn_axes(const Columns& map, WideRotation
 
 // From where an end is to where it shall be: scene space, metres.
 inline f32x4 position_error(const IkTree& tree, const IkEnd& end) {
-  return to_f32x4(vector3(end.goal->position)) - transform(tree.nodes[end.node].frame, end.point);
+  return load_wide(end.goal->position) - transform(tree.nodes[end.node].frame, end.point);
 }
 // The turn that is missing, as a rotation vector (axis times angle ≤ π) in scene space.
 f32x4 rotation_error(const IkTree& tree, const IkEnd& end);

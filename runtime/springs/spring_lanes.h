@@ -57,18 +57,10 @@ struct SpringLanes<One> {
   static constexpr int kCount = 1;
 
   static One number(const float (&from)[4], int lane) { return {splat(from[lane])}; }
-  static Vector<One> vector(const float (&from)[3][4], int lane) {
-    return {three_of_lane(&from[0][lane])};
-  }
-  static Quaternion<One> rotation(const float (&from)[4][4], int lane) {
-    return {four_of_lane(&from[0][lane])};
-  }
-  static void store(float (&to)[3][4], int lane, Vector<One> v) {
-    set_three_of_lane(&to[0][lane], v.v);
-  }
-  static void store(float (&to)[4][4], int lane, Quaternion<One> q) {
-    set_four_of_lane(&to[0][lane], q.v);
-  }
+  static Vector<One> vector(const float (&from)[3][4], int lane) { return {three_of_lane(&from[0][lane])}; }
+  static Quaternion<One> rotation(const float (&from)[4][4], int lane) { return {four_of_lane(&from[0][lane])}; }
+  static void store(float (&to)[3][4], int lane, Vector<One> v) { set_three_of_lane(&to[0][lane], v.v); }
+  static void store(float (&to)[4][4], int lane, Quaternion<One> q) { set_four_of_lane(&to[0][lane], q.v); }
   static Vector<One> same(f32x4 v) { return {v}; }
   static Vector<One> rows(const float* const (&row)[1]) { return {without_w(load_aligned(row[0]))}; }
   static Linear<One> linear_rows(const Affine* const (&a)[1]) {
