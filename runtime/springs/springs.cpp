@@ -363,7 +363,7 @@ struct IntoParents {
 };
 
 // From one unit direction to another, and of that the part `weight`.
-MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>& to,
+MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(Vector<Number> from, Vector<Number> to,
                                                          Number weight) {
   const Number zero = number(0.0f), one = number(1.0f);
   Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
