@@ -35,7 +35,7 @@ inline Vector<F> transposed_times(const Linear<F>& m, const Vector<F>& v) {
   return vector_of(dot(m.x, v), dot(m.y, v), dot(m.z, v));
 }
 inline Vector<One> transposed_times(const Linear<One>& m, Vector<One> v) {
-  return vector_of(dot(m.x, v), dot(m.y, v), dot(m.z, v));
+  return {sums(m.x.v * v.v, m.y.v * v.v, m.z.v * v.v)};
 }
 // aᵀ b
 template <class F>

@@ -73,9 +73,7 @@ inline f32x4 cross3(f32x4 a, f32x4 b) {
 }
 // dot3() of three vectors, each with v.
 inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
-  f32x4 x = of[0] * v, y = of[1] * v, z = of[2] * v, none = splat(0.0f);
-  transpose(x, y, z, none);
-  return x + y + z;
+  return sums(of[0] * v, of[1] * v, of[2] * v);
 }
 // The part of v across a unit vector.
 MARROW_CALLED_WHERE_SMALL inline f32x4 across3(f32x4 v, f32x4 unit) {
