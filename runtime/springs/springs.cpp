@@ -363,8 +363,7 @@ struct IntoParents {
 };
 
 // From one unit direction to another, and of that the part `weight`.
-MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(Vector<Number> from, Vector<Number> to,
-                                                         Number weight) {
+MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(Vector<Number> from, Vector<Number> to, Number weight) {
   const Number zero = number(0.0f), one = number(1.0f);
   Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
   const Number squared = dot(q, q);
