@@ -32,8 +32,9 @@ WideRotation rotation_in(const Affine& a) {
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
-void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-               const std::uint16_t* node_of, IkNode& node) {
+MARROW_CALLED_WHERE_SMALL void set_above(const Skeleton& skeleton, Span<const SoaTransform> local,
+                                         Span<const Affine> scene_from_joint, const std::uint16_t* node_of,
+                                         IkNode& node) {
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   node.parent = on == kNoParent ? kNoParent : node_of[on];
