@@ -72,7 +72,7 @@ inline One sqrt(One a) {
   return {sqrt(a.v)};
 }
 // Not by `m ? yes : no`: of two that have names GCC makes one address, for which both must lie in memory.
-inline One select(bool m, One yes, One no) {
+[[gnu::always_inline]] inline One select(bool m, One yes, One no) {
   if (m) return yes;
   return no;
 }
