@@ -28,8 +28,8 @@ void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   if (h.plain) {  // by its points alone
     const WideRotation by = part_of(arc(from, to, axis), share);
     h.turned = by * h.turned;
-    for (std::size_t i = 1; i <= h.tree->nodes.size; ++i)
-      h.parts[i].at = h.parts[0].at + rotate(by, h.parts[i].at - h.parts[0].at);
+    const f32x4 root = h.parts[0].at;
+    for (IkPart& part : h.below_root()) part.at = root + rotate(by, part.at - root);
     return;
   }
   const InverseAxes inverse(node.frame.axis);
@@ -41,7 +41,7 @@ void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
 
 float total_length(const IkHeuristic& h) {
   float sum = 0;
-  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) sum += h.parts[i].length;
+  for (const IkPart& part : h.points()) sum += part.length;
   return sum;
 }
 
@@ -84,8 +84,9 @@ f32x4 own_side(const IkHeuristic& h) {
 f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest) {
   f32x4 sum = own_side(h) * (own ? h.size_m * 1e-3f : 0.0f);
   farthest = 0;
-  for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
-    const f32x4 off = across3(h.parts[i].at - h.parts[0].at, line);
+  const f32x4 root = h.parts[0].at;
+  for (const IkPart& part : h.between()) {
+    const f32x4 off = across3(part.at - root, line);
     farthest = std::max(farthest, length3(off));
     sum = sum + off;
   }
@@ -113,10 +114,9 @@ void bow(IkHeuristic& h) {
   const float sag = sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
   const f32x4 side = (squared3(aside) > 0 ? aside : any_across3(line)) * (4.0f * sag * h.size_m * share);
   float so_far = 0;
-  for (std::size_t i = 1; i < h.tree->nodes.size; ++i) {
-    f32x4& at = h.parts[i].at;
-    so_far += h.parts[i].length * h.per_size;
-    at = at - line * (slack * share * dot3(at - root, line)) + side * (so_far * (1.0f - so_far));
+  for (IkPart& part : h.between()) {
+    so_far += part.length * h.per_size;
+    part.at = part.at - line * (slack * share * dot3(part.at - root, line)) + side * (so_far * (1.0f - so_far));
   }
 }
 
@@ -139,7 +139,7 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   const float distance = length3(aim.goal - root);
   const float beyond = h.free ? smooth_step(0.5f + (distance * h.per_size - 1.0f) * (0.5f / kNearlyStraight)) : 0.0f;
   float longest = 0;
-  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) longest = std::max(longest, h.parts[i].length);
+  for (const IkPart& part : h.points()) longest = std::max(longest, part.length);
   const float folded = std::max(2.0f * longest * h.per_size - 1.0f, 0.0f);  // of the size: as near as the end can come
   stretch(h, distance, folded * h.size_m, h.size_m, options.stretch);
   h.size_m = total_length(h);
@@ -169,16 +169,16 @@ void set_out(IkHeuristic& h) {
 }
 
 void face_pole(IkHeuristic& h, const IkProblem& problem) {
-  const f32x4 towards = to_f32x4(vector3(problem.pole)) - h.parts[0].at;
+  const f32x4 towards = load_wide(problem.pole) - h.parts[0].at;
   face(h, unit3_or(towards, splat(0.0f)), false, problem.pole_weight);
 }
 
 void straighten(IkHeuristic& h, float beyond) {
   const f32x4 root = h.parts[0].at, line = unit3_or(h.aims[0].goal - root, splat(0.0f));
   float so_far = 0;
-  for (std::size_t i = 1; i <= h.tree->nodes.size; ++i) {
-    so_far += h.parts[i].length;
-    h.parts[i].at = h.parts[i].at + (root + line * so_far - h.parts[i].at) * beyond;
+  for (IkPart& part : h.below_root()) {
+    so_far += part.length;
+    part.at = part.at + (root + line * so_far - part.at) * beyond;
   }
   reach_forward(h);
 }

@@ -38,8 +38,7 @@ WideRotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& ab
 
 void reach_forward_by_points(IkHeuristic& h) {
   f32x4 from = h.parts[0].at;
-  for (std::size_t i = 1; i <= h.tree->nodes.size; ++i) {
-    IkPart& part = h.parts[i];
+  for (IkPart& part : h.below_root()) {
     from = part.at = from + along(part.at - from, part.length);
   }
 }
@@ -67,11 +66,12 @@ void turn_to_points(IkHeuristic& h) {
 void pull(IkHeuristic& h) {
   // The end is at Σ length · d, d the bones' directions; with d + v instead, of unit length, it moves by
   // Σ length (I - d dᵀ) v, to first order in v.
-  const std::size_t end = h.tree->nodes.size;
   f32x4 axes[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
-  for (std::size_t i = 1; i <= end; ++i) {
-    const float length = h.parts[i].length;
-    const f32x4 d = along(h.parts[i].at - h.parts[i - 1].at, 1.0f), w = d * length;
+  f32x4 from = h.parts[0].at, before = from;
+  for (const IkPart& part : h.below_root()) {
+    const float length = part.length;
+    const f32x4 d = along(part.at - before, 1.0f), w = d * length;
+    before = part.at;
     axes[0] = axes[0] + (lanes(length, 0, 0, 0) - splat_lane<0>(w) * d);
     axes[1] = axes[1] + (lanes(0, length, 0, 0) - w * splat_lane<1>(d));
     axes[2] = axes[2] + (lanes(0, 0, length, 0) - w * splat_lane<2>(d));
@@ -81,11 +81,10 @@ void pull(IkHeuristic& h) {
   axes[0] = (axes[0] + lanes(least, 0, 0, 0)) * s;
   axes[1] = (axes[1] + lanes(0, least, 0, 0)) * s;
   axes[2] = (axes[2] + lanes(0, 0, least, 0)) * s;
-  f32x4 v = InverseAxes(axes) * ((h.aims[0].goal - h.parts[end].at) * s);
+  f32x4 v = InverseAxes(axes) * ((h.aims[0].goal - before) * s);
   v = v * (1.0f / sqrt(1.0f + squared3(v) * 1.2f));  // shorter than d, which never turns round
-  f32x4 from = h.parts[0].at, before = from;
-  for (std::size_t i = 1; i <= end; ++i) {
-    IkPart& part = h.parts[i];
+  before = from;
+  for (IkPart& part : h.below_root()) {
     const f32x4 d = along(part.at - before, 1.0f);
     before = part.at;
     from = part.at = from + along(d + v, part.length);

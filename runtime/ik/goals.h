@@ -38,10 +38,7 @@ inline bool is_partial(float x) {
   return bit_cast<std::uint32_t>(x) != bit_cast<std::uint32_t>(1.0f);
 }
 
-// In one register each. Of a matrix the rows, and what stands behind them.
-inline Vector<One> wide_origin(const Affine& a) {
-  return {fourths(load_aligned(a.rows[0]), load_aligned(a.rows[1]), load_aligned(a.rows[2]))};
-}
+// In one register each. Of a matrix the rows.
 inline Linear<One> wide_rows(const Affine& a) {
   return {{load_aligned(a.rows[0])}, {load_aligned(a.rows[1])}, {load_aligned(a.rows[2])}};
 }

@@ -26,7 +26,7 @@ void set_aims(IkHeuristic& h) {
     const IkEnd& end = tree.ends[k];
     IkAim& aim = h.aims[k];
     const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
-    aim.goal = to_f32x4(vector3(end.goal->position));
+    aim.goal = load_wide(end.goal->position);
     aim.rotation = normalised(WideRotation{load(end.goal->rotation)}) * conjugate(end.rotation);
     aim.position = position * position;
     aim.turn = turn * turn;
@@ -57,15 +57,15 @@ float error_of(const IkHeuristic& h) {
 
 void keep_pose(IkHeuristic& h) {
   if (h.plain) {
-    for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) h.parts[i].was = h.parts[i].at;
+    for (IkPart& part : h.points()) part.was = part.at;
   } else {
     for (std::size_t i = 0; i < h.tree->nodes.size; ++i) h.parts[i].before = h.tree->nodes[i].rotation;
   }
 }
 
 bool points_rest(const IkHeuristic& h) {
-  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i) {
-    const f32x4 d = (h.parts[i].at - h.parts[i].was) * h.per_size;
+  for (const IkPart& part : h.points()) {
+    const f32x4 d = (part.at - part.was) * h.per_size;
     if (squared3(d) > 1e-13f) return false;
   }
   return true;
@@ -106,8 +106,7 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
 
 // Of the last iteration only a share.
 void take_share_of_points(IkHeuristic& h, float share) {
-  for (std::size_t i = 0; i <= h.tree->nodes.size; ++i)
-    h.parts[i].at = h.parts[i].was + (h.parts[i].at - h.parts[i].was) * share;
+  for (IkPart& part : h.points()) part.at = part.was + (part.at - part.was) * share;
 }
 void take_share_of_turns(IkHeuristic& h, float share) {
   for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
@@ -167,6 +166,7 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   IkHeuristic h;
   h.tree = &tree;
   h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size).data;
+  h.ends = h.parts + tree.nodes.size;
   h.aims = scratch.take<IkAim>(tree.ends.size).data;
   for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = IkPart{};
   update_parts(h);

@@ -26,9 +26,17 @@ struct IkAim {
   float turn;
 };
 
+struct IkParts {
+  IkPart* first;
+  IkPart* behind;
+  IkPart* begin() const { return first; }
+  IkPart* end() const { return behind; }
+};
+
 struct IkHeuristic {
   IkTree* tree;
   IkPart* parts;
+  IkPart* ends;  // the parts behind the nodes'
   IkAim* aims;
   float size_m = 0;                 // sum of all lengths
   float per_size = 0;               // 1 / size_m; 0 for no size
@@ -37,7 +45,11 @@ struct IkHeuristic {
   bool plain = false;               // nothing but that: points move alone, and joints turn when they are there
   WideRotation turned = no_turn();  // of a plain chain, as a whole, in the scene
 
-  IkPart& end(std::size_t k) const { return parts[tree->nodes.size + k]; }
+  IkPart& end(std::size_t k) const { return ends[k]; }
+  // Of a chain: from the root to its end; without the root; and without both.
+  IkParts points() const { return {parts, ends + 1}; }
+  IkParts below_root() const { return {parts + 1, ends + 1}; }
+  IkParts between() const { return {parts + 1, ends}; }
 };
 
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.

@@ -32,8 +32,9 @@ WideRotation rotation_in(const Affine& a) {
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
-void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-               const std::uint16_t* node_of, IkNode& node) {
+MARROW_CALLED_WHERE_SMALL void set_above(const Skeleton& skeleton, Span<const SoaTransform> local,
+                                         Span<const Affine> scene_from_joint, const std::uint16_t* node_of,
+                                         IkNode& node) {
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   node.parent = on == kNoParent ? kNoParent : node_of[on];
@@ -61,7 +62,7 @@ void set_above(const Skeleton& skeleton, Span<const SoaTransform> local, Span<co
 
 void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std::uint16_t* node_of, IkEnd& end) {
   std::uint16_t joint = end.goal->joint;
-  f32x4 point = to_f32x4(vector3(end.goal->offset)), bone = splat(0.0f);
+  f32x4 point = load_wide(end.goal->offset), bone = splat(0.0f);
   WideRotation rotation = no_turn();
   for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
     const Columns frame = local_frame(local, joint);
@@ -77,11 +78,7 @@ void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std
 }
 
 MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
-  float* const t = &local[joint / 4].translation[0][joint % 4];
-  const Vector3 v = narrow(to);
-  t[0] = v.x;
-  t[4] = v.y;
-  t[8] = v.z;
+  set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
 // Translations of all joints from the goal's up to, and not with, the first that turns.

@@ -13,21 +13,22 @@
 
 namespace marrow {
 
+// What is asked for most often comes first: the shortest instructions reach 128 bytes.
 struct IkNode {
-  Columns above;  // constant: from this joint's axes before they turn to the parent node's frame, or the scene
-  Columns parent_from_frame;  // above · rotation
-  Columns frame;              // scene_from_frame
-  WideRotation rotation;      // the joint's local rotation
-  WideRotation start;         // the same, as it was in the pose
-  WideRotation best;          // of all starts so far
-  WideRotation above_turned;  // the rotation in `above`, or of what is above it in the scene
-  WideRotation turned;        // of the frame in the scene; where goals ask for rotations only
-  f32x4 hinge;                // the only axis that it turns about, in its own axes; 0: any
-  const JointLimit* limit;    // or null
-  float ease_root;            // √(1 - stiffness)
+  Columns frame;            // scene_from_frame
+  WideRotation rotation;    // the joint's local rotation
+  f32x4 hinge;              // the only axis that it turns about, in its own axes; 0: any
+  WideRotation turned;      // of the frame in the scene; where goals ask for rotations only
+  const JointLimit* limit;  // or null
+  float ease_root;          // √(1 - stiffness)
   std::uint16_t joint;
   std::uint16_t parent;  // a node, before this one; kNoParent: what is above never moves
-  std::uint16_t place;   // in IkProblem::joints
+  Columns above;         // constant: from this joint's axes before they turn to the parent node's frame, or the scene
+  WideRotation above_turned;  // the rotation in `above`, or of what is above it in the scene
+  WideRotation start;         // the rotation as it was in the pose
+  WideRotation best;          // of all starts so far
+  Columns parent_from_frame;  // above · rotation
+  std::uint16_t place;        // in IkProblem::joints
 };
 
 // The end of a chain: one a goal.
@@ -75,7 +76,7 @@ MARROW_CALLED_WHERE_SMALL inline void turn_axes(const Columns& map, WideRotation
 
 // From where an end is to where it shall be: scene space, metres.
 inline f32x4 position_error(const IkTree& tree, const IkEnd& end) {
-  return to_f32x4(vector3(end.goal->position)) - transform(tree.nodes[end.node].frame, end.point);
+  return load_wide(end.goal->position) - transform(tree.nodes[end.node].frame, end.point);
 }
 // The turn that is missing, as a rotation vector (axis times angle ≤ π) in scene space.
 f32x4 rotation_error(const IkTree& tree, const IkEnd& end);

@@ -44,6 +44,10 @@ inline Vector3 column(const Affine& a, int c) {
 inline Vector3 origin(const Affine& a) {
   return column(a, 3);
 }
+// The same in one register.
+inline Vector<One> wide_origin(const Affine& a) {
+  return {fourths(load_aligned(a.rows[0]), load_aligned(a.rows[1]), load_aligned(a.rows[2]))};
+}
 inline Linear<float> linear(const Affine& a) {
   return {column(a, 0), column(a, 1), column(a, 2)};
 }

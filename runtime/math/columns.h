@@ -28,14 +28,17 @@ inline Columns columns(const Affine& a) {
   transpose(x, y, z, w);
   return {{x, y, z}, w};
 }
-// The axes of a rotation.
+// The axes of a rotation, the bits of columns_of(): sums and differences of products, of which each axis has one of
+// either and one of the diagonal.
 MARROW_CALLED_WHERE_SMALL inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
-  float f[4];
-  store(f, q.v);
-  const Linear<float> m = columns_of(rotation(f));
-  axis[0] = to_f32x4(m.x);
-  axis[1] = to_f32x4(m.y);
-  axis[2] = to_f32x4(m.z);
+  const f32x4 v = q.v, twice = v + v, squares = v * twice, products = v * rotated_xyz(twice);
+  const f32x4 with_w = reordered<2, 0, 1, 3>(splat_lane<3>(v) * twice);
+  f32x4 x = splat(1.0f) - (rotated_xyz(squares) + reordered<2, 0, 1, 3>(squares)), y = products + with_w,
+        z = reordered<2, 0, 1, 3>(products - with_w), none = splat(0.0f);
+  transpose(x, y, z, none);
+  axis[0] = x;
+  axis[1] = reordered<2, 0, 1, 3>(y);
+  axis[2] = rotated_xyz(z);
 }
 
 }  // namespace marrow

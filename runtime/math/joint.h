@@ -22,23 +22,17 @@ inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, const Rotat
 }
 
 inline WideRotation wide_rotation_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float* const r = &pose[joint / 4].rotation[0][joint % 4];
-  return {lanes(r[0], r[4], r[8], r[12])};
+  return {four_of_lane(&pose[joint / 4].rotation[0][joint % 4])};
 }
 inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
-  float* const r = &pose[joint / 4].rotation[0][joint % 4];
-  float f[4];
-  store(f, q.v);
-  for (int i = 0; i < 4; ++i) r[4 * i] = f[i];
+  set_four_of_lane(&pose[joint / 4].rotation[0][joint % 4], q.v);
 }
 
 MARROW_CALLED_WHERE_SMALL inline f32x4 wide_translation_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float* const t = &pose[joint / 4].translation[0][joint % 4];
-  return lanes(t[0], t[4], t[8], 0.0f);
+  return three_of_lane(&pose[joint / 4].translation[0][joint % 4]);
 }
 MARROW_CALLED_WHERE_SMALL inline f32x4 wide_scale_of(Span<const SoaTransform> pose, std::size_t joint) {
-  const float* const s = &pose[joint / 4].scale[0][joint % 4];
-  return lanes(s[0], s[4], s[8], 0.0f);
+  return three_of_lane(&pose[joint / 4].scale[0][joint % 4]);
 }
 
 inline Vector3 scale_of(Span<const SoaTransform> pose, std::size_t joint) {

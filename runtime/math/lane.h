@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/builtins.h"
+#include "core/fixed.h"
 #include "math/f32x4.h"
 
 namespace marrow {
@@ -41,6 +42,13 @@ inline f32x4 operator-(f32x4 a) {
   return flip(a, splat(-0.0f));
 }
 
+// Of each of three vectors the first three lanes, from left to right; then 0.
+MARROW_CALLED_WHERE_SMALL inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
+  f32x4 none = splat(0.0f);
+  transpose(x, y, z, none);
+  return x + y + z;
+}
+
 struct One {
   f32x4 v;
 };
@@ -64,7 +72,7 @@ inline One sqrt(One a) {
   return {sqrt(a.v)};
 }
 // Not by `m ? yes : no`: of two that have names GCC makes one address, for which both must lie in memory.
-inline One select(bool m, One yes, One no) {
+[[gnu::always_inline]] inline One select(bool m, One yes, One no) {
   if (m) return yes;
   return no;
 }

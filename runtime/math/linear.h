@@ -22,6 +22,9 @@ template <class F>
 inline Vector<F> operator*(const Linear<F>& m, const Vector<F>& v) {
   return m.x * x_of(v) + m.y * y_of(v) + m.z * z_of(v);
 }
+inline Vector<One> operator*(const Linear<One>& m, Vector<One> v) {
+  return m.x * x_of(v) + m.y * y_of(v) + m.z * z_of(v);
+}
 template <class F>
 inline Linear<F> operator*(const Linear<F>& a, const Linear<F>& b) {
   return {a * b.x, a * b.y, a * b.z};
@@ -30,6 +33,9 @@ inline Linear<F> operator*(const Linear<F>& a, const Linear<F>& b) {
 template <class F>
 inline Vector<F> transposed_times(const Linear<F>& m, const Vector<F>& v) {
   return vector_of(dot(m.x, v), dot(m.y, v), dot(m.z, v));
+}
+inline Vector<One> transposed_times(const Linear<One>& m, Vector<One> v) {
+  return {sums(m.x.v * v.v, m.y.v * v.v, m.z.v * v.v)};
 }
 // aᵀ b
 template <class F>

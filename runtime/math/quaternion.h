@@ -91,6 +91,11 @@ inline One squared_length(Quaternion<One> q) {
   return {sum_of_lanes(q.v * q.v)};
 }
 
+inline Quaternion<One> select(bool m, Quaternion<One> yes, Quaternion<One> no) {  // as of One
+  if (m) return yes;
+  return no;
+}
+
 // First b, then a.
 template <class F>
 inline Quaternion<F> operator*(const Quaternion<F>& a, const Quaternion<F>& b) {

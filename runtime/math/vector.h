@@ -135,6 +135,10 @@ inline One dot(Vector<One> a, Vector<One> b) {
 inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
 }
+[[gnu::always_inline]] inline Vector<One> select(bool m, Vector<One> yes, Vector<One> no) {  // as of One
+  if (m) return yes;
+  return no;
+}
 inline Vector<One> only_where(bool m, Vector<One> a) {
   return {m ? a.v : splat(0.0f)};
 }

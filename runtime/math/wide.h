@@ -32,6 +32,24 @@ MARROW_CALLED_WHERE_SMALL inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }
 
+// One joint's numbers of four joints'.
+MARROW_CALLED_WHERE_SMALL inline f32x4 three_of_lane(const float* p) {
+  return lanes(p[0], p[4], p[8], 0.0f);
+}
+MARROW_CALLED_WHERE_SMALL inline f32x4 four_of_lane(const float* p) {
+  return lanes(p[0], p[4], p[8], p[12]);
+}
+MARROW_CALLED_WHERE_SMALL inline void set_three_of_lane(float* to, f32x4 v) {
+  float f[4];
+  store(f, v);
+  for (int i = 0; i < 3; ++i) to[4 * i] = f[i];
+}
+MARROW_CALLED_WHERE_SMALL inline void set_four_of_lane(float* to, f32x4 v) {
+  float f[4];
+  store(f, v);
+  for (int i = 0; i < 4; ++i) to[4 * i] = f[i];
+}
+
 // v.x, v.y, z, 0
 inline f32x4 with_z(f32x4 v, float z) {
   float f[4];
@@ -55,9 +73,7 @@ inline f32x4 cross3(f32x4 a, f32x4 b) {
 }
 // dot3() of three vectors, each with v.
 inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
-  f32x4 x = of[0] * v, y = of[1] * v, z = of[2] * v, none = splat(0.0f);
-  transpose(x, y, z, none);
-  return x + y + z;
+  return sums(of[0] * v, of[1] * v, of[2] * v);
 }
 // The part of v across a unit vector.
 MARROW_CALLED_WHERE_SMALL inline f32x4 across3(f32x4 v, f32x4 unit) {

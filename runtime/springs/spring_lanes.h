@@ -57,22 +57,10 @@ struct SpringLanes<One> {
   static constexpr int kCount = 1;
 
   static One number(const float (&from)[4], int lane) { return {splat(from[lane])}; }
-  static Vector<One> vector(const float (&from)[3][4], int lane) {
-    return {lanes(from[0][lane], from[1][lane], from[2][lane], 0.0f)};
-  }
-  static Quaternion<One> rotation(const float (&from)[4][4], int lane) {
-    return {lanes(from[0][lane], from[1][lane], from[2][lane], from[3][lane])};
-  }
-  static void store(float (&to)[3][4], int lane, Vector<One> v) {
-    float f[4];
-    marrow::store(f, v.v);
-    for (int i = 0; i < 3; ++i) to[i][lane] = f[i];
-  }
-  static void store(float (&to)[4][4], int lane, Quaternion<One> q) {
-    float f[4];
-    marrow::store(f, q.v);
-    for (int i = 0; i < 4; ++i) to[i][lane] = f[i];
-  }
+  static Vector<One> vector(const float (&from)[3][4], int lane) { return {three_of_lane(&from[0][lane])}; }
+  static Quaternion<One> rotation(const float (&from)[4][4], int lane) { return {four_of_lane(&from[0][lane])}; }
+  static void store(float (&to)[3][4], int lane, Vector<One> v) { set_three_of_lane(&to[0][lane], v.v); }
+  static void store(float (&to)[4][4], int lane, Quaternion<One> q) { set_four_of_lane(&to[0][lane], q.v); }
   static Vector<One> same(f32x4 v) { return {v}; }
   static Vector<One> rows(const float* const (&row)[1]) { return {without_w(load_aligned(row[0]))}; }
   static Linear<One> linear_rows(const Affine* const (&a)[1]) {

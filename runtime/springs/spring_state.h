@@ -37,21 +37,21 @@ struct JointRange {
 
 // What chains feel of the character's motion. The arrays of four are rows for transposing.
 struct alignas(16) SpringRoot {
-  Affine parent;           // scene_from_joint of what the chain hangs on, in the last frame
-  Affine world;            // world_from_scene of the last frame
-  float position[3];       // of the first joint, in the last frame
-  float velocity[3];       // at its end
-  float mean_velocity[3];  // over it
-  float frame_s;           // its length
-  float tip[3];            // SpringChain::tip
-  std::uint32_t frames;    // since the beginning, up to 2
-  std::uint32_t first;     // joint
-  std::uint32_t shown;     // whether any weight is above 0
-  std::uint32_t moved;     // this frame: the chain is moved along, by `turn`
   float turn[3][3];
+  float position[3];                     // of the first joint, in the last frame
+  float velocity[3];                     // at its end
+  float mean_velocity[3];                // over it
+  float frame_s;                         // its length
+  float tip[3];                          // SpringChain::tip
+  std::uint32_t frames;                  // since the beginning, up to 2
+  std::uint32_t first;                   // joint
+  std::uint32_t shown;                   // whether any weight is above 0
+  std::uint32_t moved;                   // this frame: the chain is moved along, by `turn`
   std::uint64_t colliders;               // SpringChain::colliders
   alignas(16) float air[2][4];           // wind - V at both ends of this frame
   alignas(16) float acceleration[2][4];  // at both ends of this frame
+  Affine parent;                         // scene_from_joint of what the chain hangs on, in the last frame
+  Affine world;                          // world_from_scene of the last frame
 };
 
 static_assert(sizeof(SpringRoot) == 272);

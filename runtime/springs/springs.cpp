@@ -90,7 +90,7 @@ void place_colliders(SpringCall& call) {
 }
 
 f32x4 turned(const SpringRoot& root, f32x4 v) {
-  const f32x4 rows[3] = {load_wide(root.turn[0]), load_wide(root.turn[1]), load_wide(root.turn[2])};
+  const f32x4 rows[3] = {load_three(root.turn[0]), load_three(root.turn[1]), load_three(root.turn[2])};
   return products(rows, v);
 }
 
@@ -98,9 +98,7 @@ void find_turn(SpringRoot& root, const Columns& world, const Affine& parent) {
   const Columns was = right_axes(columns(root.world), root.parent);
   Columns is = right_axes(world, parent);
   transpose(is.axis[0], is.axis[1], is.axis[2], is.origin);
-  for (int i = 0; i < 3; ++i)
-    store_wide(root.turn[i], was.axis[0] * splat_lane<0>(is.axis[i]) + was.axis[1] * splat_lane<1>(is.axis[i]) +
-                                 was.axis[2] * splat_lane<2>(is.axis[i]));
+  for (int i = 0; i < 3; ++i) store_wide(root.turn[i], turn(was, is.axis[i]));
 }
 
 // Component by component.
@@ -140,7 +138,7 @@ MARROW_CALLED_WHERE_SMALL void follow(const SpringCall& call, f32x4 position, Sp
 }
 
 f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
-  return turn(call.world, to_f32x4(origin(call.scene_from_joint[joint])));
+  return turn(call.world, wide_origin(call.scene_from_joint[joint]).v);
 }
 
 void prepare_root(SpringCall& call, SpringRoot& root) {
@@ -196,7 +194,7 @@ SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16
     out.begins[i] = false;
     if (joint == kNoBone) continue;
     const Affine& from = call.scene_from_joint[joint];
-    in_scene[i] = end != kNoBone ? to_f32x4(origin(call.scene_from_joint[end])) - to_f32x4(origin(from))
+    in_scene[i] = end != kNoBone ? wide_origin(call.scene_from_joint[end]).v - wide_origin(from).v
                                  : turn(columns(from), load_wide(call.springs.roots[root].tip));
     out.begins[i] = root != chain;
     chain = root;
@@ -230,15 +228,10 @@ void move_along(const SpringCall& call, const SpringBones& bones, const SpringPl
   for (int i = 0; i < Lanes::kCount; ++i) {
     const SpringRoot& root = place.root(call, i);
     if (place.joint(i) == kNoBone || root.moved == 0) continue;
-    const auto put = [lane = place.lane + i](float* to, f32x4 v) {
-      const Vector3 n = narrow(v);
-      to[lane] = n.x, to[lane + 4] = n.y, to[lane + 8] = n.z;
-    };
-    for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]}) {
-      const float* const from = v + place.lane + i;
-      put(v, turned(root, lanes(from[0], from[4], from[8], 0.0f)));
-    }
-    put(group.animated[0], animated[i]);
+    const int lane = place.lane + i;
+    for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]})
+      set_three_of_lane(v + lane, turned(root, three_of_lane(v + lane)));
+    set_three_of_lane(group.animated[0] + lane, animated[i]);
   }
 }
 
@@ -370,8 +363,7 @@ struct IntoParents {
 };
 
 // From one unit direction to another, and of that the part `weight`.
-MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(const Vector<Number>& from, const Vector<Number>& to,
-                                                         Number weight) {
+MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(Vector<Number> from, Vector<Number> to, Number weight) {
   const Number zero = number(0.0f), one = number(1.0f);
   Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
   const Number squared = dot(q, q);
