@@ -31,7 +31,8 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
 }
 
 // Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended. An even frame stands in
-// frame[0], an odd one in frame[1], so that both stay where they are when the later one becomes the earlier. Where code is small frame[0] is the earlier.
+// frame[0], an odd one in frame[1], so that both stay where they are when the later one becomes the earlier.
+// Where code is small frame[0] is the earlier.
 //   rotations  modified Rodrigues parameters m; factors 2 / (1 + m²) of the even and the odd frame, and the squared
 //              chord between the two
 //   others     integers; the least x, y and z, which are to be added to them; the step
