@@ -306,7 +306,7 @@ MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBo
   const Number zero = number(0.0f), damping = place.number(group.damping) + place.number(group.drag);
   const bool may_touch = !call.frame.colliders.empty();
   Vector<Number> was, from, outwards;  // before the drift; what it touches
-  SpringStrengths s;
+  SpringStrengths s{};
   SpringForce force;
   SpringWay way;
   Number u = zero;
