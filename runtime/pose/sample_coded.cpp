@@ -3,199 +3,15 @@
 #include <cstring>
 #include <utility>
 
-#include "asset/format.h"
 #include "core/fixed.h"
 #include "core/opaque.h"
 #include "math/keys.h"
 #include "math/slerp.h"
-#include "math/vector.h"
-#include "pose/sample_each.h"
+#include "pose/coded_lanes.h"
+#include "pose/unpack_frames.h"
 
 namespace marrow {
 namespace {
-
-constexpr std::uint32_t kHeaderBytes = sizeof(format::TrackHeader), kConstantBytes = sizeof(format::Constant);
-
-struct Tables {
-  // Operands from memory.
-  alignas(16) float one[4], two[4], series_limit[4];
-  alignas(16) std::uint32_t codes[4], high[4];
-  // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
-  // times 16, which is where the code stands in a header or how far an entry is from the first.
-  alignas(16) std::uint64_t mask[16][2];
-  alignas(16) std::uint64_t shift[16][2];
-  std::uint64_t bits_times_16[16][2];
-  // By sets of lanes: the set as a vector, and where its lanes' headers and constants stand. A lane that is not in the
-  // set shares another's.
-  alignas(16) std::uint32_t lanes[16][4];
-  std::uint8_t header[16][4], constant[16][4];
-  std::uint8_t header_bytes[16], constant_bytes[16];
-};
-constexpr Tables make_tables() {
-  Tables t{};
-  for (std::uint32_t n = 0; n < 16; ++n) {
-    for (int i = 0; i < 2; ++i) {
-      t.shift[n][i] = shift_count(format::component_bits(n));
-      t.bits_times_16[n][i] = 16 * format::component_bits(n);
-      t.mask[n][i] = (std::uint64_t{1} << format::component_bits(n)) - 1;
-    }
-    for (std::uint32_t lane = 0; lane < 4; ++lane) {
-      if ((n >> lane & 1u) == 0) continue;
-      t.lanes[n][lane] = ~0u;
-      t.header[n][lane] = t.header_bytes[n];
-      t.constant[n][lane] = t.constant_bytes[n];
-      t.header_bytes[n] = static_cast<std::uint8_t>(t.header_bytes[n] + kHeaderBytes);
-      t.constant_bytes[n] = static_cast<std::uint8_t>(t.constant_bytes[n] + kConstantBytes);
-    }
-  }
-  for (int i = 0; i < 4; ++i) {
-    t.one[i] = 1.0f;
-    t.two[i] = 2.0f;
-    t.series_limit[i] = kSlerpSeriesLimit;
-    t.codes[i] = 0xF0F0F0F0u;
-    t.high[i] = 0xFFFF0000u;
-  }
-  return t;
-}
-constexpr Tables kTables = make_tables();
-
-// One address for all tables, and numbers that stay where instructions can take them from.
-inline const Tables& tables() {
-  return *opaque(&kTables);
-}
-
-inline const std::uint64_t* at(const std::uint64_t (&table)[16][2], std::uint64_t code_times_16) {
-  return reinterpret_cast<const std::uint64_t*>(reinterpret_cast<const std::byte*>(table) + code_times_16);
-}
-
-// A FramePair of integers in registers, the earlier frame first.
-struct Unpacked {
-  f32x4 frame[2][3], other[3], step;
-};
-[[maybe_unused]] inline f32x4 lanes_of(f32x4 number) {
-  return number;
-}
-[[maybe_unused]] inline f32x4 lanes_of(const float (&number)[4]) {
-  return load_aligned(number);
-}
-[[maybe_unused]] inline void load_frame(const float (&from)[3][4], f32x4 (&to)[3]) {
-  for (int i = 0; i < 3; ++i) to[i] = load_aligned(from[i]);
-}
-[[maybe_unused]] inline void store_frame(const f32x4 (&from)[3], float (&to)[3][4]) {
-  for (int i = 0; i < 3; ++i) store(to[i], from[i]);
-}
-// A frame of a pair, by one address for all its numbers.
-template <class Pair>
-inline auto& numbers_of(Pair& two, std::uint32_t frame) {
-  return *opaque(&two.frame[frame]);
-}
-
-// Of codes times 65536.
-inline f32x4 step_sizes(i32x4 codes) {
-  return bits_as_float(shift_left<format::kStepShift - 16>(codes) +
-                       splat_int(static_cast<std::int32_t>(format::kFirstStep)));
-}
-
-// Passes over as many tracks as there are bits in `lanes`.
-[[maybe_unused]] void skip(TrackCursor& cursor, std::uint32_t lanes) {
-  const auto& bits = kTables.bits_times_16;
-  for (; lanes != 0; lanes &= lanes - 1) {
-    std::uint32_t codes;
-    std::memcpy(&codes, cursor.header, 4);
-    cursor.bit_times_16 += *at(bits, codes & 0xF0u) + *at(bits, codes >> 4 & 0xF0u) + *at(bits, codes >> 8 & 0xF0u);
-    cursor.header += kHeaderBytes;
-  }
-}
-
-// The numbers of four lanes, four int16 each, times 65536; ab and cd hold two lanes each.
-inline void widen(const Tables& t, i32x4 ab, i32x4 cd, i32x4 (&out)[4]) {
-  const i32x4 xy = even(ab, cd), zw = odd(ab, cd);
-  const i32x4 high = load_aligned(t.high);
-  out[0] = shift_left<16>(xy);
-  out[1] = xy & high;
-  out[2] = shift_left<16>(zw);
-  out[3] = zw & high;
-}
-
-// The first bytes of four headers, each code with its upper neighbour out of the way: times 16.
-struct Codes {
-  alignas(16) std::byte upper[16];  // x in byte 0, z in byte 1 of each word
-  alignas(16) std::byte lower[16];  // y in byte 1
-};
-
-// A track's integers, in both frames or in the later one alone.
-struct Fields {
-  u64x2 x, y, z;
-};
-
-// The next track's; moves `record` to the byte where its bits begin, and `bit_times_16` from there behind them.
-template <bool kLater>
-inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, std::size_t frame_bytes, const Tables& t,
-                        const Codes& codes, std::uint32_t lane, Fields& out) {
-  const auto x = static_cast<std::uint64_t>(codes.upper[4 * lane]),
-             y = static_cast<std::uint64_t>(codes.lower[4 * lane + 1]),
-             z = static_cast<std::uint64_t>(codes.upper[4 * lane + 1]);
-  record += bit_times_16 / 128;
-  bit_times_16 %= 128;
-  const u64x2 bits = kLater ? load_one(record) : load_pair(record, record + frame_bytes);
-  const u64x2 w = shift_right(bits, at(t.shift, bit_times_16));
-  // In this order each sum takes an operand from memory.
-  bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, x));
-  bit_times_16 = opaque(bit_times_16 + *at(t.bits_times_16, y));
-  bit_times_16 += *at(t.bits_times_16, z);
-  const u64x2 v = shift_right(w, at(t.shift, x));
-  out.x = w & load_aligned(at(t.mask, x));
-  out.y = v & load_aligned(at(t.mask, y));
-  out.z = shift_right(v, at(t.shift, y)) & load_aligned(at(t.mask, z));
-}
-
-// Two lanes' fields side by side.
-struct TwoLanes {
-  i32x4 c[3];
-};
-
-// The next tracks, one for each lane in `lanes`. What a lane without a track gets is the same in all frames.
-// kLater: of the later frame alone, at which the cursor stands.
-template <bool kLater>
-[[gnu::always_inline, maybe_unused]] inline void unpack(TrackCursor& cursor, const Tables& t, std::uint32_t lanes,
-                                                        Unpacked& out) {
-  const std::uint8_t(&offsets)[4] = t.header[lanes];
-  const std::byte *const h0 = cursor.header + offsets[0], *const h1 = cursor.header + offsets[1],
-                         *const h2 = cursor.header + offsets[2], *const h3 = cursor.header + offsets[3];
-  cursor.header += t.header_bytes[lanes];
-  const auto load_two = [](const std::byte* a, const std::byte* b) { return words(load_pair(a, b)); };
-  const i32x4 heads = even(load_two(h0, h1), load_two(h2, h3));
-  Codes codes;
-  store(codes.upper, heads & load_aligned(t.codes));
-  store(codes.lower, shift_left<4>(heads) & load_aligned(t.codes));
-  // 2^(shift - 16): the shift of the minima, put where a float has its exponent.
-  const f32x4 power = bits_as_float(shift_left<23>(heads & splat_int(15)) + splat_int((127 - 16) << 23));
-  i32x4 least[4];
-  widen(t, load_two(h0 + 3, h1 + 3), load_two(h2 + 3, h3 + 3), least);
-  for (int c = 0; c < 3; ++c) out.other[c] = to_float(least[c]) * power;
-  out.step = step_sizes(heads & splat_int(0xFF0000));
-
-  const std::byte* record = cursor.record;
-  std::uint64_t bit = cursor.bit_times_16;
-  const std::size_t frame_bytes = cursor.frame_bytes;
-  const auto two = [&](std::uint32_t first) {
-    const u64x2 zero = load_aligned(kTables.mask[0]);
-    Fields f = {zero, zero, zero}, g = f;
-    if ((lanes >> first & 1u) != 0) [[likely]]
-      next_fields<kLater>(record, bit, frame_bytes, t, codes, first, f);
-    if ((lanes >> (first + 1) & 1u) != 0) [[likely]]
-      next_fields<kLater>(record, bit, frame_bytes, t, codes, first + 1, g);
-    const auto beside = [](u64x2 a, u64x2 b) { return kLater ? words(firsts(a, b)) : even(words(a), words(b)); };
-    return TwoLanes{{beside(f.x, g.x), beside(f.y, g.y), beside(f.z, g.z)}};
-  };
-  const TwoLanes ab = two(0), cd = two(2);
-  cursor.record = record;
-  cursor.bit_times_16 = bit;
-  for (int c = 0; c < 3; ++c) {
-    if constexpr (!kLater) out.frame[0][c] = to_float(even(ab.c[c], cd.c[c]));
-    out.frame[1][c] = to_float(kLater ? even(ab.c[c], cd.c[c]) : odd(ab.c[c], cd.c[c]));
-  }
-}
 
 // In place of a step, which is above 0: the two frames are alike.
 constexpr float kAlike = -1.0f;
@@ -221,26 +37,6 @@ template <bool kFollows>
   return alike;
 }
 
-// Writes the lanes in `lanes` of `count` components.
-template <class Count>
-MARROW_CALLED_WHERE_SMALL inline void store_some(const Tables& t, const f32x4* value, Count count, std::uint32_t lanes,
-                                                 float (*to)[4]) {
-  if (lanes == 15) {
-    for (std::size_t i = 0; i < count; ++i) store(to[i], value[i]);
-    return;
-  }
-  const mask4 mask = load_mask(t.lanes[lanes]);
-  for (std::size_t i = 0; i < count; ++i) store(to[i], mask, value[i]);
-}
-template <std::size_t N>
-inline void store_lanes(const Tables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
-  if constexpr (kSmall) {
-    store_some(t, value, N, lanes, to);
-  } else {
-    store_some(t, value, Fixed<N>(), lanes, to);
-  }
-}
-
 // Two rotations a lane, ready to be blended. The quaternion of modified Rodrigues parameters m is (factor · m,
 // factor - 1) with factor = 2 / (1 + m²).
 struct Rotations {
@@ -250,7 +46,7 @@ struct Rotations {
 
 // Of a frame of `four`, an Unpacked or a FramePair. Returns the factor.
 template <class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const Tables& t, const Four& four, std::uint32_t frame,
+MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const LaneTables& t, const Four& four, std::uint32_t frame,
                                                       f32x4 (&m)[3]) {
   const f32x4 step = lanes_of(four.step);
   for (int c = 0; c < 3; ++c) m[c] = (lanes_of(four.frame[frame][c]) + lanes_of(four.other[c])) * step;
@@ -259,7 +55,7 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const Tables& t, const Fou
 
 // Of rotations whose `a` and `factor_a` are there.
 template <class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline void later_rotations(const Tables& t, const Four& four, Rotations& out) {
+MARROW_CALLED_ONLY_WHERE_SMALL inline void later_rotations(const LaneTables& t, const Four& four, Rotations& out) {
   out.factor_b = rodrigues(t, four, 1, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
   const f32x4 x = out.a[0] - out.b[0], y = out.a[1] - out.b[1], z = out.a[2] - out.b[2];
@@ -291,7 +87,7 @@ struct FrameBlend {
 };
 
 // Of a and b, whose squared chord this is.
-[[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const Tables& t, f32x4 chord_squared,
+[[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const LaneTables& t, f32x4 chord_squared,
                                                           const FrameBlend& blend) {
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
     // Beyond half a turn, minus the later is as good as the later, and nearer.
@@ -305,16 +101,16 @@ struct FrameBlend {
 }
 
 // A blend of two equal ones would round as the time says.
-MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& t, const Rotations& two,
+MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const LaneTables& t, const Rotations& two,
                                                                   const FrameBlend& blend) {
   if (two.alike) return {load_aligned(t.one), splat(0.0f)};
   return weights(t, two.chord_squared, blend);
 }
 
 // Rotations, into the lanes in `lanes`.
-[[gnu::always_inline]] inline void rotate_rest(const Tables& t, const Rotations& two, const SlerpWeights<f32x4>& weight,
-                                               const float (&rest)[4][4], std::uint32_t lanes,
-                                               float (&rotation)[4][4]) {
+[[gnu::always_inline]] inline void rotate_rest(const LaneTables& t, const Rotations& two,
+                                               const SlerpWeights<f32x4>& weight, const float (&rest)[4][4],
+                                               std::uint32_t lanes, float (&rotation)[4][4]) {
   const auto [wa, wb] = weight;
   const f32x4 fa = wa * two.factor_a, fb = wb * two.factor_b;
   const f32x4 x = two.a[0] * fa + two.b[0] * fb, y = two.a[1] * fa + two.b[1] * fb, z = two.a[2] * fa + two.b[2] * fb,
@@ -329,7 +125,7 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const Tables& 
 
 // Translations or scales. first: which frame of `four` is the earlier.
 template <class Four>
-inline void add_to_rest(const Tables& t, const Four& four, std::uint32_t first, f32x4 u, const float (&rest)[3][4],
+inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t first, f32x4 u, const float (&rest)[3][4],
                         std::uint32_t lanes, float (&vector)[3][4]) {
   f32x4 out[3];
   for (int c = 0; c < 3; ++c) {
@@ -352,7 +148,7 @@ struct Moving {
 
 [[gnu::noinline, maybe_unused]] void blend_kept(const FrameBlend& blend, const FramePair& two, std::uint32_t kind,
                                                 const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
-  const Tables& t = tables();
+  const LaneTables& t = lane_tables();
   if (kind == 0) {
     Rotations r;
     r.factor_a = rodrigues(t, two, 0, r.a);
@@ -372,7 +168,7 @@ enum class Keeps { none, both, later };
 template <Keeps kKeeps>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   constexpr bool kFollows = kKeeps == Keeps::later;
-  const Tables& t = tables();
+  const LaneTables& t = lane_tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
   SoaTransform* const end = out + m.skeleton.soa_size();
@@ -426,7 +222,7 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
 // Of frames that are kept: all joints. What is alike in both stands there already. A loop of its own: processors do not
 // see far enough ahead to unpack a group while they blend the one before.
 [[maybe_unused]] void set_kept(const Moving& m, SoaTransform* out) {
-  const Tables& t = tables();
+  const LaneTables& t = lane_tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
   SoaTransform* const end = out + m.skeleton.soa_size();
@@ -468,71 +264,6 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   }
 }
 
-// Of the next constants, one for each lane in `lanes`, those of the lanes `first` and `first` + 1.
-inline i32x4 two_constants(const Tables& t, const std::byte* next, std::uint32_t lanes, std::uint32_t first) {
-  const std::uint8_t(&offset)[4] = t.constant[lanes];
-  return words(load_pair(next + offset[first], next + offset[first + 1]));
-}
-
-// From constants of two lanes each: quaternions times any factor.
-inline void set_rotations(const Tables& t, i32x4 ab, i32x4 cd, std::uint32_t lanes, float (&rotation)[4][4]) {
-  i32x4 v[4];
-  widen(t, ab, cd, v);
-  const f32x4 x = to_float(v[0]), y = to_float(v[1]), z = to_float(v[2]), w = to_float(v[3]);
-  const f32x4 inverse = load_aligned(t.one) / sqrt(x * x + y * y + z * z + w * w);
-  store_lanes(t, {x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
-}
-
-// Differences from the rest pose, and their steps.
-inline void set_vectors(const Tables& t, i32x4 ab, i32x4 cd, const float (&rest)[3][4], std::uint32_t lanes,
-                        float (&vector)[3][4]) {
-  i32x4 v[4];
-  widen(t, ab, cd, v);
-  const f32x4 step = splat(1.0f / 65536) * step_sizes(v[3]);
-  store_lanes(t,
-              {load_aligned(rest[0]) + to_float(v[0]) * step, load_aligned(rest[1]) + to_float(v[1]) * step,
-               load_aligned(rest[2]) + to_float(v[2]) * step},
-              lanes, vector);
-}
-
-// What does not move, four at a time: the rest pose, over it the constants.
-[[maybe_unused]] void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
-                                      SoaTransform* out) {
-  const Tables& t = tables();
-  const std::byte* next = coded.constants;
-  const GroupMasks* masks = coded.masks;
-  const SoaTransform* rest = skeleton.rest;
-  SoaTransform* const end = out + skeleton.soa_size();
-  for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
-    const std::uint32_t constant = masks->constant, wanted = wanted_lanes(options, g);
-    // Lanes that move will be written over.
-    const bool rotations_follow = wanted == 15 && (~(masks->moving | constant) & 15u) == 0;
-    if (rotations_follow) {
-      copy(rest->translation, out->translation);
-      copy(rest->scale, out->scale);
-    } else {
-      copy_lanes(*rest, wanted, *out);
-    }
-    if (const std::uint32_t lanes = constant & 15u; lanes == 15) {
-      set_rotations(t, load_words(next), load_words(next + 2 * kConstantBytes), wanted, out->rotation);
-      next += 4 * kConstantBytes;
-    } else if (lanes != 0) {
-      set_rotations(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
-                    rotations_follow ? 15 : lanes & wanted, out->rotation);
-      next += t.constant_bytes[lanes];
-    }
-    if ((constant & 0xFF0u) == 0) continue;
-    for (std::uint32_t shift = 4; shift <= 8; shift += 4) {
-      const std::uint32_t lanes = constant >> shift & 15u;
-      if (lanes == 0) continue;
-      set_vectors(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
-                  shift == 4 ? rest->translation : rest->scale, lanes & wanted,
-                  shift == 4 ? out->translation : out->scale);
-      next += t.constant_bytes[lanes];
-    }
-  }
-}
-
 // A frame, the last but one at most, and how far it is on the way to the next.
 struct Place {
   std::uint32_t frame;
@@ -553,24 +284,6 @@ Place find(const CodedTracks& coded, float time_s) {
 }
 
 }  // namespace
-
-void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
-  if (lanes == 15) {
-    to = from;
-    return;
-  }
-  constexpr std::size_t kNumbers = sizeof from / sizeof(float);
-  const auto* const source = reinterpret_cast<const float*>(&from);
-  auto* const target = reinterpret_cast<float*>(&to);
-  for (std::size_t i = 0; i < kNumbers; ++i)
-    if ((lanes >> i % 4 & 1u) != 0) target[i] = source[i];
-}
-
-void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
-  if (kSmall) return set_still_each(skeleton, coded, options, out);
-  if (coded.frame_count != 0) return set_still_coded(skeleton, coded, options, out);
-  for (std::size_t g = 0; g < skeleton.soa_size(); ++g) copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
-}
 
 std::size_t frame_pairs(const CodedTracks& coded, std::size_t groups) {
   std::size_t out = 0;

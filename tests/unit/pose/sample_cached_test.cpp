@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "marrow/marrow.h"
-#include "pose/sample_each.h"
+#include "pose/unpack_frames.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
 

@@ -1,0 +1,126 @@
+#include <cstring>
+
+#include "asset/format.h"
+#include "core/fixed.h"
+#include "math/f32x4.h"
+#include "pose/coded_lanes.h"
+#include "pose/sample_coded.h"
+
+namespace marrow {
+namespace {
+
+// What does not move: the rest pose, over it the constants. One number after the other, in a fifth of the code.
+[[maybe_unused]] void set_still_each(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
+                                     SoaTransform* out) {
+  const std::byte* next = coded.constants;
+  for (std::size_t g = 0; g < skeleton.soa_size(); ++g) {
+    const std::uint32_t wanted = wanted_lanes(options, g);
+    const SoaTransform& rest = skeleton.rest[g];
+    copy_some_lanes(rest, wanted, out[g]);
+    for (std::uint32_t i = 0, bits = coded.frame_count != 0 ? coded.masks[g].constant : 0u; bits != 0;
+         ++i, bits >>= 1) {
+      if ((bits & 1u) == 0) continue;
+      format::Constant c;
+      std::memcpy(&c, next, sizeof c);
+      next += sizeof c;
+      const std::uint32_t lane = i % 4;
+      if ((wanted >> lane & 1u) == 0) continue;
+      float v[4];
+      for (int k = 0; k < 4; ++k) v[k] = static_cast<float>(c.v[k]);
+      if (i < 4) {
+        const float inverse = 1.0f / square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
+        for (int k = 0; k < 4; ++k) out[g].rotation[k][lane] = v[k] * inverse;
+      } else {
+        const float step = format::step_size(static_cast<std::uint32_t>(c.v[3]));
+        for (int k = 0; k < 3; ++k) (i < 8 ? out[g].translation : out[g].scale)[k][lane] += v[k] * step;
+      }
+    }
+  }
+}
+
+// Of the next constants, one for each lane in `lanes`, those of the lanes `first` and `first` + 1.
+inline i32x4 two_constants(const LaneTables& t, const std::byte* next, std::uint32_t lanes, std::uint32_t first) {
+  const std::uint8_t(&offset)[4] = t.constant[lanes];
+  return words(load_pair(next + offset[first], next + offset[first + 1]));
+}
+
+// From constants of two lanes each: quaternions times any factor.
+inline void set_rotations(const LaneTables& t, i32x4 ab, i32x4 cd, std::uint32_t lanes, float (&rotation)[4][4]) {
+  i32x4 v[4];
+  widen(t, ab, cd, v);
+  const f32x4 x = to_float(v[0]), y = to_float(v[1]), z = to_float(v[2]), w = to_float(v[3]);
+  const f32x4 inverse = load_aligned(t.one) / sqrt(x * x + y * y + z * z + w * w);
+  store_lanes(t, {x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
+}
+
+// Differences from the rest pose, and their steps.
+inline void set_vectors(const LaneTables& t, i32x4 ab, i32x4 cd, const float (&rest)[3][4], std::uint32_t lanes,
+                        float (&vector)[3][4]) {
+  i32x4 v[4];
+  widen(t, ab, cd, v);
+  const f32x4 step = splat(1.0f / 65536) * step_sizes(v[3]);
+  store_lanes(t,
+              {load_aligned(rest[0]) + to_float(v[0]) * step, load_aligned(rest[1]) + to_float(v[1]) * step,
+               load_aligned(rest[2]) + to_float(v[2]) * step},
+              lanes, vector);
+}
+
+// The same four numbers at a time.
+[[maybe_unused]] void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
+                                      SoaTransform* out) {
+  const LaneTables& t = lane_tables();
+  const std::byte* next = coded.constants;
+  const GroupMasks* masks = coded.masks;
+  const SoaTransform* rest = skeleton.rest;
+  SoaTransform* const end = out + skeleton.soa_size();
+  for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
+    const std::uint32_t constant = masks->constant, wanted = wanted_lanes(options, g);
+    // Lanes that move will be written over.
+    const bool rotations_follow = wanted == 15 && (~(masks->moving | constant) & 15u) == 0;
+    if (rotations_follow) {
+      copy(rest->translation, out->translation);
+      copy(rest->scale, out->scale);
+    } else {
+      copy_lanes(*rest, wanted, *out);
+    }
+    if (const std::uint32_t lanes = constant & 15u; lanes == 15) {
+      set_rotations(t, load_words(next), load_words(next + 2 * kConstantBytes), wanted, out->rotation);
+      next += 4 * kConstantBytes;
+    } else if (lanes != 0) {
+      set_rotations(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
+                    rotations_follow ? 15 : lanes & wanted, out->rotation);
+      next += t.constant_bytes[lanes];
+    }
+    if ((constant & 0xFF0u) == 0) continue;
+    for (std::uint32_t shift = 4; shift <= 8; shift += 4) {
+      const std::uint32_t lanes = constant >> shift & 15u;
+      if (lanes == 0) continue;
+      set_vectors(t, two_constants(t, next, lanes, 0), two_constants(t, next, lanes, 2),
+                  shift == 4 ? rest->translation : rest->scale, lanes & wanted,
+                  shift == 4 ? out->translation : out->scale);
+      next += t.constant_bytes[lanes];
+    }
+  }
+}
+
+}  // namespace
+
+void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
+  if (lanes == 15) {
+    to = from;
+    return;
+  }
+  constexpr std::size_t kNumbers = sizeof from / sizeof(float);
+  const auto* const source = reinterpret_cast<const float*>(&from);
+  auto* const target = reinterpret_cast<float*>(&to);
+  for (std::size_t i = 0; i < kNumbers; ++i)
+    if ((lanes >> i % 4 & 1u) != 0) target[i] = source[i];
+}
+
+void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
+  if (kSmall) return set_still_each(skeleton, coded, options, out);
+  if (coded.frame_count != 0) return set_still_coded(skeleton, coded, options, out);
+  for (std::size_t g = 0; g < skeleton.soa_size(); ++g) copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
+}
+
+}  // namespace marrow
