@@ -120,7 +120,7 @@ TEST(Lod, AnimationSpaceHasLevels) {
   CookOptions options = levels("0.25:3");
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
-  options.learn.helpers = kAutoHelpers;
+  options.learn.helpers = 4;
   const LoadedCook cooked(cook_file(test::newt_glb(), options));
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);
