@@ -154,12 +154,9 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 
 }  // namespace
 
-std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory count;
-  if (!count_tree(skeleton, problem, count)) return 0;
+void count_heuristic(const Skeleton&, const IkProblem& problem, Memory& count) {
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return block_bytes(count.whole());
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
@@ -178,11 +175,11 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   return h;
 }
 
-IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         Memory& scratch) {
+void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report) {
+  const IkProblem& problem = call.problem;
+  const IkOptions& options = call.options;
   IkHeuristic h = set_up(tree, scratch);
   const float beyond = h.chain ? approach(h, options) : 0.0f;
-  IkReport report;
   if (h.per_size > 0) {
     h.plain = h.chain && h.free && h.aims[0].turn == 0 && options.method == IkMethod::fabrik;
     iterate(h, problem, options, report);
@@ -199,15 +196,14 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
   if (beyond > 0) straighten(h, beyond);
   report.error_m = total_error(tree);
   if (report.why == IkStop::reached && report.error_m > 1.1f * options.tolerance_m) report.why = IkStop::stalled;
-  return report;
 }
 
 Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                       const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
   MARROW_REQUIRE(options.method <= IkMethod::ccd);
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, skeleton, local, scene_from_joint, problem, options, scratch,
-                                  heuristic_scratch_bytes(skeleton, problem), report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, count_heuristic,
+                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 
