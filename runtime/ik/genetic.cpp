@@ -132,8 +132,8 @@ Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span
   MARROW_MARK;
   IkOptions once = options;
   once.starts = 1;
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, count_genetic,
-                                  {{skeleton, local, scene_from_joint}, problem, once}, scratch, report));
+  MARROW_REQUIRE_GOOD(
+      solve_ik_by(solve_genetic, count_genetic, {{skeleton, local, scene_from_joint}, problem, once}, scratch, report));
   return Status::ok;
 }
 
