@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/mark.h"
-#include "ik/chance.h"
 #include "ik/heuristic.h"
 
 namespace marrow {
@@ -40,11 +39,9 @@ void take(const IkTree& tree, Pose& pose) {
 
 // Joints turned at random from where they are at the start, a few or many, a little or anyhow.
 void be_born(Population& p, Pose& pose) {
-  IkTree& tree = *p.h.tree;
-  const float wide = p.chance.unit(), size = 4.0f * wide * wide;
-  for (IkNode& node : tree.nodes) set_turned(node, node.start * p.chance.turn(size));
-  update_frames(tree);
-  take(tree, pose);
+  const float wide = p.chance.unit();
+  begin_anew(*p.h.tree, p.chance, 4.0f * wide * wide);
+  take(*p.h.tree, pose);
 }
 
 // The better of two.

@@ -2,7 +2,6 @@
 
 #include "core/check.h"
 #include "core/mark.h"
-#include "ik/chance.h"
 #include "ik/tree.h"
 #include "marrow/block.h"
 #include "math/finite.h"
@@ -52,13 +51,6 @@ BadCall check_options(const IkOptions& options) {
   return {};
 }
 
-// Joints turned at random from where the pose has them.
-void begin_anew(IkTree& tree, Chance& chance) {
-  for (IkNode& node : tree.nodes) set_turned(node, node.start * chance.turn(1.0f));
-  tree.travel = splat(0.0f);
-  update_frames(tree);
-}
-
 // From the pose; where that ends short of the goals, from others too, as many as there may be. The tree keeps the best.
 IkReport solve_from_starts(IkSolver solve, const IkCall& call, IkTree& tree, const Memory& memory) {
   IkReport best;
@@ -67,7 +59,8 @@ IkReport solve_from_starts(IkSolver solve, const IkCall& call, IkTree& tree, con
     const f32x4 travel = tree.travel;
     if (start > 0) {
       for (IkNode& node : tree.nodes) node.best = node.rotation;
-      begin_anew(tree, chance);
+      tree.travel = splat(0.0f);
+      begin_anew(tree, chance, 1.0f);
     }
     Memory rest = memory;
     IkReport next;
@@ -115,9 +108,8 @@ BadCall solve_ik_by(IkSolver solver, IkCounter counter, const IkCall& call, Span
   if (const BadCall bad = check_options(call.options)) return bad;
   MARROW_CHECK(holds(scratch, scratch_bytes(counter, skeleton, call.problem)));
   Memory memory{block_in(scratch).data};
-  IkTree tree;
-  const IkTreeMemory placed = place_tree(skeleton, call.problem, memory);
-  if (const BadCall bad = build_tree(call, placed, tree)) return bad;
+  IkTree tree = place_tree(skeleton, call.problem, memory);
+  if (const BadCall bad = build_tree(call, tree)) return bad;
   const IkReport done = solve_from_starts(solver, call, tree, memory);
   if (report != nullptr) *report = done;
   if (call.options.weight != 0) store_tree(tree, call.options.weight, call.pose);

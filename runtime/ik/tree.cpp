@@ -37,21 +37,20 @@ MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uin
   const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
-  node.parent = on == kNoParent ? kNoParent : node_of[on];
+  const bool top = on == kNoParent;
+  node.parent = top ? kNoParent : node_of[on];
   Columns above = {{}, wide_translation_of(local, node.joint)};
   set_axes(no_turn(), above.axis);
   WideRotation turned = no_turn();
-  std::uint16_t joint = node.joint, next = skeleton.parents[joint];
-  if (on == kNoParent) {
-    above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : pose.scene_from_joint[next]) * above;
-    for (; next != kNoParent; joint = next, next = skeleton.parents[joint])
-      turned = wide_rotation_of(local, next) * turned;
+  std::uint16_t joint = node.joint;
+  for (std::uint16_t next; (next = skeleton.parents[joint]) != on; joint = next) {
+    if (!top) above = local_frame(local, next) * above;
+    turned = wide_rotation_of(local, next) * turned;
+  }
+  if (top) {
+    above = columns(map_above(pose, node.joint)) * above;
     turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
-    for (; next != on; next = skeleton.parents[next]) {
-      above = local_frame(local, next) * above;
-      turned = wide_rotation_of(local, next) * turned;
-    }
     const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
     above.origin = above.origin * scale;
@@ -90,19 +89,16 @@ void stretch_bones(const PosedJoints& pose, const IkTree& tree, float factor) {
 
 }  // namespace
 
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
-  IkTreeMemory m;
-  m.nodes = scratch.take<IkNode>(problem.joints.size).data;
-  m.ends = scratch.take<IkEnd>(problem.goals.size).data;
-  m.node_of = scratch.take<std::uint16_t>(skeleton.joint_count).data;
-  return m;
+IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
+  return {scratch.take<IkNode>(problem.joints.size), scratch.take<IkEnd>(problem.goals.size),
+          scratch.take<std::uint16_t>(skeleton.joint_count).data};
 }
 
-BadCall build_tree(const IkCall& call, const IkTreeMemory& memory, IkTree& tree) {
+BadCall build_tree(const IkCall& call, IkTree& tree) {
   const Skeleton& skeleton = call.pose.skeleton;
   const IkProblem& problem = call.problem;
   constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
-  std::uint16_t* const node_of = memory.node_of;
+  std::uint16_t* const node_of = tree.node_of;
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
   for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;
   for (const IkGoal& goal : problem.goals) {
@@ -122,7 +118,7 @@ BadCall build_tree(const IkCall& call, const IkTreeMemory& memory, IkTree& tree)
       node_of[joint] = kNoParent;
       continue;
     }
-    IkNode& node = memory.nodes[count];
+    IkNode& node = tree.nodes[count];
     node.joint = joint;
     node.place = static_cast<std::uint16_t>(i);
     node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[i]);
@@ -135,21 +131,25 @@ BadCall build_tree(const IkCall& call, const IkTreeMemory& memory, IkTree& tree)
     if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
     node_of[joint] = count++;
   }
-  tree.nodes = {memory.nodes, count};
-  tree.ends = {memory.ends, problem.goals.size};
+  tree.nodes.size = count;
   update_frames(tree);
   f32x4 sum = splat(0.0f);
   for (const IkNode& node : tree.nodes) {
     sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + node.above_turned.v;
   }
-  for (std::size_t i = 0; i < problem.goals.size; ++i) {
-    IkEnd& end = memory.ends[i];
-    end.goal = &problem.goals[i];
+  const IkGoal* goal = problem.goals.data;
+  for (IkEnd& end : tree.ends) {
+    end.goal = goal++;
     set_end(call.pose, node_of, end);
     sum = sum + transform(tree.nodes[end.node].frame, end.point) + end.rotation.v;
   }
   MARROW_CHECK(all_finite(sum) && "the pose and the goals");
   return {};
+}
+
+void begin_anew(IkTree& tree, Chance& chance, float size) {
+  for (IkNode& node : tree.nodes) set_turned(node, node.start * chance.turn(size));
+  update_frames(tree);
 }
 
 void update_frames(IkTree& tree, std::size_t first) {

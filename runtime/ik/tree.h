@@ -8,6 +8,7 @@
 #include "core/check.h"
 #include "core/fixed.h"
 #include "core/memory.h"
+#include "ik/chance.h"
 #include "ik/turn_joint.h"
 #include "marrow/ik_solve.h"
 #include "math/columns.h"
@@ -44,6 +45,7 @@ struct IkEnd {
 struct IkTree {
   Span<IkNode> nodes;          // ascending: parents first
   Span<IkEnd> ends;            // as IkProblem::goals
+  std::uint16_t* node_of;      // of each of the skeleton's joints: its node or kNoParent
   bool turns = false;          // some goal asks for a rotation
   f32x4 travel = splat(0.0f);  // of node 0, in its parent joint's space; see IkProblem::root_travel_m
   float stretch = 1;           // of the bones below node 0, of a tree with one end
@@ -56,16 +58,14 @@ struct IkCall {
   const IkOptions& options;
 };
 
-// Room for the tree; the same calls with and without memory.
-struct IkTreeMemory {
-  IkNode* nodes;
-  IkEnd* ends;
-  std::uint16_t* node_of;  // of each of the skeleton's joints: its node or kNoParent
-};
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
+// A tree with room for its nodes and ends; the same calls with and without memory.
+IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
 // Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose is not finite.
-BadCall build_tree(const IkCall& call, const IkTreeMemory& memory, IkTree& tree);
+BadCall build_tree(const IkCall& call, IkTree& tree);
+
+// Joints turned at random from where the pose has them; see Chance::turn().
+void begin_anew(IkTree& tree, Chance& chance, float size);
 
 // Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
 void update_frames(IkTree& tree, std::size_t first = 0);
