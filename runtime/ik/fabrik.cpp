@@ -104,7 +104,8 @@ void reach_forward(IkHeuristic& h) {
   IkTree& tree = *h.tree;
   const IkPart* part = h.parts;
   for (IkNode& node : tree.nodes) {
-    const Columns above = node.parent == kNoParent ? node.above : tree.nodes[node.parent].frame * node.above;
+    Columns above = node.above;
+    if (node.parent != kNoParent) multiply(tree.nodes[node.parent].frame, above, above);
     const WideRotation by = forward_turn(h, node, (part++)->first, above);
     const float ease = node.ease_root * node.ease_root;
     set_turned(node, part_of(by, ease) * node.rotation);

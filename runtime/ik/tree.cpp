@@ -44,11 +44,11 @@ MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uin
   WideRotation turned = no_turn();
   std::uint16_t joint = node.joint;
   for (std::uint16_t next; (next = skeleton.parents[joint]) != on; joint = next) {
-    if (!top) above = local_frame(local, next) * above;
+    if (!top) multiply(local_frame(local, next), above, above);
     turned = wide_rotation_of(local, next) * turned;
   }
   if (top) {
-    above = columns(map_above(pose, node.joint)) * above;
+    multiply(columns(map_above(pose, node.joint)), above, above);
     turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
     const f32x4 scale = wide_scale_of(local, on);
@@ -152,15 +152,17 @@ void begin_anew(IkTree& tree, Chance& chance, float size) {
   update_frames(tree);
 }
 
-void update_frames(IkTree& tree, std::size_t first) {
-  for (std::size_t i = first; i < tree.nodes.size; ++i) {
-    IkNode& node = tree.nodes[i];
+void update_frames(IkTree& tree) {
+  for (IkNode& node : tree.nodes) {
     Columns& local = node.parent_from_frame;
     turn_axes(node.above, node.rotation, local.axis);
     local.origin = node.above.origin;
-    if (i == 0) local.origin = local.origin + turn(node.above, tree.travel);
-    const bool top = node.parent == kNoParent;
-    node.frame = top ? local : tree.nodes[node.parent].frame * local;
+    if (&node == tree.nodes.data) local.origin = local.origin + turn(node.above, tree.travel);
+    if (node.parent == kNoParent) {
+      node.frame = local;
+    } else {
+      multiply(tree.nodes[node.parent].frame, local, node.frame);
+    }
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }
 }

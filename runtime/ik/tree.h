@@ -67,8 +67,8 @@ BadCall build_tree(const IkCall& call, IkTree& tree);
 // Joints turned at random from where the pose has them; see Chance::turn().
 void begin_anew(IkTree& tree, Chance& chance, float size);
 
-// Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
-void update_frames(IkTree& tree, std::size_t first = 0);
+// Frames of the nodes, after rotations changed.
+void update_frames(IkTree& tree);
 
 // Rotation in the scene of a node's axes before they turn.
 MARROW_CALLED_WHERE_SMALL inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
