@@ -39,12 +39,6 @@ void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   update(h);
 }
 
-float total_length(const IkHeuristic& h) {
-  float sum = 0;
-  for (const IkPart& part : h.points()) sum += part.length;
-  return sum;
-}
-
 // Makes bones longer if the distance is more than `most`, shorter if it is less than `least`. Once: for later starts
 // they are.
 void stretch(IkHeuristic& h, float distance, float least, float most, float limit) {
@@ -96,7 +90,7 @@ f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest
 // From the root to the goal; if that is there, to where the end is.
 f32x4 line_to_goal(const IkHeuristic& h) {
   const f32x4 root = h.parts[0].at;
-  return unit3_or(h.aims[0].goal - root, unit3_or(h.end(0).at - root, up()));
+  return unit3_or(h.aims[0].goal - root, unit3_or(h.ends[0].at - root, up()));
 }
 
 // Joints of a chain that is all on the line to its goal have no side to go to, and those of one that is nearly so move
@@ -123,7 +117,7 @@ void bow(IkHeuristic& h) {
 // Turns the chain about the line from its top to its end until its joints are on the side of that line that is wanted;
 // of less weight, to a side between. Within 6 degrees of the line what is wanted has less and less to say.
 void face(IkHeuristic& h, f32x4 wanted, bool own, float weight) {
-  const f32x4 none = splat(0.0f), line = unit3_or(h.end(0).at - h.parts[0].at, none), to = across3(wanted, line);
+  const f32x4 none = splat(0.0f), line = unit3_or(h.ends[0].at - h.parts[0].at, none), to = across3(wanted, line);
   float off;
   const f32x4 side = side_of_joints(h, line, own, off);
   if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
@@ -139,7 +133,7 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   const float distance = length3(aim.goal - root);
   const float beyond = h.free ? smooth_step(0.5f + (distance * h.per_size - 1.0f) * (0.5f / kNearlyStraight)) : 0.0f;
   float longest = 0;
-  for (const IkPart& part : h.points()) longest = std::max(longest, part.length);
+  for (const IkPart& part : h.all()) longest = std::max(longest, part.length);
   const float folded = std::max(2.0f * longest * h.per_size - 1.0f, 0.0f);  // of the size: as near as the end can come
   stretch(h, distance, folded * h.size_m, h.size_m, options.stretch);
   h.size_m = total_length(h);
@@ -155,7 +149,7 @@ float approach(IkHeuristic& h, const IkOptions& options) {
 // in the chain's own plane takes it. It has to change sides at once for goals in two directions. Neither is in that
 // plane or straight across it.
 void set_out(IkHeuristic& h) {
-  const f32x4 root = h.parts[0].at, from = h.end(0).at - root, to = h.aims[0].goal - root;
+  const f32x4 root = h.parts[0].at, from = h.ends[0].at - root, to = h.aims[0].goal - root;
   const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // of the goal, from the opposite
   const float opposite = smooth_step(1.0f - 4.0f * squared3(apart)), keeps = h.free ? opposite : 0.0f;
   const float near = (4.0f + 4.0f * keeps) * (length3(from) * h.per_size) * (length3(to) * h.per_size);

@@ -5,31 +5,26 @@ namespace marrow {
 namespace {
 
 // From an end back to its node: as the end lies, and, as far as the goal's rotation counts, as it shall be turned.
-f32x4 back_from_end(const IkHeuristic& h, std::size_t k, f32x4 as_it_lies) {
-  const IkAim& aim = h.aims[k];
+f32x4 back_from_end(const IkHeuristic& h, const IkPart& end, f32x4 as_it_lies) {
+  const IkAim& aim = *end.aim;
   if (aim.turn == 0) return as_it_lies;
-  const float length = h.end(k).length, lever = length * h.per_size;
-  const f32x4 turned = unit3_or(rotate(aim.rotation, h.tree->ends[k].point), splat(0.0f)) * -length;
+  const float length = end.length, lever = length * h.per_size;
+  const f32x4 turned = unit3_or(rotate(aim.rotation, *end.bone), splat(0.0f)) * -length;
   return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
 }
 
-// What turns node i, whose axes before they turn are `above`, to where its parts are wanted.
-WideRotation forward_turn(const IkHeuristic& h, std::size_t i, const Columns& above) {
-  const IkTree& tree = *h.tree;
-  const IkNode& node = tree.nodes[i];
+// What turns a node, whose axes before they turn are `above`, to where its parts are wanted.
+WideRotation forward_turn(const IkHeuristic& h, const IkNode& node, const IkPart* part, const Columns& above) {
   const InverseAxes inverse(above.axis);
   const f32x4 hinge = rotate(node.rotation, node.hinge);
   TurnSum turns;
-  for (std::uint16_t c = h.parts[i].first; c != kNoPart; c = h.parts[c].next) {
-    const IkPart& part = h.parts[c];
-    const bool is_node = c < tree.nodes.size;
-    const std::size_t k = c - tree.nodes.size;
-    const f32x4 bone = is_node ? tree.nodes[c].above.origin : tree.ends[k].point;
-    const float lever = part.length * h.per_size;
-    turns.add_arc_about(hinge, rotate(node.rotation, bone), inverse.direction(part.at - above.origin),
-                        part.weight * lever * lever);
-    if (is_node || h.aims[k].turn == 0) continue;
-    turns.add(conjugate(above_turned(tree, node)) * h.aims[k].rotation * conjugate(node.rotation), h.aims[k].turn);
+  for (; part != nullptr; part = part->next) {
+    const float lever = part->length * h.per_size;
+    turns.add_arc_about(hinge, rotate(node.rotation, *part->bone), inverse.direction(part->at - above.origin),
+                        part->weight * lever * lever);
+    const IkAim* const aim = part->aim;
+    if (aim == nullptr || aim->turn == 0) continue;
+    turns.add(conjugate(above_turned(*h.tree, node)) * aim->rotation * conjugate(node.rotation), aim->turn);
   }
   return turns.turn();
 }
@@ -48,12 +43,13 @@ void reach_forward_by_points(IkHeuristic& h) {
 void turn_to_points(IkHeuristic& h) {
   IkTree& tree = *h.tree;
   WideRotation turned = h.turned;
-  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
-    IkNode& node = tree.nodes[i];
-    const f32x4 bone = i + 1 < tree.nodes.size ? tree.nodes[i + 1].above.origin : tree.ends[0].point;
+  const IkPart* part = h.parts;
+  for (IkNode& node : tree.nodes) {
+    const f32x4 at = part->at;
+    const bool top = part++ == h.parts;
     TurnSum arc;
-    arc.add_arc(turn(node.frame, bone), rotate(conjugate(turned), h.parts[i + 1].at - h.parts[i].at), 1.0f);
-    const WideRotation by = normalised(arc.turn()), in_scene = i == 0 ? turned * by : by;
+    arc.add_arc(turn(node.frame, *part->bone), rotate(conjugate(turned), part->at - at), 1.0f);
+    const WideRotation by = normalised(arc.turn()), in_scene = top ? turned * by : by;
     turned = turned * by;
     const InverseAxes inverse(node.frame.axis);
     const f32x4 axis = without_w(in_scene.v);
@@ -92,26 +88,25 @@ void pull(IkHeuristic& h) {
 }
 
 void reach_backward(IkHeuristic& h) {
-  for (std::size_t i = h.tree->nodes.size; i-- > 0;) {
-    IkPart& node = h.parts[i];
-    if (h.tree->nodes[i].parent == kNoParent || node.weight == 0) continue;
+  for (IkPart* node = h.ends; node-- != h.parts;) {
+    if (node->on == nullptr || node->weight == 0) continue;
     f32x4 wanted = splat(0.0f);
-    for (std::uint16_t c = node.first; c != kNoPart; c = h.parts[c].next) {
-      const IkPart& part = h.parts[c];
-      f32x4 back = along(node.at - part.at, part.length);
-      if (c >= h.tree->nodes.size) back = back_from_end(h, c - h.tree->nodes.size, back);
-      wanted = wanted + (part.at + back) * part.share;
+    for (const IkPart* part = node->first; part != nullptr; part = part->next) {
+      f32x4 back = along(node->at - part->at, part->length);
+      if (part->aim != nullptr) back = back_from_end(h, *part, back);
+      wanted = wanted + (part->at + back) * part->share;
     }
-    node.at = wanted;
+    node->at = wanted;
   }
 }
 
 void reach_forward(IkHeuristic& h) {
   IkTree& tree = *h.tree;
-  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
-    IkNode& node = tree.nodes[i];
-    const Columns above = node.parent == kNoParent ? node.above : tree.nodes[node.parent].frame * node.above;
-    const WideRotation by = forward_turn(h, i, above);
+  const IkPart* part = h.parts;
+  for (IkNode& node : tree.nodes) {
+    Columns above = node.above;
+    if (node.parent != kNoParent) multiply(tree.nodes[node.parent].frame, above, above);
+    const WideRotation by = forward_turn(h, node, (part++)->first, above);
     const float ease = node.ease_root * node.ease_root;
     set_turned(node, part_of(by, ease) * node.rotation);
     turn_axes(above, node.rotation, node.frame.axis);

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/mark.h"
-#include "ik/chance.h"
 #include "ik/heuristic.h"
 
 namespace marrow {
@@ -40,11 +39,9 @@ void take(const IkTree& tree, Pose& pose) {
 
 // Joints turned at random from where they are at the start, a few or many, a little or anyhow.
 void be_born(Population& p, Pose& pose) {
-  IkTree& tree = *p.h.tree;
-  const float wide = p.chance.unit(), size = 4.0f * wide * wide;
-  for (IkNode& node : tree.nodes) set_turned(node, node.start * p.chance.turn(size));
-  update_frames(tree);
-  take(tree, pose);
+  const float wide = p.chance.unit();
+  begin_anew(*p.h.tree, p.chance, 4.0f * wide * wide);
+  take(*p.h.tree, pose);
 }
 
 // The better of two.
@@ -97,14 +94,14 @@ void next_generation(Population& p, float tolerance) {
   sort(p.poses);
 }
 
-IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const IkOptions& options, Memory& scratch) {
+void solve_genetic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report) {
+  const IkOptions& options = call.options;
   Population p{set_up(tree, scratch), Chance(options.seed), {}, {}};
   for (std::size_t i = 0; i < kPoses; ++i) {
     p.poses[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
     p.next[i].rotations = scratch.take<WideRotation>(tree.nodes.size).data;
   }
   take(tree, p.poses[0]);
-  IkReport report;
   if (p.poses[0].error > options.tolerance_m) {
     for (std::size_t i = 1; i < kPoses; ++i) be_born(p, p.poses[i]);
     sort(p.poses);
@@ -114,16 +111,17 @@ IkReport solve_genetic(const Skeleton&, IkTree& tree, const IkProblem&, const Ik
   put(tree, p.poses[0]);
   report.error_m = p.poses[0].error;
   report.why = report.error_m <= options.tolerance_m ? IkStop::reached : IkStop::iterations;
-  return report;
+}
+
+void count_genetic(const Skeleton& skeleton, const IkProblem& problem, Memory& count) {
+  count_heuristic(skeleton, problem, count);
+  for (std::size_t i = 0; i < 2 * kPoses; ++i) count.take<WideRotation>(problem.joints.size);
 }
 
 }  // namespace
 
 std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory poses;
-  for (std::size_t i = 0; i < 2 * kPoses; ++i) poses.take<WideRotation>(problem.joints.size);
-  const std::size_t rest = heuristic_scratch_bytes(skeleton, problem);
-  return rest > 0 ? rest + poses.whole() : 0;
+  return scratch_bytes(count_genetic, skeleton, problem);
 }
 
 Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
@@ -131,8 +129,8 @@ Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span
   MARROW_MARK;
   IkOptions once = options;
   once.starts = 1;
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, skeleton, local, scene_from_joint, problem, once, scratch,
-                                  ik_genetic_scratch_bytes(skeleton, problem), report));
+  MARROW_REQUIRE_GOOD(
+      solve_ik_by(solve_genetic, count_genetic, {{skeleton, local, scene_from_joint}, problem, once}, scratch, report));
   return Status::ok;
 }
 

@@ -7,81 +7,65 @@
 namespace marrow {
 namespace {
 
-void add_part(IkHeuristic& h, std::size_t part, std::uint16_t node, float weight) {
-  IkPart& p = h.parts[part];
-  p.next = h.parts[node].first;
-  h.parts[node].first = static_cast<std::uint16_t>(part);
-  p.weight = weight;
-  h.parts[node].weight += weight;
+void hang(IkPart& part) {
+  if (part.on == nullptr) return;
+  part.next = part.on->first;
+  part.on->first = &part;
+  part.on->weight += part.weight;
 }
 
-// Goals and their weights.
+// Goals, and what hangs on what with what weight: from the ends inwards.
 void set_aims(IkHeuristic& h) {
-  const IkTree& tree = *h.tree;
   float greatest = 0;
-  for (const IkEnd& end : tree.ends)
+  for (const IkEnd& end : h.tree->ends)
     greatest = greater(greatest, greater(end.goal->position_weight, end.goal->rotation_weight * h.per_size));
   const float scale = greatest > 0 ? 1.0f / greatest : 0.0f;
-  for (std::size_t k = 0; k < tree.ends.size; ++k) {
-    const IkEnd& end = tree.ends[k];
-    IkAim& aim = h.aims[k];
+  for (IkPart& part : h.of_ends()) {
+    IkAim& aim = *part.aim;
+    const IkEnd& end = *aim.end;
     const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
     aim.goal = load_wide(end.goal->position);
     aim.rotation = normalised(WideRotation{load(end.goal->rotation)}) * conjugate(end.rotation);
-    aim.position = position * position;
+    part.weight = aim.position = position * position;
     aim.turn = turn * turn;
+    hang(part);
   }
-}
-
-// What hangs on what, with what weight: from the ends inwards.
-void set_shares(IkHeuristic& h) {
-  const IkTree& tree = *h.tree;
-  const std::size_t nodes = tree.nodes.size;
-  for (std::size_t k = 0; k < tree.ends.size; ++k) add_part(h, nodes + k, tree.ends[k].node, h.aims[k].position);
-  for (std::size_t i = nodes; i-- > 0;)
-    if (tree.nodes[i].parent != kNoParent) add_part(h, i, tree.nodes[i].parent, h.parts[i].weight);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const IkPart& node = h.parts[i];
-    for (std::uint16_t c = node.first; c != kNoPart; c = h.parts[c].next)
-      h.parts[c].share = node.weight > 0 ? h.parts[c].weight / node.weight : 0.0f;
-    h.free = h.free && tree.nodes[i].limit == nullptr && tree.nodes[i].ease_root == 1.0f;
-  }
+  for (IkPart* node = h.ends; node-- != h.parts;) hang(*node);
+  for (IkPart& part : h.all())
+    if (part.on != nullptr && part.on->weight > 0) part.share = part.weight / part.on->weight;
+  for (const IkNode& node : h.tree->nodes) h.free = h.free && node.limit == nullptr && node.ease_root == 1.0f;
 }
 
 float error_of(const IkHeuristic& h) {
   float sum = 0;
-  for (std::size_t k = 0; k < h.tree->ends.size; ++k)
-    sum = with_error(sum, *h.tree, h.tree->ends[k], h.aims[k].goal - h.end(k).at);
+  for (const IkPart& end : h.of_ends()) sum = with_error(sum, *h.tree, *end.aim->end, end.aim->goal - end.at);
   return sqrt(sum);
 }
 
+// What iterations change: of a plain chain where its parts are, else how nodes are turned.
+IkParts changing(const IkHeuristic& h) {
+  return {h.parts, h.plain ? h.behind : h.ends};
+}
+f32x4 next_state(const IkPart& part, bool plain, const IkNode*& node) {
+  return plain ? part.at : node++->rotation.v;
+}
+
 void keep_pose(IkHeuristic& h) {
-  if (h.plain) {
-    for (IkPart& part : h.points()) part.was = part.at;
-  } else {
-    for (std::size_t i = 0; i < h.tree->nodes.size; ++i) h.parts[i].before = h.tree->nodes[i].rotation;
-  }
-}
-
-bool points_rest(const IkHeuristic& h) {
-  for (const IkPart& part : h.points()) {
-    const f32x4 d = (part.at - part.was) * h.per_size;
-    if (squared3(d) > 1e-13f) return false;
-  }
-  return true;
-}
-
-bool joints_rest(const IkHeuristic& h) {
-  for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
-    const f32x4 d = h.parts[i].before.v - h.tree->nodes[i].rotation.v;
-    if (dot4(d, d) > 1e-13f) return false;
-  }
-  return true;
+  const bool plain = h.plain;
+  const IkNode* node = h.tree->nodes.data;
+  for (IkPart& part : changing(h)) part.before = next_state(part, plain, node);
 }
 
 // Whether the last iteration moved nothing.
 bool at_rest(const IkHeuristic& h) {
-  return h.plain ? points_rest(h) : joints_rest(h);
+  const bool plain = h.plain;
+  const float scale = plain ? h.per_size : 1.0f;
+  const IkNode* node = h.tree->nodes.data;
+  for (const IkPart& part : changing(h)) {
+    const f32x4 d = (part.before - next_state(part, plain, node)) * scale;
+    if (dot4(d, d) > 1e-13f) return false;
+  }
+  return true;
 }
 
 void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
@@ -92,7 +76,7 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
       reach_forward(h);
     }
   } else {
-    for (std::size_t k = 0; k < h.tree->ends.size; ++k) h.end(k).at = h.aims[k].goal;
+    for (IkPart& end : h.of_ends()) end.at = end.aim->goal;
     reach_backward(h);
     if (h.chain) {
       reach_forward_by_points(h);
@@ -106,12 +90,13 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
 
 // Of the last iteration only a share.
 void take_share_of_points(IkHeuristic& h, float share) {
-  for (IkPart& part : h.points()) part.at = part.was + (part.at - part.was) * share;
+  for (IkPart& part : h.all()) part.at = part.before + (part.at - part.before) * share;
 }
 void take_share_of_turns(IkHeuristic& h, float share) {
-  for (std::size_t i = 0; i < h.tree->nodes.size; ++i) {
-    IkNode& node = h.tree->nodes[i];
-    set_turned(node, h.parts[i].before * part_of(conjugate(h.parts[i].before) * node.rotation, share));
+  const IkPart* part = h.parts;
+  for (IkNode& node : h.tree->nodes) {
+    const WideRotation before = {part++->before};
+    set_turned(node, before * part_of(conjugate(before) * node.rotation, share));
   }
   update(h);
 }
@@ -154,12 +139,9 @@ void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options,
 
 }  // namespace
 
-std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory count;
-  if (!count_tree(skeleton, problem, count)) return 0;
+void count_heuristic(const Skeleton&, const IkProblem& problem, Memory& count) {
   count.take<IkPart>(problem.joints.size + problem.goals.size);
   count.take<IkAim>(problem.goals.size);
-  return block_bytes(count.whole());
 }
 
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
@@ -168,21 +150,34 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size).data;
   h.ends = h.parts + tree.nodes.size;
   h.aims = scratch.take<IkAim>(tree.ends.size).data;
-  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.parts[i] = IkPart{};
+  h.behind = h.ends + tree.ends.size;
+  const auto set = [&](IkPart& part, const f32x4& bone, std::uint16_t on) {
+    part = IkPart{};
+    part.bone = &bone;
+    if (on != kNoParent) part.on = h.parts + on;
+  };
+  IkPart* part = h.parts;
+  for (const IkNode& node : tree.nodes) set(*part++, node.above.origin, node.parent);
+  part = h.ends;
+  IkAim* aim = h.aims;
+  for (const IkEnd& end : tree.ends) {
+    set(*part, end.point, end.node);
+    part++->aim = aim;
+    aim++->end = &end;
+  }
   update_parts(h);
-  for (std::size_t i = 0; i < tree.nodes.size + tree.ends.size; ++i) h.size_m += h.parts[i].length;
+  h.size_m = total_length(h);
   h.per_size = h.size_m > 0 && h.size_m < 1e15f ? 1.0f / h.size_m : 0.0f;
   set_aims(h);
-  set_shares(h);
   h.chain = tree.ends.size == 1 && h.aims[0].position > 0 && h.per_size > 0;
   return h;
 }
 
-IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         Memory& scratch) {
+void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report) {
+  const IkProblem& problem = call.problem;
+  const IkOptions& options = call.options;
   IkHeuristic h = set_up(tree, scratch);
   const float beyond = h.chain ? approach(h, options) : 0.0f;
-  IkReport report;
   if (h.per_size > 0) {
     h.plain = h.chain && h.free && h.aims[0].turn == 0 && options.method == IkMethod::fabrik;
     iterate(h, problem, options, report);
@@ -199,15 +194,14 @@ IkReport solve_heuristic(const Skeleton&, IkTree& tree, const IkProblem& problem
   if (beyond > 0) straighten(h, beyond);
   report.error_m = total_error(tree);
   if (report.why == IkStop::reached && report.error_m > 1.1f * options.tolerance_m) report.why = IkStop::stalled;
-  return report;
 }
 
 Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                       const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
   MARROW_REQUIRE(options.method <= IkMethod::ccd);
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, skeleton, local, scene_from_joint, problem, options, scratch,
-                                  heuristic_scratch_bytes(skeleton, problem), report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, count_heuristic,
+                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 
@@ -248,6 +242,12 @@ WideRotation part_of(WideRotation any, float share) {
   return share_of(WideRotation{w_lane(q) < 0 ? q.v * -1.0f : q.v}, share);
 }
 
+float total_length(const IkHeuristic& h) {
+  float sum = 0;
+  for (const IkPart& part : h.all()) sum += part.length;
+  return sum;
+}
+
 void update(IkHeuristic& h) {
   update_frames(*h.tree);
   update_parts(h);
@@ -255,18 +255,10 @@ void update(IkHeuristic& h) {
 
 void update_parts(IkHeuristic& h) {
   const IkTree& tree = *h.tree;
-  for (std::size_t i = 0; i < tree.nodes.size; ++i) {
-    IkPart& part = h.parts[i];
-    part.at = tree.nodes[i].frame.origin;
-    const std::uint16_t parent = tree.nodes[i].parent;
-    part.length = parent == kNoParent ? 0.0f : length3(part.at - h.parts[parent].at);
-  }
-  for (std::size_t k = 0; k < tree.ends.size; ++k) {
-    const IkEnd& end = tree.ends[k];
-    IkPart& part = h.end(k);
-    part.at = transform(tree.nodes[end.node].frame, end.point);
-    part.length = length3(part.at - h.parts[end.node].at);
-  }
+  IkPart* part = h.parts;
+  for (const IkNode& node : tree.nodes) part++->at = node.frame.origin;
+  for (IkPart& end : h.of_ends()) end.at = transform(tree.nodes[end.aim->end->node].frame, *end.bone);
+  for (IkPart& p : h.all()) p.length = p.on == nullptr ? 0.0f : length3(p.at - p.on->at);
 }
 
 }  // namespace marrow

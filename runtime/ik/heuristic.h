@@ -5,25 +5,26 @@
 
 namespace marrow {
 
-inline constexpr std::uint16_t kNoPart = 0xFFFF;
-
-// One a node and, after those, one an end. What hangs on a node is a list of parts.
-struct IkPart {
-  f32x4 at;                       // where its point is, or where it is wanted: scene space
-  f32x4 was;                      // `at`, an iteration earlier
-  WideRotation before;            // of a node: its rotation an iteration earlier; of an end: its node's in the scene
-  float length = 0;               // from the node that it hangs on to there
-  float weight = 0;               // of the positions to be reached by it and what hangs on it
-  float share = 0;                // of all weight that hangs on the same node
-  std::uint16_t next = kNoPart;   // on the same node
-  std::uint16_t first = kNoPart;  // what hangs on it, if it is a node
-};
-
 struct IkAim {
+  const IkEnd* end;
   f32x4 goal;             // the position to reach; where that is out of reach, the nearest that is not
   WideRotation rotation;  // the goal's, for the node: in the scene
   float position;         // the weights, squared, relative to the greatest; a radian is as long as the tree
   float turn;
+};
+
+// One a node and, after those, one an end. What hangs on a node is a list of parts.
+struct IkPart {
+  f32x4 at;                 // where its point is, or where it is wanted: scene space
+  f32x4 before;             // what an iteration changes, before it; CCD: of an end its node's rotation in the scene
+  float length = 0;         // from the node that it hangs on to there
+  float weight = 0;         // of the positions to be reached by it and what hangs on it
+  float share = 0;          // of all weight that hangs on the same node
+  IkAim* aim = nullptr;     // of an end
+  const f32x4* bone;        // from the node that it hangs on to there, in that node's axes
+  IkPart* on = nullptr;     // that node, if there is one
+  IkPart* next = nullptr;   // what hangs on the same node
+  IkPart* first = nullptr;  // what hangs on it; CCD: of an end the node that moves it now
 };
 
 struct IkParts {
@@ -37,6 +38,7 @@ struct IkHeuristic {
   IkTree* tree;
   IkPart* parts;
   IkPart* ends;  // the parts behind the nodes'
+  IkPart* behind;
   IkAim* aims;
   float size_m = 0;                 // sum of all lengths
   float per_size = 0;               // 1 / size_m; 0 for no size
@@ -45,10 +47,10 @@ struct IkHeuristic {
   bool plain = false;               // nothing but that: points move alone, and joints turn when they are there
   WideRotation turned = no_turn();  // of a plain chain, as a whole, in the scene
 
-  IkPart& end(std::size_t k) const { return ends[k]; }
-  // Of a chain: from the root to its end; without the root; and without both.
-  IkParts points() const { return {parts, ends + 1}; }
-  IkParts below_root() const { return {parts + 1, ends + 1}; }
+  IkParts all() const { return {parts, behind}; }
+  IkParts of_ends() const { return {ends, behind}; }
+  // Of a chain, which goes on from one part to the next: without the root; and without root and end.
+  IkParts below_root() const { return {parts + 1, behind}; }
   IkParts between() const { return {parts + 1, ends}; }
 };
 
@@ -88,6 +90,7 @@ struct InverseAxes {
 
 // `share` of the turn q, of any length, the shorter way round; q itself if that is all of it.
 WideRotation part_of(WideRotation any, float share);
+float total_length(const IkHeuristic& h);
 // Positions and lengths of all parts, from the frames.
 void update_parts(IkHeuristic& h);
 // And frames, from the rotations, before that.

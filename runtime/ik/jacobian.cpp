@@ -204,27 +204,26 @@ MARROW_CALLED_WHERE_SMALL bool take_step(IkSystem& s, const IkOptions& options, 
 
 }  // namespace
 
-IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        Memory& scratch) {
-  IkSystem s = place_system(skeleton, problem, scratch);
-  set_tasks(tree, problem, s);
+void solve_jacobian(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report) {
+  const IkOptions& options = call.options;
+  IkSystem s = place_system(call.pose.skeleton, call.problem, scratch);
+  set_tasks(tree, call.problem, s);
   const bool newton = options.method == IkMethod::gauss_newton;
   const float ends = kPullEnds * options.tolerance_m;
   // To the other side next time, in case limits forbid the first or the chain lies along the axis.
   constexpr float kBendAxes[2][4] = {{0.48f, 0.36f, 0.8f, 0}, {-0.36f, -0.8f, -0.48f, 0}};
-  IkReport report;
   for (Progress p;; ++report.iterations) {
     report.error_m = set_errors(s);
     report.why = IkStop::reached;
-    if (report.error_m <= options.tolerance_m) return report;
+    if (report.error_m <= options.tolerance_m) return;
     report.why = IkStop::stalled;
-    if (p.still > 1) return report;  // twice: to either side, see leave_singularity()
+    if (p.still > 1) return;  // twice: to either side, see leave_singularity()
     report.why = IkStop::iterations;
-    if (report.iterations == options.max_iterations) return report;
+    if (report.iterations == options.max_iterations) return;
     update_damping(report.error_m * report.error_m, p);
     const float pull = newton ? kPull * p.mended * report.error_m / (report.error_m + ends) : 0.0f;
     report.why = IkStop::stalled;
-    if (!take_step(s, options, pull, load(kBendAxes[report.iterations % 2]), p)) return report;
+    if (!take_step(s, options, pull, load(kBendAxes[report.iterations % 2]), p)) return;
   }
 }
 
@@ -232,8 +231,8 @@ Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Af
                      const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
   MARROW_REQUIRE(options.method > IkMethod::ccd);
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, skeleton, local, scene_from_joint, problem, options, scratch,
-                                  jacobian_scratch_bytes(skeleton, problem), report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, count_jacobian,
+                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 

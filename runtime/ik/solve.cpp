@@ -2,7 +2,6 @@
 
 #include "core/check.h"
 #include "core/mark.h"
-#include "ik/chance.h"
 #include "ik/tree.h"
 #include "marrow/block.h"
 #include "math/finite.h"
@@ -52,26 +51,20 @@ BadCall check_options(const IkOptions& options) {
   return {};
 }
 
-// Joints turned at random from where the pose has them.
-void begin_anew(IkTree& tree, Chance& chance) {
-  for (IkNode& node : tree.nodes) set_turned(node, node.start * chance.turn(1.0f));
-  tree.travel = splat(0.0f);
-  update_frames(tree);
-}
-
 // From the pose; where that ends short of the goals, from others too, as many as there may be. The tree keeps the best.
-IkReport solve_from_starts(IkSolver solve, const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
-                           const IkOptions& options, const Memory& memory) {
+IkReport solve_from_starts(IkSolver solve, const IkCall& call, IkTree& tree, const Memory& memory) {
   IkReport best;
-  Chance chance(options.seed);
-  for (int start = 0; start == 0 || (start < options.starts && best.why != IkStop::reached); ++start) {
+  Chance chance(call.options.seed);
+  for (int start = 0; start == 0 || (start < call.options.starts && best.why != IkStop::reached); ++start) {
     const f32x4 travel = tree.travel;
     if (start > 0) {
       for (IkNode& node : tree.nodes) node.best = node.rotation;
-      begin_anew(tree, chance);
+      tree.travel = splat(0.0f);
+      begin_anew(tree, chance, 1.0f);
     }
     Memory rest = memory;
-    IkReport next = solve(skeleton, tree, problem, options, rest);
+    IkReport next;
+    solve(call, tree, rest, next);
     next.iterations += best.iterations;
     if (start == 0 || next.error_m < best.error_m) {
       best = next;
@@ -86,40 +79,40 @@ IkReport solve_from_starts(IkSolver solve, const Skeleton& skeleton, IkTree& tre
 
 }  // namespace
 
-bool count_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& count) {
-  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return false;
+std::size_t scratch_bytes(IkCounter method, const Skeleton& skeleton, const IkProblem& problem) {
+  if (!holds(problem.goals, 1) || !holds(problem.joints, 1)) return 0;
+  Memory count;
   place_tree(skeleton, problem, count);
-  return true;
+  method(skeleton, problem, count);
+  return block_bytes(count.whole());
 }
 
 std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem, const IkOptions& options) {
-  return (options.method <= IkMethod::ccd ? heuristic_scratch_bytes : jacobian_scratch_bytes)(skeleton, problem);
+  return scratch_bytes(options.method <= IkMethod::ccd ? count_heuristic : count_jacobian, skeleton, problem);
 }
 
 Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
   MARROW_MARK;
-  const IkSolver solver = options.method <= IkMethod::ccd ? solve_heuristic : solve_jacobian;
-  MARROW_REQUIRE_GOOD(solve_ik_by(solver, skeleton, local, scene_from_joint, problem, options, scratch,
-                                  ik_scratch_bytes(skeleton, problem, options), report));
+  const bool heuristic = options.method <= IkMethod::ccd;
+  MARROW_REQUIRE_GOOD(solve_ik_by(heuristic ? solve_heuristic : solve_jacobian,
+                                  heuristic ? count_heuristic : count_jacobian,
+                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 
-BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                    std::size_t scratch_bytes, IkReport* report) {
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
-  if (const BadCall bad = check_problem(skeleton, problem)) return bad;
-  if (const BadCall bad = check_options(options)) return bad;
-  MARROW_CHECK(holds(scratch, scratch_bytes));
+BadCall solve_ik_by(IkSolver solver, IkCounter counter, const IkCall& call, Span<std::byte> scratch, IkReport* report) {
+  const Skeleton& skeleton = call.pose.skeleton;
+  if (const BadCall bad = check_pose(call.pose)) return bad;
+  if (const BadCall bad = check_problem(skeleton, call.problem)) return bad;
+  if (const BadCall bad = check_options(call.options)) return bad;
+  MARROW_CHECK(holds(scratch, scratch_bytes(counter, skeleton, call.problem)));
   Memory memory{block_in(scratch).data};
-  IkTree tree;
-  const IkTreeMemory placed = place_tree(skeleton, problem, memory);
-  if (const BadCall bad = build_tree(skeleton, local, scene_from_joint, problem, placed, tree)) return bad;
-  const IkReport done = solve_from_starts(solver, skeleton, tree, problem, options, memory);
+  IkTree tree = place_tree(skeleton, call.problem, memory);
+  if (const BadCall bad = build_tree(call, tree)) return bad;
+  const IkReport done = solve_from_starts(solver, call, tree, memory);
   if (report != nullptr) *report = done;
-  if (options.weight != 0) (void)store_tree(skeleton, tree, options.weight, local, scene_from_joint);
+  if (call.options.weight != 0) store_tree(tree, call.options.weight, call.pose);
   return {};
 }
 

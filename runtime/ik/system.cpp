@@ -119,11 +119,8 @@ IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory
   return s;
 }
 
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem) {
-  Memory count;
-  if (!count_tree(skeleton, problem, count)) return 0;
+void count_jacobian(const Skeleton& skeleton, const IkProblem& problem, Memory& count) {
   place_system(skeleton, problem, count);
-  return block_bytes(count.whole());
 }
 
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {

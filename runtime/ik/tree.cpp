@@ -32,26 +32,25 @@ WideRotation rotation_in(const Affine& a) {
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
-MARROW_CALLED_WHERE_SMALL void set_above(const Skeleton& skeleton, Span<const SoaTransform> local,
-                                         Span<const Affine> scene_from_joint, const std::uint16_t* node_of,
-                                         IkNode& node) {
+MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
+  const Skeleton& skeleton = pose.skeleton;
+  const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = skeleton.parents[node.joint];
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
-  node.parent = on == kNoParent ? kNoParent : node_of[on];
+  const bool top = on == kNoParent;
+  node.parent = top ? kNoParent : node_of[on];
   Columns above = {{}, wide_translation_of(local, node.joint)};
   set_axes(no_turn(), above.axis);
   WideRotation turned = no_turn();
-  std::uint16_t joint = node.joint, next = skeleton.parents[joint];
-  if (on == kNoParent) {
-    above = columns(next == kNoParent ? skeleton.scene_from_root[joint] : scene_from_joint[next]) * above;
-    for (; next != kNoParent; joint = next, next = skeleton.parents[joint])
-      turned = wide_rotation_of(local, next) * turned;
+  std::uint16_t joint = node.joint;
+  for (std::uint16_t next; (next = skeleton.parents[joint]) != on; joint = next) {
+    if (!top) multiply(local_frame(local, next), above, above);
+    turned = wide_rotation_of(local, next) * turned;
+  }
+  if (top) {
+    multiply(columns(map_above(pose, node.joint)), above, above);
     turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
   } else {
-    for (; next != on; next = skeleton.parents[next]) {
-      above = local_frame(local, next) * above;
-      turned = wide_rotation_of(local, next) * turned;
-    }
     const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
     above.origin = above.origin * scale;
@@ -60,11 +59,12 @@ MARROW_CALLED_WHERE_SMALL void set_above(const Skeleton& skeleton, Span<const So
   node.above_turned = turned;
 }
 
-void set_end(const Skeleton& skeleton, Span<const SoaTransform> local, const std::uint16_t* node_of, IkEnd& end) {
+void set_end(const PosedJoints& pose, const std::uint16_t* node_of, IkEnd& end) {
+  const Span<const SoaTransform> local = pose.local;
   std::uint16_t joint = end.goal->joint;
   f32x4 point = load_wide(end.goal->offset), bone = splat(0.0f);
   WideRotation rotation = no_turn();
-  for (; node_of[joint] == kNoParent; joint = skeleton.parents[joint]) {
+  for (; node_of[joint] == kNoParent; joint = pose.skeleton.parents[joint]) {
     const Columns frame = local_frame(local, joint);
     point = transform(frame, point);
     bone = transform(frame, bone);
@@ -82,25 +82,23 @@ MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::si
 }
 
 // Translations of all joints from the goal's up to, and not with, the first that turns.
-void stretch_bones(const Skeleton& skeleton, const IkTree& tree, float factor, Span<SoaTransform> local) {
-  for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = skeleton.parents[j])
-    set_translation(local, j, wide_translation_of(local, j) * factor);
+void stretch_bones(const PosedJoints& pose, const IkTree& tree, float factor) {
+  for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
+    set_translation(pose.local, j, wide_translation_of(pose.local, j) * factor);
 }
 
 }  // namespace
 
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
-  IkTreeMemory m;
-  m.nodes = scratch.take<IkNode>(problem.joints.size).data;
-  m.ends = scratch.take<IkEnd>(problem.goals.size).data;
-  m.node_of = scratch.take<std::uint16_t>(skeleton.joint_count).data;
-  return m;
+IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
+  return {scratch.take<IkNode>(problem.joints.size), scratch.take<IkEnd>(problem.goals.size),
+          scratch.take<std::uint16_t>(skeleton.joint_count).data};
 }
 
-BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-                   const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree) {
+BadCall build_tree(const IkCall& call, IkTree& tree) {
+  const Skeleton& skeleton = call.pose.skeleton;
+  const IkProblem& problem = call.problem;
   constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
-  std::uint16_t* const node_of = memory.node_of;
+  std::uint16_t* const node_of = tree.node_of;
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
   for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;
   for (const IkGoal& goal : problem.goals) {
@@ -120,45 +118,51 @@ BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Spa
       node_of[joint] = kNoParent;
       continue;
     }
-    IkNode& node = memory.nodes[count];
+    IkNode& node = tree.nodes[count];
     node.joint = joint;
     node.place = static_cast<std::uint16_t>(i);
     node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[i]);
-    node.rotation = node.start = wide_rotation_of(local, joint);
+    node.rotation = node.start = wide_rotation_of(call.pose.local, joint);
     node.limit = find_limit(problem.limits, joint);
     node.hinge = splat(0.0f);
     if (node.limit != nullptr && node.limit->kind == LimitKind::hinge)
       node.hinge = rotate({load(node.limit->joint_from_limit)}, lanes(1.0f, 0.0f, 0.0f, 0.0f));
-    set_above(skeleton, local, scene_from_joint, node_of, node);
+    set_above(call.pose, node_of, node);
     if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
     node_of[joint] = count++;
   }
-  tree.nodes = {memory.nodes, count};
-  tree.ends = {memory.ends, problem.goals.size};
+  tree.nodes.size = count;
   update_frames(tree);
   f32x4 sum = splat(0.0f);
   for (const IkNode& node : tree.nodes) {
     sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + node.above_turned.v;
   }
-  for (std::size_t i = 0; i < problem.goals.size; ++i) {
-    IkEnd& end = memory.ends[i];
-    end.goal = &problem.goals[i];
-    set_end(skeleton, local, node_of, end);
+  const IkGoal* goal = problem.goals.data;
+  for (IkEnd& end : tree.ends) {
+    end.goal = goal++;
+    set_end(call.pose, node_of, end);
     sum = sum + transform(tree.nodes[end.node].frame, end.point) + end.rotation.v;
   }
   MARROW_CHECK(all_finite(sum) && "the pose and the goals");
   return {};
 }
 
-void update_frames(IkTree& tree, std::size_t first) {
-  for (std::size_t i = first; i < tree.nodes.size; ++i) {
-    IkNode& node = tree.nodes[i];
+void begin_anew(IkTree& tree, Chance& chance, float size) {
+  for (IkNode& node : tree.nodes) set_turned(node, node.start * chance.turn(size));
+  update_frames(tree);
+}
+
+void update_frames(IkTree& tree) {
+  for (IkNode& node : tree.nodes) {
     Columns& local = node.parent_from_frame;
     turn_axes(node.above, node.rotation, local.axis);
     local.origin = node.above.origin;
-    if (i == 0) local.origin = local.origin + turn(node.above, tree.travel);
-    const bool top = node.parent == kNoParent;
-    node.frame = top ? local : tree.nodes[node.parent].frame * local;
+    if (&node == tree.nodes.data) local.origin = local.origin + turn(node.above, tree.travel);
+    if (node.parent == kNoParent) {
+      node.frame = local;
+    } else {
+      multiply(tree.nodes[node.parent].frame, local, node.frame);
+    }
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }
 }
@@ -186,8 +190,7 @@ f32x4 turn_of(WideRotation rotation) {
   return log_of_shorter(normalised(rotation));
 }
 
-Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
-                  Span<Affine> scene_from_joint) {
+void store_tree(const IkTree& tree, float weight, const PosedJoints& pose) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     const IkNode& node = tree.nodes[i];
     const WideRotation from = node.start, to = node.rotation;
@@ -197,19 +200,16 @@ Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Sp
       const float other = dot4(from.v, to.v) < 0 ? weight - 1 : 1 - weight;
       q = normalised(WideRotation{from.v * other + to.v * weight});
     }
-    set_rotation(local, node.joint, q);
+    set_rotation(pose.local, node.joint, q);
   }
   if (squared3(tree.travel) > 0) {
     const std::uint16_t joint = tree.nodes[0].joint;
-    set_translation(local, joint, wide_translation_of(local, joint) + tree.travel * weight);
+    set_translation(pose.local, joint, wide_translation_of(pose.local, joint) + tree.travel * weight);
   }
-  if (tree.stretch != 1) stretch_bones(skeleton, tree, 1.0f + (tree.stretch - 1.0f) * weight, local);
+  if (tree.stretch != 1) stretch_bones(pose, tree, 1.0f + (tree.stretch - 1.0f) * weight);
   for (const IkNode& node : tree.nodes) {
-    if (node.parent != kNoParent) continue;
-    const Status status = local_to_model_below(skeleton, local, node.joint, scene_from_joint);
-    if (status != Status::ok) return status;
+    if (node.parent == kNoParent) update_below(pose, node.joint);
   }
-  return Status::ok;
 }
 
 }  // namespace marrow

@@ -8,6 +8,8 @@
 #include "core/check.h"
 #include "core/fixed.h"
 #include "core/memory.h"
+#include "ik/chance.h"
+#include "ik/turn_joint.h"
 #include "marrow/ik_solve.h"
 #include "math/columns.h"
 
@@ -43,25 +45,30 @@ struct IkEnd {
 struct IkTree {
   Span<IkNode> nodes;          // ascending: parents first
   Span<IkEnd> ends;            // as IkProblem::goals
+  std::uint16_t* node_of;      // of each of the skeleton's joints: its node or kNoParent
   bool turns = false;          // some goal asks for a rotation
   f32x4 travel = splat(0.0f);  // of node 0, in its parent joint's space; see IkProblem::root_travel_m
   float stretch = 1;           // of the bones below node 0, of a tree with one end
 };
 
-// Room for the tree; the same calls with and without memory.
-struct IkTreeMemory {
-  IkNode* nodes;
-  IkEnd* ends;
-  std::uint16_t* node_of;  // of each of the skeleton's joints: its node or kNoParent
+// What solve_ik() is asked for.
+struct IkCall {
+  PosedJoints pose;
+  const IkProblem& problem;
+  const IkOptions& options;
 };
-IkTreeMemory place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
+
+// A tree with room for its nodes and ends; the same calls with and without memory.
+IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
 // Of a checked problem, frames and all. Bad if a goal hangs on no joint that turns, or the pose is not finite.
-BadCall build_tree(const Skeleton& skeleton, Span<const SoaTransform> local, Span<const Affine> scene_from_joint,
-                   const IkProblem& problem, const IkTreeMemory& memory, IkTree& tree);
+BadCall build_tree(const IkCall& call, IkTree& tree);
 
-// Frames of the nodes from `first` on, after rotations changed; nodes before it are up to date.
-void update_frames(IkTree& tree, std::size_t first = 0);
+// Joints turned at random from where the pose has them; see Chance::turn().
+void begin_anew(IkTree& tree, Chance& chance, float size);
+
+// Frames of the nodes, after rotations changed.
+void update_frames(IkTree& tree);
 
 // Rotation in the scene of a node's axes before they turn.
 MARROW_CALLED_WHERE_SMALL inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
@@ -97,26 +104,21 @@ void set_turned(IkNode& node, WideRotation rotation);
 f32x4 turn_of(WideRotation q);
 
 // Writes what changed into the pose, blended by `weight`, and brings the matrices below up to date.
-Status store_tree(const Skeleton& skeleton, const IkTree& tree, float weight, Span<SoaTransform> local,
-                  Span<Affine> scene_from_joint);
+void store_tree(const IkTree& tree, float weight, const PosedJoints& pose);
 
 // A method: changes rotations and frames of the tree. It takes what memory it needs of `scratch`.
-using IkSolver = IkReport (*)(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem,
-                              const IkOptions& options, Memory& scratch);
-IkReport solve_heuristic(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                         Memory& scratch);  // FABRIK and CCD
-IkReport solve_jacobian(const Skeleton& skeleton, IkTree& tree, const IkProblem& problem, const IkOptions& options,
-                        Memory& scratch);  // the others
+using IkSolver = void (*)(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report);
+void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report);  // FABRIK and CCD
+void solve_jacobian(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report);   // the others
 
-// Counts the room for the tree; false of a problem that cannot be read.
-bool count_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
+// Takes as much as a method does, of no memory: counts it.
+using IkCounter = void (*)(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
+void count_heuristic(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
+void count_jacobian(const Skeleton& skeleton, const IkProblem& problem, Memory& count);
 // What calls need, the tree and all, of memory of any alignment; 0 of a problem that cannot be read.
-std::size_t heuristic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-std::size_t jacobian_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
+std::size_t scratch_bytes(IkCounter method, const Skeleton& skeleton, const IkProblem& problem);
 
 // What is the same for all methods: checks, the tree, the method, other starts, the pose written.
-BadCall solve_ik_by(IkSolver solver, const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
-                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                    std::size_t scratch_bytes, IkReport* report);
+BadCall solve_ik_by(IkSolver solver, IkCounter counter, const IkCall& call, Span<std::byte> scratch, IkReport* report);
 
 }  // namespace marrow

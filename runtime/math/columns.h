@@ -19,8 +19,10 @@ MARROW_CALLED_WHERE_SMALL inline f32x4 turn(const Columns& m, f32x4 v) {
 MARROW_CALLED_WHERE_SMALL inline f32x4 transform(const Columns& m, f32x4 point) {
   return turn(m, point) + m.origin;
 }
-inline Columns operator*(const Columns& a, const Columns& b) {
-  return {{turn(a, b.axis[0]), turn(a, b.axis[1]), turn(a, b.axis[2])}, transform(a, b.origin)};
+// First b, then a: in `out`, which may be b.
+MARROW_CALLED_WHERE_SMALL inline void multiply(const Columns& a, const Columns& b, Columns& out) {
+  const f32x4 x = turn(a, b.axis[0]), y = turn(a, b.axis[1]), z = turn(a, b.axis[2]), origin = transform(a, b.origin);
+  out = {{x, y, z}, origin};
 }
 
 inline Columns columns(const Affine& a) {
