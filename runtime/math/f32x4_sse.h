@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/fixed.h"
+
 namespace marrow {
 
 // Instructions take an operand from memory: what is used once need not be loaded first.
@@ -141,7 +143,7 @@ inline f32x4 reordered(f32x4 a) {
   return shuffled<_MM_SHUFFLE(W, Z, Y, X)>(a);
 }
 // (x + y) + (z + w), in all lanes.
-inline f32x4 sum_of_lanes(f32x4 a) {
+MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
   const f32x4 pairs = a + shuffled<_MM_SHUFFLE(2, 3, 0, 1)>(a);
   return pairs + shuffled<_MM_SHUFFLE(1, 0, 3, 2)>(pairs);
 }
