@@ -262,7 +262,7 @@ inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
 }
 // The axis of a turn.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
 // And back.

@@ -76,7 +76,7 @@ struct Bend {
 
 // A unit vector across `unit`, next to v; `otherwise` if v, times a number of that size, is none.
 template <class F>
-inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
+MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
   const F squared = dot(part, part);
   Vector<F> unit_part = part * inverse_root(squared);
@@ -118,8 +118,8 @@ MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in
 
 // Leaves out what only some need if `plain`; false if it is needed.
 template <bool plain, class F>
-inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
-                      Bend<F>& bend) {
+MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower,
+                                             const Triangle<F>& triangle, Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
   const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));

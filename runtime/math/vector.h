@@ -69,7 +69,7 @@ MARROW_OWN_WHERE_SMALL inline F dot(const Vector<F>& a, const Vector<F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class F>
-inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
+MARROW_OWN_WHERE_SMALL inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class F>
