@@ -106,7 +106,7 @@ struct AnyTurn {
 // What says how things turn about the target's direction.
 template <class F>
 struct About {
-  Vector<F> pole;  // zero: the shortest arc alone
+  std::conditional_t<std::is_same_v<F, One>, Vector<F>, const Vector<F>&> pole;  // zero: the shortest arc alone
   bool twisted;
   F twist_rad;  // on top, if twisted
 };

@@ -151,6 +151,11 @@ MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
   const float32x4_t pairs = vpaddq_f32(a.v, a.v);
   return {vpaddq_f32(pairs, pairs)};
 }
+#define MARROW_F32X4_SUMS_THREE 1  // else f32x4.h does
+// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
+  return {vpaddq_f32(vpaddq_f32(a.v, b.v), vpaddq_f32(c.v, c.v))};
+}
 // a.w, b.w, c.w, 0
 inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
   const float64x2_t ab = vreinterpretq_f64_f32(vzip2q_f32(a.v, b.v));  // z, z, w, w
