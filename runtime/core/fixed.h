@@ -19,7 +19,17 @@ inline constexpr bool kSmall = false;
 #define MARROW_CALLED_WHERE_SMALL
 #endif
 
-// The same of an inline function that else is to stand wherever it is used, however long it is.
+// Before a short inline function that calls nothing else, or others of these. Where code is small each file has a copy
+// of its own, of which GCC sees what registers it leaves alone: callers keep their vectors there. Of a function that
+// files share it sees nothing, and callers put all they have into memory. The copies are the same, so it is no matter
+// which of them an inline function calls.
+#if defined(__OPTIMIZE_SIZE__) && defined(__GNUC__) && !defined(__clang__)
+#define MARROW_OWN_WHERE_SMALL static
+#else
+#define MARROW_OWN_WHERE_SMALL
+#endif
+
+// As MARROW_CALLED_WHERE_SMALL, of an inline function that else is to stand wherever it is used, however long it is.
 #ifdef __OPTIMIZE_SIZE__
 #define MARROW_CALLED_ONLY_WHERE_SMALL [[gnu::noinline]]
 #else

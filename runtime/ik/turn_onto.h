@@ -106,7 +106,7 @@ struct AnyTurn {
 // What says how things turn about the target's direction.
 template <class F>
 struct About {
-  Vector<F> pole;  // zero: the shortest arc alone
+  std::conditional_t<std::is_same_v<F, One>, Vector<F>, const Vector<F>&> pole;  // zero: the shortest arc alone
   bool twisted;
   F twist_rad;  // on top, if twisted
 };
@@ -262,7 +262,7 @@ inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
 }
 // The axis of a turn.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
 // And back.

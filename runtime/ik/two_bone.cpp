@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "core/fixed.h"
+#include "core/opaque.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "marrow/ik.h"
@@ -14,17 +15,17 @@ namespace {
 
 constexpr int kMostSteps = 10;
 
-template <bool plain>
 MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
   return {mid - start,
           end - mid,
           wide(goal.target) - start,
-          *joints.start,
+          *opaque(joints.start),
           *joints.mid,
-          {load_aligned(goal.bend_axis)},
-          {plain ? Vector<One>{load_aligned(goal.pole)} : wide(goal.pole), is_some(goal.twist_rad),
-           all_lanes<One>(goal.twist_rad)},
+          goal.bend_axis,
+          goal.pole,
+          is_some(goal.twist_rad),
+          all_lanes<One>(goal.twist_rad),
           all_lanes<One>(goal.soft),
           is_partial(goal.max_stretch),
           all_lanes<One>(goal.max_stretch),
@@ -35,7 +36,7 @@ MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& j
 // False if the numbers are not finite; see solve_limb().
 template <bool plain>
 inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
-  LimbProblem<One> in = problem<plain>(joints, goal);
+  LimbProblem<One> in = problem(joints, goal);
   LimbSolution<One> s;
   if (!solve_limb<plain>(in, s)) return false;
   store(out.start, s.start.v);

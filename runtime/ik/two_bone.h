@@ -11,12 +11,25 @@ namespace marrow {
 // solve_two_bone(), for what does not refuse when it does.
 BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
+// Three numbers of four goals, or of one, which are read where they are used: there are not enough registers for them.
+template <class F>
+using GoalVector = std::conditional_t<std::is_same_v<F, One>, const float (&)[3], Vector<F>>;
+
+// Their w may be anything finite.
+inline const Vector<f32x4>& in_registers(const Vector<f32x4>& v) {
+  return v;
+}
+inline Vector<One> in_registers(const float (&v)[3]) {
+  return {load_aligned(v)};
+}
+
 template <class F>
 struct LimbProblem {
   Vector<F> upper, lower, way;  // scene: start to middle joint, middle to end joint, start to target
   RowsOf<F> scene_from_start, scene_from_mid;
-  Vector<F> bend_axis;  // its w may be anything finite
-  About<F> about;
+  GoalVector<F> bend_axis, pole;
+  bool twisted;
+  F twist_rad;  // if twisted
   F soft;
   bool stretched;  // some may be longer
   F max_stretch;   // if stretched
@@ -31,6 +44,49 @@ struct LimbSolution {
   F miss_squared;
   F limb;  // its length
 };
+
+template <bool>
+inline About<f32x4> about(const LimbProblem<f32x4>& in) {
+  return {in.pole, in.twisted, in.twist_rad};
+}
+template <bool plain>
+inline About<One> about(const LimbProblem<One>& in) {
+  const Vector<One> pole = in_registers(in.pole);
+  return {plain ? pole : without_w(pole), in.twisted, in.twist_rad};
+}
+
+// The squared lengths of three vectors, as a vector; its w is the third again.
+inline Vector<f32x4> squared_lengths(const Vector<f32x4>& a, const Vector<f32x4>& b, const Vector<f32x4>& c) {
+  return {dot(a, a), dot(b, b), dot(c, c)};
+}
+inline Vector<One> squared_lengths(Vector<One> a, Vector<One> b, Vector<One> c) {
+  return {three_sums(a.v * a.v, b.v * b.v, c.v * c.v)};
+}
+// One over each of three numbers: of one limb's at once, of four limbs' where each is used.
+struct InversesOfFour {
+  const Vector<f32x4>& of;
+};
+inline InversesOfFour inverses_of(const Vector<f32x4>& v) {
+  return {v};
+}
+inline f32x4 x_of(InversesOfFour i) {
+  return number<f32x4>(kNumbers.one) / i.of.x;
+}
+inline f32x4 y_of(InversesOfFour i) {
+  return number<f32x4>(kNumbers.one) / i.of.y;
+}
+inline f32x4 z_of(InversesOfFour i) {
+  return number<f32x4>(kNumbers.one) / i.of.z;
+}
+inline Vector<One> inverses_of(Vector<One> v) {
+  return {number<f32x4>(kNumbers.one) / v.v};
+}
+inline bool any_below(const Vector<f32x4>& v, f32x4 limit) {
+  return any(lesser(lesser(v.x, v.y), v.z) < limit);
+}
+inline bool any_below(Vector<One> v, One limit) {
+  return any(v.v < limit.v);
+}
 
 // The three lengths, and what the triangle of the bones and the way to the target is to be.
 template <class F>
@@ -76,7 +132,7 @@ struct Bend {
 
 // A unit vector across `unit`, next to v; `otherwise` if v, times a number of that size, is none.
 template <class F>
-inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
+MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
   const F squared = dot(part, part);
   Vector<F> unit_part = part * inverse_root(squared);
@@ -92,10 +148,10 @@ MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in
                                                         Vector<F> upper, Vector<F> now, F sine, F cosine,
                                                         const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
-  const Vector<F> bend_axis = without_w(in.bend_axis);
+  const Vector<F> bend_axis = without_w(in_registers(in.bend_axis));
   const auto free = dot(bend_axis, bend_axis) < tiny;
   Vector<F> wanted = axis_to_scene(mid_axes, bend_axis);
-  set_where(free, wanted, cross(in.about.pole, upper));
+  set_where(free, wanted, cross(without_w(in_registers(in.pole)), upper));
   const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
   Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
   axis = across(axis, upper);  // again, for what is left if that was nearly all of it
@@ -118,17 +174,17 @@ MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in
 
 // Leaves out what only some need if `plain`; false if it is needed.
 template <bool plain, class F>
-inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
-                      Bend<F>& bend) {
+MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower,
+                                             const Triangle<F>& triangle, Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
   const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
   const F sine = sqrt(dot(normal, normal)), inverse = one / sine, cosine = dot(upper, lower);
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
-          quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in.bend_axis)};
+          quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in_registers(in.bend_axis))};
   if (!all(straight < bend.agreed)) {
-    const Vector<F> bend_axis = without_w(in.bend_axis);
+    const Vector<F> bend_axis = without_w(in_registers(in.bend_axis));
     set_where(dot(bend_axis, bend_axis) < number<F>(kNumbers.tiny), bend.agreed, sine);
     if (const auto bent = straight < bend.agreed; !all(bent)) {
       if constexpr (plain) return false;
@@ -167,21 +223,23 @@ MARROW_CALLED_WHERE_SMALL inline void give_lengths(LimbProblem<F>& in) {
 template <bool plain, class F>
 inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
-  F upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
-  if (plain && in.about.twisted) return false;
-  if (any(lesser(lesser(upper, lower), way) < tiny)) {
+  Vector<F> squares = squared_lengths(in.upper, in.lower, in.way);
+  if (plain && in.twisted) return false;
+  if (any_below(squares, tiny)) {
     if constexpr (plain) return false;
     give_lengths(in);
-    upper = dot(in.upper, in.upper), lower = dot(in.lower, in.lower), way = dot(in.way, in.way);
+    squares = squared_lengths(in.upper, in.lower, in.way);
   }
   Triangle<F> t;
-  t.upper = sqrt(upper), t.lower = sqrt(lower), t.way = sqrt(way);
-  const F inverse_upper = one / t.upper, inverse_lower = plain ? one / t.lower : inverse_root(lower);
+  const Vector<F> lengths = roots(squares);
+  const auto inverses = inverses_of(lengths);
+  t.upper = x_of(lengths), t.lower = y_of(lengths), t.way = z_of(lengths);
+  const F inverse_upper = x_of(inverses), inverse_lower = plain ? y_of(inverses) : inverse_root(y_of(squares));
   shape_triangle(in, inverse_upper, t);
   Bend<F> bend;
   if (!bend_limb<plain>(in, in.upper * inverse_upper, in.lower * inverse_lower, t, bend)) return false;
   AnyTurn<F> whole;
-  if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * (one / t.way), in.about, whole)) return false;
+  if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * z_of(inverses), about<plain>(in), whole)) return false;
   const Quaternion<F> start = quaternion(axis_to_local(axes_of<plain>(in.scene_from_start), whole.axis), whole.w);
   const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
   if (!all(start_squared + mid_squared + (t.miss_squared + bend.agreed) < number<F>(kNumbers.huge))) return false;

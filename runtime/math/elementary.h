@@ -15,7 +15,7 @@ namespace marrow {
 
 // c[0] + y (c[1] + y (…)).
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline F horner(const float* c, std::size_t count, F y) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline F horner(const float* c, std::size_t count, F y) {
   F sum = all_lanes<F>(c[count - 1]);
   for (std::size_t i = count - 1; i-- > 0;) sum = all_lanes<F>(c[i]) + y * sum;
   return sum;

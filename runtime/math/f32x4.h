@@ -28,6 +28,24 @@ inline f32x4 inverse_length(f32x4 squared) {
   return select(zero < squared, splat(1.0f) / sqrt(squared), zero);
 }
 
+#if !defined(MARROW_F32X4_SUMS_THREE)
+// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
+  f32x4 again = c;
+  transpose(a, b, c, again);
+  return a + b + c;
+}
+#endif
+
+#if !defined(MARROW_F32X4_SUMS)
+// Of each of three vectors the first three lanes, from left to right; then 0.
+MARROW_CALLED_WHERE_SMALL inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
+  f32x4 none = splat(0.0f);
+  transpose(x, y, z, none);
+  return x + y + z;
+}
+#endif
+
 #if !defined(MARROW_F32X4_LOADS_TRANSPOSED)
 // The transpose of what lies at four multiples of 16 bytes.
 inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,

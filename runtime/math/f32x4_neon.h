@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/fixed.h"
+
 namespace marrow {
 
 // Operands come from registers only.
@@ -145,9 +147,14 @@ inline f32x4 reordered(f32x4 a) {
   return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
 }
 // (x + y) + (z + w), in all lanes.
-inline f32x4 sum_of_lanes(f32x4 a) {
+MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
   const float32x4_t pairs = vpaddq_f32(a.v, a.v);
   return {vpaddq_f32(pairs, pairs)};
+}
+#define MARROW_F32X4_SUMS_THREE 1  // else f32x4.h does
+// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
+  return {vpaddq_f32(vpaddq_f32(a.v, b.v), vpaddq_f32(c.v, c.v))};
 }
 // a.w, b.w, c.w, 0
 inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {

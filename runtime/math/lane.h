@@ -42,13 +42,6 @@ inline f32x4 operator-(f32x4 a) {
   return flip(a, splat(-0.0f));
 }
 
-// Of each of three vectors the first three lanes, from left to right; then 0.
-MARROW_CALLED_WHERE_SMALL inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
-  f32x4 none = splat(0.0f);
-  transpose(x, y, z, none);
-  return x + y + z;
-}
-
 struct One {
   f32x4 v;
 };

@@ -62,13 +62,13 @@ inline float dot3(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
 }
-MARROW_CALLED_WHERE_SMALL inline float squared3(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float squared3(f32x4 v) {
   return dot3(v, v);
 }
-MARROW_CALLED_WHERE_SMALL inline float length3(f32x4 v) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float length3(f32x4 v) {
   return sqrt(squared3(v));
 }
-inline f32x4 cross3(f32x4 a, f32x4 b) {
+MARROW_OWN_WHERE_SMALL inline f32x4 cross3(f32x4 a, f32x4 b) {
   return rotated_xyz(a * rotated_xyz(b) - rotated_xyz(a) * b);
 }
 // dot3() of three vectors, each with v.
@@ -104,7 +104,7 @@ inline WideRotation quaternion(f32x4 axis, float w) {
 inline float w_lane(WideRotation q) {
   return first_lane(splat_lane<3>(q.v));
 }
-MARROW_CALLED_WHERE_SMALL inline float dot4(f32x4 a, f32x4 b) {
+MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float dot4(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p) + splat_lane<3>(p));
 }
