@@ -1699,7 +1699,7 @@ struct MRW_ALIGN(16) mrw_aim_turn {
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
 // Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 413 instructions on x86-64, 327 on AArch64; about as much again where the limb is nearly straight or bent the
+// Cost: 400 instructions on x86-64, 326 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
     mrw_two_bone_turns* out) MRW_NODISCARD;

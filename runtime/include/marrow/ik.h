@@ -61,7 +61,7 @@ struct TwoBoneJoints {
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
 // Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 413 instructions on x86-64, 327 on AArch64; about as much again where the limb is nearly straight or bent the
+// Cost: 400 instructions on x86-64, 326 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
