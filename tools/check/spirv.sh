@@ -39,8 +39,12 @@ check_quietly() {
   if said=$(check_text "$1" 2>&1); then echo "$1"; else echo "check/spirv: $1: $said" >&2; fi
 }
 export -f check_text check_quietly
-all=$(find "$work/texts" -type f | wc -l)
-passed=$(find "$work/texts" -type f -print0 | xargs -0 -P2 -n1 bash -c 'check_quietly "$0"' | wc -l)
+# The short form takes those that compute, which a Vulkan driver runs below, and every eighth of the others.
+every=1
+[ "${MARROW_TESTS:-all}" != ci ] || every=8
+find "$work/texts" -type f | sort | awk -v every=$every '/\/compute-/ || NR % every == 0' >"$work/checked.txt"
+all=$(wc -l <"$work/checked.txt")
+passed=$(xargs -P2 -n1 bash -c 'check_quietly "$0"' <"$work/checked.txt" | wc -l)
 echo "$all texts, $passed passed: OpenGL ES → SPIR-V for Vulkan → OpenGL ES, Metal's language"
 [ "$all" -gt 0 ] && [ "$passed" = "$all" ] || exit 1
 
