@@ -22,7 +22,8 @@ inline constexpr bool kSmall = false;
 // Before a short inline function that calls nothing else, or others of these. Where code is small each file has a copy
 // of its own, of which GCC sees what registers it leaves alone: callers keep their vectors there. Of a function that
 // files share it sees nothing, and callers put all they have into memory. The copies are the same, so it is no matter
-// which of them an inline function calls.
+// which of them an inline function calls. The standard wants one for all files; compilers' own headers of intrinsics do
+// as this does.
 #if defined(__OPTIMIZE_SIZE__) && defined(__GNUC__) && !defined(__clang__)
 #define MARROW_OWN_WHERE_SMALL static
 #else

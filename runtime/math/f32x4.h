@@ -9,6 +9,8 @@
 #error "-ffast-math changes the bits of poses and takes NaN for a number: compile Marrow without it"
 #endif
 
+#include "core/fixed.h"
+
 #if !defined(MARROW_SCALAR) && (defined(__SSE2__) || defined(_M_X64))
 #include "math/f32x4_sse.h"
 #elif !defined(MARROW_SCALAR) && defined(__aarch64__)
