@@ -132,6 +132,10 @@ list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
   -DOTHER=$<TARGET_FILE:marrow_export> -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/own_functions.cmake)
 set_tests_properties(cook.own_functions PROPERTIES LABELS cook)
+# Under sanitizers without what cooks the same again, or times it.
+if(MARROW_SANITIZE)
+  set_tests_properties(cli PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*:CliCache.WhatCounts:CliCache.Counts*:CliCache.StaysBelowItsSize:Bench.Hashes*:Bench.SamplesEveryClip*:ProgressTest.AnInterruptedCookLeavesTheOldFiles")
+endif()
 target_compile_options(marrow_cli_tests PRIVATE -O0)
 set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 add_dependencies(marrow_cli_tests marrow)

@@ -12,6 +12,7 @@
 
 #include "marrow/gles3_crowd.h"
 #include "marrow/gles3_skinned.h"
+#include "support/places.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
@@ -99,15 +100,17 @@ TEST(ShaderText, PassesTheReferenceCompiler) {
   EXPECT_GT(texts.size(), 1000u);
   std::string folder = (std::filesystem::temp_directory_path() / "marrow_shaders_XXXXXX").string();
   ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  // The short form takes every fifth.
+  const std::size_t step = in_long_form() ? 1 : 5;
   std::size_t number = 0;
   for (const auto& [shader, suffix] : texts)
-    std::ofstream(folder + "/" + std::to_string(number++) + "." + suffix) << shader;
+    if (number++ % step == 0) std::ofstream(folder + "/" + std::to_string(number) + "." + suffix) << shader;
   const std::string command = "cd '" + folder +
                               "' && ls *.vert *.frag *.comp | xargs -n 100 -P 2 glslangValidator > log || "
                               "{ grep -m 20 ERROR log; false; }";
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::filesystem::remove_all(folder);
-  std::printf("%zu texts\n", texts.size());
+  std::printf("%zu texts of %zu\n", (texts.size() + step - 1) / step, texts.size());
 }
 
 }  // namespace

@@ -20,11 +20,6 @@ namespace {
 
 using gles3::SkinningPath;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr std::int64_t kLossesOfAPath = 4;
-#else
-constexpr std::int64_t kLossesOfAPath = 19;  // at least, if a frame has as many calls
-#endif
 constexpr std::uint32_t kCharacters = 3;
 constexpr SkinningPath kPaths[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback,
                                    SkinningPath::compute, SkinningPath::cpu};
@@ -364,6 +359,8 @@ TEST(Skinner, CausesNoErrorOnAnyPath) {
 TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
   on_a_thread([] {
     const Scene scene(model_paths().front());
+    // At least, if a frame has as many calls.
+    const std::int64_t losses_of_a_path = in_long_form() ? 19 : 4;
     int losses = 0;
     auto stage = std::make_unique<Stage>();
     for (const auto& [way, deformer] : every_path_of({gles3::Deformer::as, gles3::Deformer::psd}, stage->caps())) {
@@ -377,7 +374,7 @@ TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
       const std::int64_t calls = driver().calls - before;
       EXPECT_GT(calls, 8);
       const std::vector<std::uint8_t> wanted = stage->picture();
-      for (std::int64_t at = 0; at <= calls; at += std::max<std::int64_t>(1, calls / kLossesOfAPath)) {
+      for (std::int64_t at = 0; at <= calls; at += std::max<std::int64_t>(1, calls / losses_of_a_path)) {
         driver().lost_after = driver().calls + at;
         (void)player.frame(api);
         gles3::on_context_lost(player.skinner);
@@ -398,7 +395,7 @@ TEST(Skinner, SurvivesTheLossOfTheContextAnywhere) {
       gles3::destroy(api, player.programs);
       EXPECT_EQ(driver().live, 0) << to_string(way);
     }
-    EXPECT_GE(losses, 8 * kLossesOfAPath);
+    EXPECT_GE(losses, 8 * losses_of_a_path);
     std::printf("%d losses\n", losses);
   });
 }
