@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Cooks by programs of other compilers, for another processor and with little optimisation; all must write the same bytes.
-# Builds them in build/same and prints a table: a cooking a line, of what it is the same or not.
-# usage: tools/same_bytes.sh [VARIANT ...]   of: O1 clang aarch64; all without arguments. Real models: MARROW_ASSETS
+# Cooks by programs of another compiler, under sanitizers, and for another processor; all must write the same bytes.
+# Builds them and prints a table: a cooking a line, of what it is the same or not.
+# usage: tools/same_bytes.sh [VARIANT ...]   of: asan aarch64; both without arguments. Real models: MARROW_ASSETS
 # Exit code: 0 the same, 1 not, 2 no build, 3 what was cooked is the same, but a variant cannot be had here.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$here"
-[ $# -gt 0 ] || set -- O1 clang aarch64
+[ $# -gt 0 ] || set -- asan aarch64
 for variant in "$@"; do
-  [[ " O1 clang aarch64 " == *" $variant "* ]] || { sed -n '4s/^# //p' "$0" >&2; exit 1; }
+  [[ " asan aarch64 " == *" $variant "* ]] || { sed -n '4s/^# //p' "$0" >&2; exit 1; }
 done
 arm64="$here/build/same/arm64-packages"
 assets=${MARROW_ASSETS:-$here/../shared/assets}
@@ -21,26 +21,18 @@ quiet() {
   local said
   said=$("$@") || { tail -n 40 <<<"$said" >&2; exit 2; }
 }
-# What the cooker needs and no more. Other arguments go to cmake.
-build() {  # NAME FLAGS ...
-  local name=$1 flags=$2
-  shift 2
-  quiet cmake -G Ninja -S . -B "build/same/$name" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=$flags" \
-    -DMARROW_TESTS=OFF -DMARROW_GLES=OFF -DMARROW_ALL_COMMANDS=OFF --no-warn-unused-cli "$@"
-  quiet cmake --build "build/same/$name" --target marrow
-}
-
 # Says why where a variant cannot be had.
 skipped=0
 make_variant() {
   local missing=""
   case $1 in
-    O1) build O1 -O1 ;;
-    clang)
+    # Clang's, by its preset: the sanitizers find what else the cookings do.
+    asan)
       if ! command -v clang++ >/dev/null; then
         missing="clang++ is not installed"
       else
-        build clang "-O3 -DNDEBUG" -DCMAKE_CXX_COMPILER=clang++
+        quiet cmake --preset asan
+        quiet cmake --build --preset asan --target marrow
       fi
       ;;
     aarch64)
@@ -49,7 +41,11 @@ make_variant() {
       elif ! tools/get_arm64.sh "$arm64" tools/packages/arm64-cook.txt; then
         missing="no packages for it"
       else
-        build aarch64 "-O3 -DNDEBUG" --toolchain cmake/aarch64.cmake -DCMAKE_SYSROOT="$arm64"
+        # What the cooker needs and no more.
+        quiet cmake -G Ninja -S . -B build/same/aarch64 --toolchain cmake/aarch64.cmake -DCMAKE_SYSROOT="$arm64" \
+          -DCMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_FLAGS_RELEASE=-O3 -DNDEBUG" -DMARROW_TOOLS_FLAGS=-O1 -DMARROW_TESTS=OFF \
+          -DMARROW_GLES=OFF -DMARROW_ALL_COMMANDS=OFF --no-warn-unused-cli
+        quiet cmake --build build/same/aarch64 --target marrow
       fi
       ;;
   esac
@@ -63,9 +59,8 @@ run_variant() {  # NAME ARGUMENT ...
   local name=$1
   shift
   case $name in
-    release) build/release/tools/marrow "$@" ;;
     aarch64) qemu-aarch64 -L "$arm64" build/same/aarch64/tools/marrow "$@" ;;
-    *) "build/same/$name/tools/marrow" "$@" ;;
+    *) "build/$name/tools/marrow" "$@" ;;
   esac
 }
 
