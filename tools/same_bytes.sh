@@ -21,6 +21,7 @@ quiet() {
   local said
   said=$("$@") || { tail -n 40 <<<"$said" >&2; exit 2; }
 }
+
 # Says why where a variant cannot be had.
 skipped=0
 make_variant() {

@@ -60,61 +60,67 @@ Status build(const gles3::ProgramKey& key, const std::string& vertex, const std:
   return status;
 }
 
+constexpr int kBesideSkinning = gles3::kUvs | gles3::kColours;
+
 // Texture coordinates and colours stand beside skinning: they are tried with four influences and eight alone.
-bool is_tried(int deformer, int influences, int features) {
+bool is_drawn(const gles3::ProgramKey& key) {
   // No mesh asks for it, see make_layout(): some drivers count gl_InstanceID among sixteen attributes.
-  constexpr int kAll = gles3::kUvs | gles3::kColours | gles3::kSurfaceNormals;
-  if (deformer == 3 && influences == 8 && (features & kAll) == kAll) return false;
-  return influences == 4 || influences == 8 || (features & (gles3::kUvs | gles3::kColours)) == 0;
+  constexpr int kAll = kBesideSkinning | gles3::kSurfaceNormals;
+  if (key.deformer == gles3::Deformer::as && key.influences == 8 && (key.features & kAll) == kAll) return false;
+  return key.influences == 4 || key.influences == 8 || (key.features & kBesideSkinning) == 0;
 }
 
-// The short form tries every fifth of them.
-std::vector<gles3::ProgramKey> tried_of(const std::vector<gles3::ProgramKey>& keys) {
-  if (in_long_form()) return keys;
-  std::vector<gles3::ProgramKey> tried;
-  for (std::size_t i = 0; i < keys.size(); i += 5) tried.push_back(keys[i]);
-  return tried;
+bool is_pre_skinned(const gles3::ProgramKey& key) {
+  return key.deformer != gles3::Deformer::none && (key.features & kBesideSkinning) == 0;
 }
 
-TEST(Program, CompilesInEveryCombination) {
+std::vector<gles3::ProgramKey> keys_that(bool (*are)(const gles3::ProgramKey&)) {
   std::vector<gles3::ProgramKey> keys;
   for (int deformer = 0; deformer < 4; ++deformer)
     for (int influences = 4; influences <= 8; ++influences)
       for (int features = 0; features < 64; ++features)
-        for (const gles3::Palettes palettes : kPalettes)
-          if (is_tried(deformer, influences, features))
-            keys.push_back({static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
-                            static_cast<std::uint8_t>(features), palettes});
+        for (const gles3::Palettes palettes : kPalettes) {
+          const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
+                                      static_cast<std::uint8_t>(features), palettes};
+          if (are(key)) keys.push_back(key);
+        }
+  return keys;
+}
+
+// The short form tries every fifth.
+std::size_t step() {
+  return in_long_form() ? 1 : 5;
+}
+
+std::string name_of(const gles3::ProgramKey& key) {
+  return std::to_string(static_cast<int>(key.deformer)) + " " + std::to_string(key.influences) + " " +
+         std::to_string(key.features) + " " + std::to_string(static_cast<int>(key.palettes)) + ": ";
+}
+
+TEST(Program, CompilesInEveryCombination) {
+  const std::vector<gles3::ProgramKey> keys = keys_that(is_drawn);
   constexpr int kTried = 2 * 64 + 3 * 16;
   EXPECT_EQ(std::count_if(keys.begin(), keys.end(), can_be), 4 * 2 * kTried + 3 * kTried / 2 - (8 + 8 + 4));
-  for (const gles3::ProgramKey& key : tried_of(keys)) {
+  for (std::size_t i = 0; i < keys.size(); i += step()) {
     std::string log;
-    EXPECT_EQ(build(key, kAllVertex, kAllFragment, log), can_be(key) ? Status::ok : Status::bad_argument)
-        << static_cast<int>(key.deformer) << static_cast<int>(key.influences) << static_cast<int>(key.features) << log;
+    EXPECT_EQ(build(keys[i], kAllVertex, kAllFragment, log), can_be(keys[i]) ? Status::ok : Status::bad_argument)
+        << name_of(keys[i]) << log;
   }
 }
 
 TEST(Program, PreSkinningCompilesInEveryCombination) {
-  std::vector<gles3::ProgramKey> keys;
-  for (int deformer = 1; deformer < 4; ++deformer)
-    for (int influences = 4; influences <= 8; ++influences)
-      for (int features = 0; features < 64; ++features)
-        for (const gles3::Palettes palettes : kPalettes)
-          if ((features & (gles3::kUvs | gles3::kColours)) == 0)  // read by no pre-skinning
-            keys.push_back({static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
-                            static_cast<std::uint8_t>(features), palettes});
+  const std::vector<gles3::ProgramKey> keys = keys_that(is_pre_skinned);
   EXPECT_EQ(keys.size(), 3u * 5 * 16 * 3);
-  for (const gles3::ProgramKey& key : tried_of(keys)) {
+  for (std::size_t i = 0; i < keys.size(); i += step()) {
     for (const gles3::Preskin method : {gles3::Preskin::feedback, gles3::Preskin::compute}) {
       std::string log(4096, '\0');
       gles3::Program program;
       const bool can = method == gles3::Preskin::feedback || gl().caps().compute;
-      EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), key, method, 0, program, log),
-                key.palettes == gles3::Palettes::crowd ? Status::bad_argument
-                : can                                  ? Status::ok
-                                                       : Status::unsupported)
-          << static_cast<int>(key.deformer) << static_cast<int>(key.influences) << static_cast<int>(key.features)
-          << log.c_str();
+      EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), keys[i], method, 0, program, log),
+                keys[i].palettes == gles3::Palettes::crowd ? Status::bad_argument
+                : can                                      ? Status::ok
+                                                           : Status::unsupported)
+          << name_of(keys[i]) << log.c_str();
       gles3::destroy(gl(), program);
     }
   }
