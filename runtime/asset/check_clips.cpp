@@ -30,6 +30,20 @@ bool Checker::keys(const std::uint32_t* k, std::uint32_t floats_per_key) {
   return (time[0] >= 0 && !(time[count - 1] > h.duration_s)) || fail(time, "times from 0 to the duration");
 }
 
+// What is between keys, and what is blended, has a length if they have.
+bool Checker::turning_keys(const Track& t) {
+  const float* const first = array<float>(MARROW_PLACE(ClipLayout, values)) + t.first_value;
+  if (const void* const beyond = first_beyond(kUnitBits, first, std::uint64_t{16} * t.key_count))
+    return fail(beyond, kNoUnit);
+  for (std::uint32_t i = 0; i < t.key_count; ++i) {
+    const float* const key = first + std::size_t{4} * i;
+    if (!(dot_of_rotations(key, key) >= kLeastSquare)) return fail(key, kNoUnit);
+    if (i > 0 && t.interpolation == Interpolation::linear && !(dot_of_rotations(key - 4, key) >= kLeastProduct))
+      return fail(key, kFarKey);
+  }
+  return true;
+}
+
 bool Checker::track() {
   const auto& t = record<Track>();
   const std::uint32_t floats = format::floats_per_key(t.path, t.interpolation);
@@ -40,9 +54,7 @@ bool Checker::track() {
     // Any number of tracks may share values, which would be looked at for each.
     if (so_far_.turning > 2 * std::uint64_t{header<format::ClipHeader>().value_count})
       return fail(&t, "rotations share values more than twice over");
-    const void* const beyond =
-        first_beyond(kUnitBits, array<float>(MARROW_PLACE(ClipLayout, values)) + t.first_value, 4 * count);
-    if (beyond != nullptr) return fail(beyond, kNoUnit);
+    if (!turning_keys(t)) return false;
   }
   if (t.first_value < so_far_.first_value) so_far_.first_value = t.first_value;
   if (end > so_far_.values_end) so_far_.values_end = end;

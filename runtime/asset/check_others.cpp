@@ -58,6 +58,10 @@ bool Checker::keeps_of_others(Check check) {
                     array<std::uint32_t>(MARROW_PLACE(SkeletonLayout, names)), header<SkeletonHeader>().root_count);
     case Check::reference_joints:
       return reference_joints();
+    case Check::rotations:
+      for (const float& x : record<SoaTransform>().rotation[0])
+        if (!(dot_of_rotations(&x, &x, 4) >= kLeastSquare)) return false;
+      return true;
     case Check::role: {
       const std::uint32_t role = 1u << static_cast<std::uint32_t>(record<Texture>().role), before = so_far_.roles;
       so_far_.roles |= role;

@@ -96,6 +96,7 @@ class Checker {
   bool clip_size();
   bool keys(const std::uint32_t* k, std::uint32_t floats_per_key);
   bool track();
+  bool turning_keys(const Track& t);
   bool coded();
   bool frame_times();
   bool masks();
@@ -147,6 +148,11 @@ class Checker {
   } so_far_;
   DataError error_;
 };
+
+// Of two quaternions of which each number stands `stride` behind the one before it.
+inline float dot_of_rotations(const float* a, const float* b, std::size_t stride = 1) {
+  return a[0] * b[0] + a[stride] * b[stride] + a[2 * stride] * b[2 * stride] + a[3 * stride] * b[3 * stride];
+}
 
 inline std::uint32_t count_bits(std::uint32_t bits) {
   std::uint32_t count = 0;

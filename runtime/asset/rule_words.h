@@ -146,7 +146,7 @@ constexpr Line owner_or_reference(RuleNumber n) {
 constexpr Line each(std::size_t first, std::size_t last, std::size_t bytes) {
   return {How::each, array(first), array(last), bytes};
 }
-constexpr Line unit_rotations() {
+constexpr Line short_rotations() {
   return floats(MARROW_IN(SoaTransform, rotation), 16, kUnitBits, kNoUnit);
 }
 constexpr Line ends() {
@@ -171,6 +171,10 @@ constexpr Line fills() {
 }
 constexpr Line call(Check check, const char* text = "", RuleNumber n = byte(0), Limit limit = 0u) {
   return {How::call, n, limit, static_cast<std::size_t>(check), text};
+}
+
+constexpr Line long_rotations() {
+  return call(Check::rotations, kNoUnit, number(From::record, offsetof(SoaTransform, rotation), 4));
 }
 
 // Of an enum.

@@ -40,8 +40,10 @@ void mix_keys(Interpolation interpolation, bool turns, const Moment& m, const fl
       out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
     if (!turns) return;
     const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
-    const float inverse = squared > 0.0f ? 1.0f / square_root(squared) : 0.0f;
-    for (std::size_t i = 0; i < n; ++i) out[i] *= inverse;
+    // A curve through nothing, or one that is beyond numbers, turns nothing: what is blended needs a length.
+    const bool turned = 0.0f < squared && squared < kInfinity;
+    const float inverse = turned ? 1.0f / square_root(squared) : 0.0f;
+    for (std::size_t i = 0; i < n; ++i) out[i] = turned ? out[i] * inverse : i == 3 ? 1.0f : 0.0f;
     return;
   }
   if (interpolation == Interpolation::step) {

@@ -1,5 +1,6 @@
 #include "support/pose_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -309,6 +310,31 @@ void play_in_one_piece(const File& file) {
   }
 }
 
+// Whether a product along a chain may be beyond what a float holds, by the largest that its numbers can come to.
+bool may_overflow(const Skeleton& skeleton, const std::vector<SoaTransform>& local, const Mesh& mesh) {
+  const auto largest = [](const Affine& map) {
+    double out = 0;
+    for (const auto& row : map.rows)
+      for (const float x : row) out = std::max(out, std::abs(static_cast<double>(x)));
+    return out;
+  };
+  double bind = 0;
+  for (std::uint32_t i = 0; i < mesh.joint_count; ++i) bind = std::max(bind, largest(mesh.inverse_bind[i]));
+  std::vector<double> all(skeleton.joint_count);
+  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
+    const double above = j < skeleton.root_count ? largest(skeleton.scene_from_root[j]) : all[skeleton.parents[j]];
+    double own = 1;
+    for (int c = 0; c < 3; ++c) {
+      // Rotations of CUBICSPLINE are unit; others have numbers up to 1.01 each.
+      own = std::max(own, 9.0 * std::abs(static_cast<double>(local[j / 4].scale[c][j % 4])));
+      own = std::max(own, std::abs(static_cast<double>(local[j / 4].translation[c][j % 4])));
+    }
+    all[j] = 4 * above * own;
+    if (all[j] * 4 * bind > 1e38) return true;
+  }
+  return false;
+}
+
 bool has_finite_palettes(const File& file) {
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
     const Mesh mesh = file.mesh(m);
@@ -316,14 +342,23 @@ bool has_finite_palettes(const File& file) {
     std::vector<Affine> model(skeleton.joint_count), palette(mesh.palette_size());
     for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {
       if (c < file.clip_count() && file.clip(c).skeleton != mesh.skeleton) continue;
-      std::vector<SoaTransform> local(skeleton.rest, skeleton.rest + skeleton.soa_size());
+      const std::vector<SoaTransform> rest(skeleton.rest, skeleton.rest + skeleton.soa_size());
+      std::vector<SoaTransform> local = rest, blended(local.size());
       if (c < file.clip_count()) sample_either(skeleton, file.clip(c), 0.4f * file.clip(c).duration_s, local);
-      require(local_to_model(skeleton, local, model) == Status::ok);
-      require(build_palette(mesh, model, palette) == Status::ok);
-      for (const Affine& a : palette)
-        for (const auto& row : a.rows)
-          for (const float x : row)
-            if (!std::isfinite(x)) return false;
+      // As it is, with itself, and with the rest pose.
+      for (int layers = 0; layers < 3; ++layers) {
+        const std::vector<BlendLayer> all = {{local, 0.5f, {}},
+                                             {layers == 1 ? local : rest, layers > 0 ? 0.5f : 0, {}}};
+        if (layers > 0) require(blend(skeleton, all, blended) == Status::ok);
+        const std::vector<SoaTransform>& pose = layers > 0 ? blended : local;
+        if (may_overflow(skeleton, pose, mesh)) continue;
+        require(local_to_model(skeleton, pose, model) == Status::ok);
+        require(build_palette(mesh, model, palette) == Status::ok);
+        for (const Affine& a : palette)
+          for (const auto& row : a.rows)
+            for (const float x : row)
+              if (!std::isfinite(x)) return false;
+      }
     }
   }
   return true;

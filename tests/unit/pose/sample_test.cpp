@@ -163,6 +163,27 @@ TEST(Sample, CubicSplineRotationIsNormalisedAndKeepsItsSigns) {
   expect_rotation(Sampled(clip, 0.25f).rotation(0), want);
 }
 
+// A curve through nothing, and one beyond numbers: neither turns, and both can be blended.
+TEST(Sample, CubicSplineRotationAlwaysHasALength) {
+  const std::vector<float> through_nothing = floats({{0, 0, 0, 0},
+                                                     {0, 0, 0, 1},
+                                                     {0, 0, 0, 0},  //
+                                                     {0, 0, 0, 0},
+                                                     {0, 0, 0, -1},
+                                                     {0, 0, 0, 0}}),
+                           beyond = floats({{0, 0, 0, 0},
+                                            {1e30, 0, 0, 1},
+                                            {1e30, 0, 0, 0},  //
+                                            {0, 0, 0, 0},
+                                            {1e30, 0, 0, -1},
+                                            {0, 0, 0, 0}});
+  for (const std::vector<float>& values : {through_nothing, beyond}) {
+    TestClip clip;
+    clip.add(0, TrackPath::rotation, Interpolation::cubic_spline, {0, 1}, values);
+    expect_rotation(Sampled(clip, 0.5f).rotation(0), {0, 0, 0, 1});
+  }
+}
+
 TEST(Sample, OneKeyHoldsForEver) {
   for (const Interpolation i : {Interpolation::step, Interpolation::linear, Interpolation::cubic_spline}) {
     TestClip clip;
