@@ -130,11 +130,12 @@ void for_each_placed(const Reach& reach, Span<const Affine> palette, const Morph
     if (reach.joints[i].half[0] >= 0) visit(Placed(palette[i], reach.joints[i], by, more));
 }
 
-// The distance of the box's centre to the farthest corner of any entry's box.
-float radius_about(f32x4 centre, const Reach& reach, Span<const Affine> palette, const MorphReach& change) {
+// The distance of the box's centre to the farthest corner of any entry's box, times `scale`, which is a power of two.
+float radius_about(f32x4 centre, const Reach& reach, Span<const Affine> palette, const MorphReach& change,
+                   float scale) {
   f32x4 squared = splat(0.0f);
   for_each_placed(reach, palette, change, [&](const Placed& p) {
-    const f32x4 far = absolute(p.centre - centre) + p.half, square = far * far;
+    const f32x4 far = (absolute(p.centre - centre) + p.half) * splat(scale), square = far * far;
     squared = greater(squared, splat_lane<0>(square) + splat_lane<1>(square) + splat_lane<2>(square));
   });
   return first_lane(sqrt(squared));
@@ -190,7 +191,9 @@ Status palette_bounds(const Reach& reach, Span<const Affine> palette, Span<const
       made.box_max[c] = most[c];
     }
     const f32x4 centre = lanes(made.centre(0), made.centre(1), made.centre(2), 0);
-    made.radius_m = radius_about(centre, reach, palette, change);
+    made.radius_m = radius_about(centre, reach, palette, change, 1.0f);
+    // Squares of what is far enough away are beyond a float.
+    if (!is_finite(made.radius_m)) made.radius_m = radius_about(centre, reach, palette, change, 0x1p-66f) * 0x1p66f;
   }
   out = made;
   return Status::ok;

@@ -60,6 +60,19 @@ TEST(PaletteBounds, AreWhatHandArithmeticSays) {
   EXPECT_FLOAT_EQ(b.radius_m, std::sqrt(47.25f));
 }
 
+// Squares of such numbers are beyond a float; their root is not. Far apart, and as far as numbers go.
+TEST(PaletteBounds, HaveARadiusWhereverTheyAre) {
+  const test::TestMesh mesh = three_entries();
+  const Reached r(mesh.view());
+  for (const float scale : {1.0f, 1e12f, 1e19f, 1e29f, 1e36f}) {
+    const std::vector<Affine> palette(3, Affine{{{scale, 0, 0, 0}, {0, scale, 0, 0}, {0, 0, scale, 0}}});
+    Bounds b;
+    ASSERT_EQ(palette_bounds(r.reach, palette, {}, b), Status::ok);
+    // Boxes (-1 … 1, -2 … 2, 0) and (1 … 3, 2, 0 … 4): from (1, 0, 2) to (-1, ±2, 0) and (3, 2, 0 or 4), √12.
+    EXPECT_NEAR(b.radius_m / scale, std::sqrt(12.0f), 1e-5f) << scale;
+  }
+}
+
 TEST(PaletteBounds, FollowTheWeightsOfMorphTargets) {
   const test::TestMesh mesh = three_entries();
   Mesh view = mesh.view();
