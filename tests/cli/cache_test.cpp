@@ -1,4 +1,5 @@
 // Nothing is cooked twice: what counts as the same, what a damaged cache does, and what is left alone.
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -167,6 +168,32 @@ TEST_F(CliCache, DamagedEntriesAreReplaced) {
     }
   }
   EXPECT_EQ(damages, 16);
+}
+
+// An entry is what it is called: another one's bytes under its name, whole and unharmed, are nothing.
+TEST_F(CliCache, EntriesUnderOthersNamesAreNone) {
+  const auto entry = [&](const char* extension, const std::vector<fs::path>& but) {
+    for (const fs::path& file : entries())
+      if (file.extension() == extension && std::ranges::find(but, file) == but.end()) return file;
+    ADD_FAILURE() << extension;
+    return fs::path();
+  };
+  EXPECT_FALSE(cook());
+  const std::vector<fs::path> first = entries();
+  const std::string one = read_text(out());
+  write_triangle(gltf(), bin(), 2);
+  EXPECT_FALSE(cook());
+  const std::string two = read_text(out());
+  ASSERT_NE(one, two);
+  for (const char* extension : {".cooked", ".inputs"}) {
+    const fs::path mine = entry(extension, first), other = entry(extension, {mine});
+    const std::string whole = read_text(mine);
+    write_text(mine, read_text(other));
+    EXPECT_FALSE(cook()) << extension;
+    EXPECT_EQ(read_text(out()), two);
+    EXPECT_EQ(read_text(mine), whole) << "written anew";
+    EXPECT_TRUE(cook());
+  }
 }
 
 TEST_F(CliCache, StaysBelowItsSize) {

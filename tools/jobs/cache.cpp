@@ -85,18 +85,26 @@ std::string cooked_key(const std::string& scene, const std::vector<Input>& input
   return hasher.hex();
 }
 
+// Of an entry by its name as well: another one's, copied over it, is none.
+std::string entry_hash(const std::string& path, std::string_view body) {
+  Hasher hasher;
+  hasher.add(fs::path(path).filename().string());
+  hasher.add(body);
+  return hasher.hex();
+}
+
 // A file of the cache without the hash in front.
 std::optional<std::string> read_checked(const std::string& path) {
   const std::optional<AlignedBytes> bytes = try_read(path);
   if (!bytes || bytes->size() < kHashDigits) return std::nullopt;
   const std::string_view text = text_of(*bytes);
-  if (hash_of(bytes_of(text.substr(kHashDigits))) != text.substr(0, kHashDigits)) return std::nullopt;
+  if (entry_hash(path, text.substr(kHashDigits)) != text.substr(0, kHashDigits)) return std::nullopt;
   return std::string(text.substr(kHashDigits));
 }
 
 void write_checked(const std::string& path, const std::string& body) {
   create_folders(fs::path(path).parent_path().string());
-  write_file_atomically(path, hash_of(bytes_of(body)) + body);
+  write_file_atomically(path, entry_hash(path, body) + body);
 }
 
 // Inputs as "BYTES PATH" a line.

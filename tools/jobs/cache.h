@@ -2,8 +2,8 @@
 //
 // DIR/ab/abcdef….inputs, by the scene's own bytes, the options and this program: which other files such a scene reads.
 // DIR/cd/cdef01….cooked, by all of that and those files' bytes: the report and the cooked file.
-// Every file begins with a hash of the rest; one that does not fit is as good as absent. Processes may share a folder:
-// files are replaced whole and never changed.
+// Every file begins with a hash of its name and the rest; one that does not fit is as good as absent. Processes may
+// share a folder: files are replaced whole and never changed.
 #pragma once
 
 #include <cstdint>
