@@ -176,6 +176,7 @@ void label_mesh(const Api& api, const Mesh& mesh, const GpuMesh& gpu) {
 BadCall check_mesh(const Mesh& mesh, const PrepareOptions& options) {
   const Geometry& g = mesh.geometry;
   MARROW_CHECK(g.slot_count > 0 && mesh.joint_count > 0);
+  MARROW_CHECK(g.joint_count <= mesh.palette_size() && "the mesh's own geometry");
   MARROW_CHECK(all_finite(g.box_min, 3) && all_finite(g.box_max, 3));
   MARROW_CHECK(options.as_tangents.empty() || holds(options.as_tangents, as_tangent_count(g)));
   MARROW_CHECK(!options.psd || g.pose_space.examples.size <= kMaxPoseExamples);

@@ -141,6 +141,12 @@ Status check_device(const Caps& caps, const Mesh& mesh, const SkinnerOptions& o)
   return in_block && mesh.palette_size() > kPaletteJoints ? Status::unsupported : Status::ok;
 }
 
+// One that was cleared has no memory, whatever its options say.
+BadCall check_made(const Skinner& s) {
+  MARROW_CHECK(!s.palettes.empty() && "a skinner from create_skinner(), not destroyed since");
+  return {};
+}
+
 Span<Affine> palette_of(const Skinner& s, std::uint32_t instance) {
   const std::size_t size = s.mesh.palette_size();
   return {s.palettes.data + instance * size, size};
@@ -354,6 +360,7 @@ void destroy(const Api& api, Skinner& s) {
 }
 
 Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
+  MARROW_REQUIRE_GOOD(check_made(s));
   MARROW_REQUIRE(instance < s.options.instances);
   MARROW_REQUIRE(holds(weights, s.mesh.geometry.targets.size));
   MARROW_REQUIRE(holds(scene_from_joint));
@@ -372,6 +379,7 @@ Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_jo
 }
 
 Status reset_motion(Skinner& s, std::uint32_t instance) {
+  MARROW_REQUIRE_GOOD(check_made(s));
   MARROW_REQUIRE(s.options.motion && instance < s.options.instances);
   s.motion.reset[instance] = 1;
   return Status::ok;
@@ -379,6 +387,7 @@ Status reset_motion(Skinner& s, std::uint32_t instance) {
 
 Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
   MARROW_MARK;
+  MARROW_REQUIRE_GOOD(check_made(s));
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(count <= s.options.instances);
   if (skins_once(s.options.path))
@@ -420,6 +429,7 @@ const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uin
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,
             std::uint32_t count) {
   MARROW_MARK;
+  MARROW_REQUIRE_GOOD(check_made(s));
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);
   MARROW_REQUIRE(may_draw(s, program) && "the program from program_of()");
@@ -442,6 +452,7 @@ void on_context_lost(Skinner& s) {
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, Skinner& s) {
+  MARROW_REQUIRE_GOOD(check_made(s));
   const Status good = s.options.path == SkinningPath::compute && !caps.compute ? Status::unsupported : Status::ok;
   Status status = good == Status::ok ? make_objects(api, caps, s) : good;
   if (status == Status::ok) {

@@ -158,6 +158,7 @@ Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch) {
   MARROW_REQUIRE(holds(parts));
   for (const AsPart& part : parts) {
     MARROW_REQUIRE(part.mesh != nullptr && part.mesh->geometry.normals != nullptr);
+    MARROW_REQUIRE(part.mesh->geometry.joint_count <= part.mesh->palette_size() && "the mesh's own geometry");
     MARROW_REQUIRE(holds(part.coordinates, as_coordinate_count(part.mesh->geometry)));
     MARROW_REQUIRE(holds(part.tangents, as_tangent_count(part.mesh->geometry)));
   }

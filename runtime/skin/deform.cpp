@@ -7,6 +7,7 @@ BadCall check_deform(const Mesh& mesh, Span<const Affine> palette, const SkinOut
   const std::size_t slots = g.slot_count;
   const bool normals = !out.normals.empty(), tangents = !out.tangents.empty();
   MARROW_CHECK(holds(palette, mesh.palette_size()));
+  MARROW_CHECK(g.joint_count <= mesh.palette_size() && "the mesh's own geometry");
   MARROW_CHECK(aligned(g.skin) && aligned(g.normals) && aligned(g.tangents));
   MARROW_CHECK(holds(out.positions, slots * 3));
   MARROW_CHECK(!normals || (g.normals != nullptr && holds(out.normals, slots * 3)));

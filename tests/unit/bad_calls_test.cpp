@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/family.h"
 #include "support/rig.h"
 
 namespace marrow {
@@ -51,6 +52,37 @@ struct Frame {
 template <class T>
 Span<T> shorter(std::vector<T>& v) {
   return {v.data(), v.size() - 1};
+}
+
+// One entry fewer than its geometry follows, as if that were another mesh's.
+TEST(BadCalls, AnotherMeshesGeometry) {
+  Frame f;
+  const test::TestMultiWeights weights(5, f.mesh, 0);
+  const test::TestPoseSpace poses(7, f.mesh, 5);
+  weights.put(f.mesh.geometry);
+  poses.put(f.mesh.geometry);
+  std::vector<float> distances(psd_distance_count(f.mesh.geometry)), tangents(as_tangent_count(f.mesh.geometry));
+  ASSERT_EQ(psd_distances(f.mesh.geometry, f.palette, distances), Status::ok);
+  const auto call_all = [&] {
+    std::vector<Status> out = f.skin(f.palette, f.output());
+    out.push_back(skin_mwe(f.mesh, f.palette, f.output()));
+    out.push_back(skin_psd(f.mesh, distances, f.palette, f.output()));
+    const AsPart part{&f.mesh, f.coordinates, tangents};
+    std::vector<std::uint32_t> scratch(as_tangent_scratch_bytes({&part, 1}) / 4);
+    out.push_back(as_tangents({&part, 1}, {reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * 4}));
+    return out;
+  };
+  ASSERT_EQ(f.mesh.geometry.joint_count, f.mesh.joint_count);
+  --f.mesh.joint_count;
+  int refused = 0;
+  for (const Status status : call_all()) {
+    EXPECT_EQ(status, Status::bad_argument);
+    ++refused;
+  }
+  EXPECT_EQ(refused, 6);
+  EXPECT_TRUE(f.untouched());
+  ++f.mesh.joint_count;
+  for (const Status status : call_all()) EXPECT_EQ(status, Status::ok);
 }
 
 void expect_refused(const std::vector<Status>& all) {

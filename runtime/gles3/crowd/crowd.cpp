@@ -133,6 +133,7 @@ void on_context_lost(Crowd& crowd) {
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
+  MARROW_REQUIRE(crowd.capacity > 0 && "a crowd from create_crowd()");
   const Status status = make_object(api, caps, crowd);
   crowd.lost = status != Status::ok;
   return status;
@@ -141,6 +142,7 @@ Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances) {
   MARROW_MARK;
+  MARROW_REQUIRE(crowd.capacity > 0 && "a crowd from create_crowd()");
   MARROW_REQUIRE(holds(instances, 1) && first <= crowd.count);
   MARROW_REQUIRE(crowd.count == 0 || frames.frame_count == crowd.frame_count);
   if (first > crowd.capacity || instances.size > crowd.capacity - first) return Status::unsupported;

@@ -168,6 +168,7 @@ void on_context_lost(CrowdMesh& mesh) {
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh) {
+  MARROW_REQUIRE(mesh.joints > 0 && "a mesh from create_crowd_mesh()");
   const Status status = make_objects(api, caps, mesh);
   mesh.lost = status != Status::ok;
   return status;

@@ -2384,8 +2384,9 @@ void mrw_as_part_init(mrw_as_part* out);
 
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
-// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
-// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
+// follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
+// or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;

@@ -371,11 +371,11 @@ size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_pre
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
-// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
-// passes over the vertices; once a mesh.
+// free again afterwards. Errors: bad_argument (a mesh without vertices or with another one's geometry, a span too
+// short); unsupported (more morph targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory:
+// nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array
+// and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats:
+// docs/performance.md. Cost: a few passes over the vertices; once a mesh.
 // May be null: options.
 mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, void* scratch, size_t scratch_bytes, mrw_affine* bind, size_t bind_count,
@@ -718,19 +718,21 @@ void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skin
 
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
 // another thread than the context's, different instances on different threads.
-// Errors: bad_argument (no such instance, a span too short).
+// Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
 mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
 
 // Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
 // move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
+// destroyed).
 mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) MRW_NODISCARD;
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
 // vertices.
-// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+// Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
+// context is lost).
 mrw_status mrw_gles3_update(const mrw_gles3_api* api, mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
     uint32_t count) MRW_NODISCARD;
 
@@ -739,7 +741,7 @@ const mrw_gles3_program* mrw_gles3_program_of(const mrw_gles3_skinner* skinner, 
     uint32_t role);
 
 // Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
-// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+// Errors: bad_argument (not all of them updated, a skinner that was destroyed); gl_error (the context is lost).
 mrw_status mrw_gles3_draw(const mrw_gles3_api* api, const mrw_gles3_skinner* skinner,
     const mrw_gles3_program_set* programs, const mrw_gles3_program* program, uint32_t first,
     uint32_t count) MRW_NODISCARD;

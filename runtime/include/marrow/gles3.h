@@ -201,11 +201,11 @@ MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOpti
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
 // bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
-// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
-// passes over the vertices; once a mesh.
+// free again afterwards. Errors: bad_argument (a mesh without vertices or with another one's geometry, a span too
+// short); unsupported (more morph targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory:
+// nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array
+// and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats:
+// docs/performance.md. Cost: a few passes over the vertices; once a mesh.
 MARROW_API Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                           Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out);
 

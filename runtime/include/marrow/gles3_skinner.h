@@ -129,26 +129,28 @@ MARROW_API void destroy(const Api& api, Skinner& skinner);
 
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
 // another thread than the context's, different instances on different threads.
-// Errors: bad_argument (no such instance, a span too short).
+// Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
 MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
                        Span<const float> weights = {});
 
 // Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
 // move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
+// destroyed).
 MARROW_API Status reset_motion(Skinner& skinner, std::uint32_t instance);
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
 // vertices.
-// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+// Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
+// context is lost).
 MARROW_API Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);
 
 // The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
 MARROW_API const Program& program_of(const Skinner& skinner, const ProgramSet& programs, std::uint32_t role);
 
 // Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
-// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+// Errors: bad_argument (not all of them updated, a skinner that was destroyed); gl_error (the context is lost).
 MARROW_API Status draw(const Api& api, const Skinner& skinner, const ProgramSet& programs, const Program& program,
                        std::uint32_t first, std::uint32_t count);
 

@@ -36,8 +36,9 @@ struct SkinOutput {
 
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
-// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
-// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
+// follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
+// or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 MARROW_API Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 

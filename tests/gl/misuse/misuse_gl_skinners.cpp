@@ -38,6 +38,12 @@ struct Dressed {
   Skinner skinner;
 };
 
+// As it is, or cleared.
+Skinner& skinner_of(Misuse& m, Dressed& dressed, Skinner& cleared) {
+  cleared.options.path = dressed.skinner.options.path;
+  return m.truth(true) ? dressed.skinner : cleared;
+}
+
 SkinningPath path_of(Misuse& m) {
   const SkinningPath all[] = {SkinningPath::ubo, SkinningPath::texture, SkinningPath::feedback, SkinningPath::compute,
                               SkinningPath::cpu};
@@ -142,24 +148,30 @@ std::vector<MisuseRow> rows_of_dressing() {
        [](Misuse& m) {
          Dressed dressed(path_of(m), true, deformer_of(m));
          const Span<const Affine> joints = m.in(stage().joints);
-         m.returned(pose(dressed.skinner, m.index(1), joints, m.in(gl_stage().morphs.weights)));
+         Skinner cleared;
+         m.returned(pose(skinner_of(m, dressed, cleared), m.index(1), joints, m.in(gl_stage().morphs.weights)));
        }},
       {"reset_motion",
        [](Misuse& m) {
          Dressed dressed(path_of(m), m.truth(true), deformer_of(m));
-         m.returned(reset_motion(dressed.skinner, m.index(1)));
+         Skinner cleared;
+         cleared.options.motion = true;
+         m.returned(reset_motion(skinner_of(m, dressed, cleared), m.index(1)));
        }},
       {"update",
        [](Misuse& m) {
          Dressed dressed(path_of(m), true, deformer_of(m));
          const ProgramSet none;
-         m.returned(update(gl_stage().api, dressed.skinner, m.either(dressed.programs, none), m.index(2)));
+         Skinner cleared;
+         m.returned(
+             update(gl_stage().api, skinner_of(m, dressed, cleared), m.either(dressed.programs, none), m.index(2)));
        }},
       {"program_of",
        [](Misuse& m) {
          Dressed dressed(path_of(m), true, deformer_of(m));
          const ProgramSet none;
-         (void)program_of(dressed.skinner, m.either(dressed.programs, none), m.index(0));
+         Skinner cleared;
+         (void)program_of(skinner_of(m, dressed, cleared), m.either(dressed.programs, none), m.index(0));
          m.returned_ok();
        }},
       {"draw",
@@ -168,7 +180,8 @@ std::vector<MisuseRow> rows_of_dressing() {
          Program program = program_of(dressed.skinner, dressed.programs, 0);
          program.motion = m.truth(program.motion);
          const ProgramSet none;
-         m.returned(draw(gl_stage().api, dressed.skinner, m.either(dressed.programs, none),
+         Skinner cleared;
+         m.returned(draw(gl_stage().api, skinner_of(m, dressed, cleared), m.either(dressed.programs, none),
                          m.either(program, Program{}), m.index(1), m.index(1)));
        }},
       {"on_context_lost",
@@ -190,7 +203,8 @@ std::vector<MisuseRow> rows_of_dressing() {
        [](Misuse& m) {
          Dressed dressed(path_of(m), true, deformer_of(m));
          if (m.truth(true)) on_context_lost(dressed.skinner);
-         m.returned(on_context_restored(gl_stage().api, caps_of(m), dressed.skinner));
+         Skinner cleared;
+         m.returned(on_context_restored(gl_stage().api, caps_of(m), skinner_of(m, dressed, cleared)));
        }},
   };
 }

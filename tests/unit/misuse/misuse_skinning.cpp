@@ -40,9 +40,11 @@ const Skinned& skinned() {
   return made;
 }
 
-// A mesh without normals, or none at all, now and then.
+// A mesh without normals, or with another one's geometry, or none at all, now and then.
 Mesh mesh_of(Misuse& m, const Mesh& good = stage().mesh) {
-  Mesh mesh = m.either(good, Mesh{});
+  Mesh other = good;
+  other.joint_count = 1;
+  Mesh mesh = m.either(m.either(good, other), Mesh{});
   mesh.geometry.normals = m.pointer(mesh.geometry.normals);
   mesh.geometry.tangents = m.pointer(mesh.geometry.tangents);
   return mesh;

@@ -4925,8 +4925,9 @@ extern "C" {
     pub fn as_part_init(out: *mut AsPart);
     /// Each vertex follows the joint with its largest weight.
     ///   position = M_j (v, 1)
-    /// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
-    /// tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+    /// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
+    /// follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
+    /// or if the geometry's floats do not stand on 16-byte boundaries.
     /// Cost: positions 50 / 32; with exact normals 78 / 49.
     #[link_name = "mrw_skin_rigid"]
     pub fn skin_rigid(mesh: *const Mesh, palette: *const Affine, palette_count: usize, out: *const SkinOutput) -> Status;
@@ -5160,11 +5161,11 @@ extern "C" {
     /// influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
     ///
     /// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-    /// free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-    /// targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
-    /// and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-    /// or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
-    /// passes over the vertices; once a mesh.
+    /// free again afterwards. Errors: bad_argument (a mesh without vertices or with another one's geometry, a span too
+    /// short); unsupported (more morph targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory:
+    /// nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array
+    /// and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats:
+    /// docs/performance.md. Cost: a few passes over the vertices; once a mesh.
     /// May be null: options.
     #[link_name = "mrw_gles3_prepare"]
     pub fn gles3_prepare(api: *const Gles3Api, caps: *const Gles3Caps, mesh: *const Mesh, options: *const Gles3PrepareOptions, scratch: *mut c_void, scratch_bytes: usize, bind: *mut Affine, bind_count: usize, out: *mut Gles3GpuMesh) -> Status;
@@ -5323,25 +5324,27 @@ extern "C" {
     pub fn gles3_destroy_skinner(api: *const Gles3Api, skinner: *mut Gles3Skinner);
     /// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
     /// another thread than the context's, different instances on different threads.
-    /// Errors: bad_argument (no such instance, a span too short).
+    /// Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
     #[link_name = "mrw_gles3_pose"]
     pub fn gles3_pose(skinner: *mut Gles3Skinner, instance: u32, scene_from_joint: *const Affine, scene_from_joint_count: usize, weights: *const f32, weight_count: usize) -> Status;
     /// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
     /// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+    /// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
+    /// destroyed).
     #[link_name = "mrw_gles3_reset_motion"]
     pub fn gles3_reset_motion(skinner: *mut Gles3Skinner, instance: u32) -> Status;
     /// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
     /// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
     /// vertices.
-    /// Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+    /// Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
+    /// context is lost).
     #[link_name = "mrw_gles3_update"]
     pub fn gles3_update(api: *const Gles3Api, skinner: *mut Gles3Skinner, programs: *const Gles3ProgramSet, count: u32) -> Status;
     /// The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
     #[link_name = "mrw_gles3_program_of"]
     pub fn gles3_program_of(skinner: *const Gles3Skinner, programs: *const Gles3ProgramSet, role: u32) -> *const Gles3Program;
     /// Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
-    /// Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+    /// Errors: bad_argument (not all of them updated, a skinner that was destroyed); gl_error (the context is lost).
     #[link_name = "mrw_gles3_draw"]
     pub fn gles3_draw(api: *const Gles3Api, skinner: *const Gles3Skinner, programs: *const Gles3ProgramSet, program: *const Gles3Program, first: u32, count: u32) -> Status;
     /// After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until

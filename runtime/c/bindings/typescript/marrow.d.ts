@@ -4999,8 +4999,9 @@ export class Marrow {
   /**
    * Each vertex follows the joint with its largest weight.
    *   position = M_j (v, 1)
-   * palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if normals or
-   * tangents are asked of a mesh without, or if the geometry's floats do not stand on 16-byte boundaries.
+   * palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
+   * follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
+   * or if the geometry's floats do not stand on 16-byte boundaries.
    * Cost: positions 50 / 32; with exact normals 78 / 49.
    */
   skin_rigid(mesh: Mesh | null, palette: List<Affine> | null, out: SkinOutput | null): Status;
@@ -5240,11 +5241,11 @@ export class Marrow {
    * influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
    *
    * bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-   * free again afterwards. Errors: bad_argument (a mesh without vertices, a span too short); unsupported (more morph
-   * targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory: nothing is left allocated). `out`
-   * and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array and, of a mesh with morph targets
-   * or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats: docs/performance.md. Cost: a few
-   * passes over the vertices; once a mesh.
+   * free again afterwards. Errors: bad_argument (a mesh without vertices or with another one's geometry, a span too
+   * short); unsupported (more morph targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory:
+   * nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array
+   * and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats:
+   * docs/performance.md. Cost: a few passes over the vertices; once a mesh.
    * May be null: options.
    */
   gles3_prepare(api: Gles3Api | null, caps: Gles3Caps | null, mesh: Mesh | null, options: Gles3PrepareOptions | null, scratch: List<number> | null, bind: List<Affine> | null, out: Gles3GpuMesh | null): Status;
@@ -5430,20 +5431,22 @@ export class Marrow {
   /**
    * Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
    * another thread than the context's, different instances on different threads.
-   * Errors: bad_argument (no such instance, a span too short).
+   * Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
    */
   gles3_pose(skinner: Gles3Skinner | null, instance: number, scene_from_joint: List<Affine> | null, weights: List<number> | null): Status;
   /**
    * Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
    * move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-   * anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion).
+   * anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
+   * destroyed).
    */
   gles3_reset_motion(skinner: Gles3Skinner | null, instance: number): Status;
   /**
    * Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
    * and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
    * vertices.
-   * Errors: bad_argument (more than there are, a weight that is not finite); gl_error (the context is lost).
+   * Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
+   * context is lost).
    */
   gles3_update(api: Gles3Api | null, skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, count: number): Status;
   /**
@@ -5452,7 +5455,7 @@ export class Marrow {
   gles3_program_of(skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, role: number): Gles3Program | null;
   /**
    * Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
-   * Errors: bad_argument (not all of them updated); gl_error (the context is lost).
+   * Errors: bad_argument (not all of them updated, a skinner that was destroyed); gl_error (the context is lost).
    */
   gles3_draw(api: Gles3Api | null, skinner: Gles3Skinner | null, programs: Gles3ProgramSet | null, program: Gles3Program | null, first: number, count: number): Status;
   /**
