@@ -8,7 +8,8 @@ marrow_test(marrow_input_tests input
   unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
   unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp unit/options/settings_schema_test.cpp
-  unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/tools_cap_test.cpp)
+  unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/memory_patterns_test.cpp
+  unit/unpack/steps_test.cpp unit/unpack/tools_cap_test.cpp)
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook

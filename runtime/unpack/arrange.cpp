@@ -43,59 +43,94 @@ JointLists joint_lists(const MeshStreams& mesh) {
   return joints == nullptr ? JointLists{} : JointLists{joints->values, joints->components};
 }
 
-// Stretches of vertices that follow the same joints.
-struct Stretches {
-  std::uint32_t count = 0;
-  std::uint32_t* first;       // vertex
-  std::uint32_t *high, *low;  // halves of its key
-  std::uint32_t* of_vertex;
+// The steps of an arrangement, of as many elements as are asked for.
+class Arranging {
+ public:
+  Arranging(const MeshStreams& mesh, ArrangingInWork& work, Arrangement& out)
+      : mesh_(mesh), joints_(joint_lists(mesh)), w_(work), out_(out) {}
 
-  Stretches(const JointLists& joints, std::uint32_t vertex_count, std::uint32_t* of, std::uint32_t* firsts,
-            std::uint32_t* halves)
-      : first(firsts), high(halves), low(halves + vertex_count), of_vertex(of) {
-    for (std::uint32_t v = 0; v < vertex_count; ++v) {
-      if (v == 0 || !joints.same(v, v - 1)) {
-        const std::uint64_t key = joints.key(v);
-        high[count] = static_cast<std::uint32_t>(key >> 32);
-        low[count] = static_cast<std::uint32_t>(key);
-        first[count++] = v;
+  bool begin(Memory& scratch) {
+    const std::uint64_t count = mesh_.vertex_count;
+    out_.run_ends = scratch.take<std::uint32_t>(count).data;
+    w_.stretch_of = scratch.take<std::uint32_t>(count).data;
+    out_.order = scratch.take<std::uint32_t>(count).data;
+    out_.slot_of_vertex = scratch.take<std::uint32_t>(2 * count).data;
+    w_.low = out_.slot_of_vertex + count;
+    return !scratch.failed;
+  }
+  void find_stretches(std::uint32_t end) {
+    for (std::uint32_t v = w_.at; v < end; ++v) {
+      if (v == 0 || !joints_.same(v, v - 1)) {
+        const std::uint64_t key = joints_.key(v);
+        high()[w_.stretch_count] = static_cast<std::uint32_t>(key >> 32);
+        w_.low[w_.stretch_count] = static_cast<std::uint32_t>(key);
+        sorted()[w_.stretch_count] = w_.stretch_count;
+        first()[w_.stretch_count++] = v;
       }
-      of_vertex[v] = count - 1;
+      w_.stretch_of[v] = w_.stretch_count - 1;
     }
   }
+  bool sort() {
+    constexpr std::uint32_t kAtOnce = 1 << 15;
+    return sort_some({sorted(), w_.stretch_count}, w_.sorting, kAtOnce, [&](std::uint32_t a, std::uint32_t b) {
+      const std::int32_t different = compare(a, b);
+      return different != 0 ? different < 0 : a < b;
+    });
+  }
+  // A stretch's run takes the place of a key that is compared no more, a run's first place that of what is sorted.
+  void find_runs(std::uint32_t end) {
+    std::uint32_t* const run_of = w_.low;
+    for (std::uint32_t s = w_.at; s < end; ++s) {
+      const std::uint32_t stretch = sorted()[s], last = out_.run_count - 1;
+      if (s == 0 || compare(w_.before, stretch) != 0) sorted()[out_.run_count++] = w_.first;
+      if (s > 0) run_of[w_.before] = last;
+      w_.before = stretch;
+      w_.first += (stretch + 1 < w_.stretch_count ? first()[stretch + 1] : mesh_.vertex_count) - first()[stretch];
+    }
+    if (end == w_.stretch_count) run_of[w_.before] = out_.run_count - 1;
+  }
+  // Slots are 0 first and then say whether a vertex was seen.
+  void clear(std::uint32_t end) {
+    for (std::uint32_t v = w_.at; v < end; ++v) out_.slot_of_vertex[v] = 0;
+  }
+  // Vertices in the order of their first use, each to where its run has come to. Those that no triangle uses come last.
+  void fill(std::uint32_t end) {
+    const std::uint32_t corners = 3 * mesh_.triangle_count;
+    for (std::uint32_t i = w_.at; i < end; ++i) {
+      const std::uint32_t v = i < corners ? mesh_.indices[i] : i - corners;
+      if (out_.slot_of_vertex[v] != 0) continue;
+      out_.slot_of_vertex[v] = 1;
+      out_.order[out_.run_ends[w_.low[w_.stretch_of[v]]]++] = v;
+    }
+  }
+  // Slots of a run's vertices; returns how many they are.
+  std::uint32_t place(std::uint32_t run) {
+    const std::uint32_t begin = run > 0 ? out_.run_ends[run - 1] : 0, end = out_.run_ends[run];
+    const std::uint32_t influences = joints_.count(out_.order[begin]), blocks = (end - begin + 3) / 4;
+    for (std::uint32_t i = begin; i < end; ++i) out_.slot_of_vertex[out_.order[i]] = 4 * out_.block_count + i - begin;
+    out_.set_count += influences;
+    out_.influence_blocks += blocks * influences;
+    out_.block_count += blocks;
+    return end - begin;
+  }
+
+ private:
+  // Until runs are there, stretches are in their places: sorted, their first vertices, and the upper halves of keys.
+  std::uint32_t* sorted() const { return out_.run_ends; }
+  std::uint32_t* first() const { return out_.order; }
+  std::uint32_t* high() const { return out_.slot_of_vertex; }
   // Less than 0, 0 or more.
-  std::int32_t compare(const JointLists& joints, std::uint32_t a, std::uint32_t b) const {
-    if (high[a] != high[b]) return high[a] < high[b] ? -1 : 1;
-    if (low[a] != low[b]) return low[a] < low[b] ? -1 : 1;
-    return joints.compare_rest(first[a], first[b]);
+  std::int32_t compare(std::uint32_t a, std::uint32_t b) const {
+    if (high()[a] != high()[b]) return high()[a] < high()[b] ? -1 : 1;
+    if (w_.low[a] != w_.low[b]) return w_.low[a] < w_.low[b] ? -1 : 1;
+    return joints_.compare_rest(first()[a], first()[b]);
   }
+
+  const MeshStreams& mesh_;
+  JointLists joints_;
+  ArrangingInWork& w_;
+  Arrangement& out_;
 };
-
-// Vertices in the order of their first use, each to where its run has come to. Those that no triangle uses come last.
-// seen: a vertex, all 0.
-void fill_runs(const MeshStreams& mesh, const std::uint32_t* stretch_of, const std::uint32_t* run_of,
-               std::uint32_t* seen, std::uint32_t* run_ends, std::uint32_t* order) {
-  const auto place = [&](std::uint32_t v) {
-    if (seen[v] != 0) return;
-    seen[v] = 1;
-    order[run_ends[run_of[stretch_of[v]]]++] = v;
-  };
-  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i) place(mesh.indices[i]);
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) place(v);
-}
-
-// Slots of vertices, run by run.
-void place_runs(const JointLists& joints, Arrangement& out) {
-  std::uint32_t slot = 0, i = 0;
-  for (std::uint32_t run = 0; run < out.run_count; ++run) {
-    const std::uint32_t influences = joints.count(out.order[i]), blocks = (out.run_ends[run] - i + 3) / 4;
-    out.set_count += influences;
-    out.influence_blocks += blocks * influences;
-    out.block_count += blocks;
-    for (; i < out.run_ends[run]; ++i) out.slot_of_vertex[out.order[i]] = slot++;
-    slot = 4 * out.block_count;
-  }
-}
 
 }  // namespace
 
@@ -103,39 +138,51 @@ std::uint32_t influence_count(const MeshStreams& mesh, std::uint32_t vertex) {
   return joint_lists(mesh).count(vertex);
 }
 
-bool arrange(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
-  const std::uint32_t count = mesh.vertex_count;
-  std::uint32_t* const sorted = scratch.take<std::uint32_t>(count).data;
-  std::uint32_t* const stretch_of = scratch.take<std::uint32_t>(count).data;
-  std::uint32_t* const first = scratch.take<std::uint32_t>(count).data;
-  std::uint32_t* const halves = scratch.take<std::uint32_t>(2 * std::uint64_t{count}).data;
-  if (scratch.failed) return false;
-  const JointLists joints = joint_lists(mesh);
-  const Stretches stretches(joints, count, stretch_of, first, halves);
-  for (std::uint32_t s = 0; s < stretches.count; ++s) sorted[s] = s;
-  std::sort(sorted, sorted + stretches.count, [&](std::uint32_t a, std::uint32_t b) {
-    const std::int32_t different = stretches.compare(joints, a, b);
-    return different != 0 ? different < 0 : a < b;
-  });
-
-  std::uint32_t before = 0;
-  // A stretch's run takes the place of a key that is compared no more, a run's first place that of what is sorted.
-  std::uint32_t* const run_of = stretches.low;
-  for (std::uint32_t s = 0, at = 0; s < stretches.count; ++s) {
-    const std::uint32_t stretch = sorted[s], last = out.run_count - 1;
-    if (s == 0 || stretches.compare(joints, before, stretch) != 0) sorted[out.run_count++] = at;
-    if (s > 0) run_of[before] = last;
-    before = stretch;
-    at += (stretch + 1 < stretches.count ? first[stretch + 1] : count) - first[stretch];
+bool arrange(const MeshStreams& mesh, Memory& scratch, ArrangingInWork& work, Arrangement& out, std::uint32_t& left) {
+  using Place = ArrangingInWork::Place;
+  Arranging it(mesh, work, out);
+  if (work.place == Place::beginning) {
+    if (!it.begin(scratch)) return false;
+    work.place = Place::stretches;
   }
-  run_of[before] = out.run_count - 1;
+  while (left > 0 && work.place != Place::done) {
+    const std::uint32_t counts[] = {0,
+                                    mesh.vertex_count,
+                                    0,
+                                    work.stretch_count,
+                                    mesh.vertex_count,
+                                    3 * mesh.triangle_count + mesh.vertex_count,
+                                    out.run_count};
+    const std::uint32_t count = counts[static_cast<std::size_t>(work.place)], end = step_end(work.at, count, left);
+    bool done = end == count;
+    std::uint32_t used = end - work.at;
+    if (work.place == Place::stretches) it.find_stretches(end);
+    if (work.place == Place::runs) it.find_runs(end);
+    if (work.place == Place::clearing) it.clear(end);
+    if (work.place == Place::filling) it.fill(end);
+    work.at = end;
+    if (work.place == Place::sorting) {
+      done = it.sort();
+      used = done ? work.stretch_count * 4 : left;
+    } else if (work.place == Place::placing) {
+      work.at -= used;
+      for (used = 0; work.at < count && used < left; ++work.at) used += it.place(work.at);
+      done = work.at == count;
+    }
+    use_up(used, left);
+    if (!done) continue;
+    work.at = 0;
+    work.place = static_cast<Place>(static_cast<std::uint8_t>(work.place) + 1);
+  }
+  return true;
+}
 
-  out.run_ends = sorted;
-  out.order = first;
-  out.slot_of_vertex = stretches.high;
-  for (std::uint32_t v = 0; v < count; ++v) out.slot_of_vertex[v] = 0;
-  fill_runs(mesh, stretch_of, run_of, out.slot_of_vertex, out.run_ends, out.order);
-  place_runs(joints, out);
+bool arrange(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
+  ArrangingInWork work;
+  while (work.place != ArrangingInWork::Place::done) {
+    std::uint32_t left = UINT32_MAX;
+    if (!arrange(mesh, scratch, work, out, left)) return false;
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "core/builtins.h"
+#include "core/step.h"
 #include "unpack/octahedron.h"
 
 namespace marrow {
@@ -80,7 +81,7 @@ void find_box(const Stream& s, std::uint32_t count, float (&low)[3], float (&hig
   }
 }
 
-GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
+GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a, const WritingInWork& w) {
   GeometryHeader h{};
   h.flags = mesh.flags;
   h.vertex_count = mesh.vertex_count;
@@ -92,75 +93,96 @@ GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a) {
   h.index_count = 3 * mesh.triangle_count;
   h.source_vertex_count = mesh.source_vertex_count;
   h.mwe_root = mesh.mwe_root;
-  find_box(*mesh.find(StreamKind::position), mesh.vertex_count, h.box_min, h.box_max);
+  std::memcpy(h.box_min, w.box_min, sizeof h.box_min);
+  std::memcpy(h.box_max, w.box_max, sizeof h.box_max);
   return h;
 }
 
-// Calls run(first vertex, influences, vertices) and block(four vertices, influences) in the order of the slots.
-template <class OnRun, class OnBlock>
-void for_each_block(const MeshStreams& mesh, const Arrangement& a, const OnRun& on_run, const OnBlock& on_block) {
-  for (std::uint32_t run = 0, first = 0; run < a.run_count; ++run) {
+// Four vertices of a run, `i` and those behind it in the order of the slots; past its end its last.
+void take_block(const Arrangement& a, std::uint32_t i, std::uint32_t end, std::uint32_t (&vertices)[4]) {
+  for (std::uint32_t lane = 0; lane < 4; ++lane) vertices[lane] = a.order[i + lane < end ? i + lane : end - 1];
+}
+
+// Calls block(four vertices) in the order of the slots.
+template <class OnBlock>
+void for_each_block(const Arrangement& a, const OnBlock& on_block) {
+  for (std::uint32_t run = 0, i = 0; run < a.run_count; ++run) {
     const std::uint32_t end = a.run_ends[run];
-    const std::uint32_t influences = influence_count(mesh, a.order[first]);
-    on_run(a.order[first], influences, end - first);
-    for (std::uint32_t i = first; i < end; i += 4) {
+    for (; i < end; i += 4) {
       std::uint32_t vertices[4];
-      for (std::uint32_t lane = 0; lane < 4; ++lane) vertices[lane] = a.order[i + lane < end ? i + lane : end - 1];
-      on_block(vertices, influences);
+      take_block(a, i, end, vertices);
+      on_block(vertices);
     }
-    first = end;
+    i = end;
   }
+}
+
+// Where vertices go, from the first on.
+void begin_vertices(const GeometryLayout& l, std::byte* base, WritingInWork& w) {
+  w.skin = at<float>(base, l.skin);
+  w.normals = at<float>(base, l.normals);
+  w.tangents = at<float>(base, l.tangents);
+  w.residual = at<float>(base, l.as_residual);
+  w.multi_weights = at<float>(base, l.mwe_residual);
+  w.uvs = at<float>(base, l.uvs);
+  w.colours = at<std::uint8_t>(base, l.colours);
+  w.runs = at<Run>(base, l.runs);
+  w.sets = at<std::uint16_t>(base, l.sets);
 }
 
 // Everything but indices, source slots, morph targets and examples, in one pass over the vertices.
 class Writer {
  public:
-  Writer(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base)
-      : mesh_(mesh),
-        a_(a),
-        skin_(at<float>(base, l.skin)),
-        normals_(at<float>(base, l.normals)),
-        tangents_(at<float>(base, l.tangents)),
-        residual_(at<float>(base, l.as_residual)),
-        multi_weights_(at<float>(base, l.mwe_residual)),
-        uvs_(at<float>(base, l.uvs)),
-        colours_(at<std::uint8_t>(base, l.colours)),
-        runs_(at<Run>(base, l.runs)),
-        sets_(at<std::uint16_t>(base, l.sets)) {}
+  Writer(const MeshStreams& mesh, const Arrangement& a, const WritingInWork& w) : mesh_(mesh), a_(a), w_(w) {}
 
-  void write() {
-    for_each_block(
-        mesh_, a_,
-        [&](std::uint32_t vertex, std::uint32_t influences, std::uint32_t count) {
-          *runs_++ = {count, influences};
-          write_set(vertex, influences);
-        },
-        [&](const std::uint32_t(&v)[4], std::uint32_t influences) { write_block(v, influences); });
+  // From where it is; whether that were all.
+  bool write(std::uint32_t& left, WritingInWork& work) {
+    while (w_.run < a_.run_count && left > 0) {
+      const std::uint32_t begin = w_.run > 0 ? a_.run_ends[w_.run - 1] : 0, end = a_.run_ends[w_.run];
+      const std::uint32_t influences = influence_count(mesh_, a_.order[begin]);
+      if (w_.at == begin) {
+        *w_.runs++ = {end - begin, influences};
+        write_set(a_.order[begin], influences);
+      }
+      const std::uint32_t cost =
+          4 + (residuals_ != nullptr ? 2 * influences : 0) + (multi_weight_ != nullptr ? 6 * influences : 0);
+      for (; w_.at < end && left > 0; w_.at += 4) {
+        std::uint32_t vertices[4];
+        take_block(a_, w_.at, end, vertices);
+        write_block(vertices, influences);
+        use_up(cost, left);
+      }
+      if (w_.at < end) break;
+      w_.at = end;
+      ++w_.run;
+    }
+    work = w_;
+    return w_.run == a_.run_count;
   }
 
  private:
   void write_set(std::uint32_t vertex, std::uint32_t influences) {
     for (std::uint32_t j = 0; j < influences; ++j)
-      *sets_++ = joints_ == nullptr
-                     ? std::uint16_t{0}
-                     : static_cast<std::uint16_t>(joints_->values[std::size_t{vertex} * joints_->components + j]);
+      *w_.sets++ = joints_ == nullptr
+                       ? std::uint16_t{0}
+                       : static_cast<std::uint16_t>(joints_->values[std::size_t{vertex} * joints_->components + j]);
   }
 
   void write_block(const std::uint32_t (&v)[4], std::uint32_t influences) {
-    for (std::uint32_t c = 0; c < 3; ++c) put(values(positions_, v, c), skin_);
-    for (std::uint32_t j = 0; j + 1 < influences; ++j) put(values(*weights_, v, j), skin_);
-    if (normal_ != nullptr) write_directions(*normal_, v, normals_);
+    for (std::uint32_t c = 0; c < 3; ++c) put(values(positions_, v, c), w_.skin);
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) put(values(*weights_, v, j), w_.skin);
+    if (normal_ != nullptr) write_directions(*normal_, v, w_.normals);
     if (tangent_ != nullptr) {
-      write_directions(*tangent_, v, tangents_);
-      for (const std::uint32_t vertex : v) *tangents_++ = tangent_sign_->values[vertex] != 0 ? 1.0f : -1.0f;
+      write_directions(*tangent_, v, w_.tangents);
+      for (const std::uint32_t vertex : v) *w_.tangents++ = tangent_sign_->values[vertex] != 0 ? 1.0f : -1.0f;
     }
     if (residuals_ != nullptr)  // a stream an influence, back to back
       for (std::uint32_t j = 0; j < influences; ++j)
         for (std::uint32_t c = 0; c < 4; ++c)
-          for (const std::uint32_t vertex : v) *residual_++ = residual(residuals_[j], positions_, vertex, c);
+          for (const std::uint32_t vertex : v) *w_.residual++ = residual(residuals_[j], positions_, vertex, c);
     if (multi_weight_ != nullptr)
       for (std::uint32_t i = 0; i < 12 * influences; ++i)
-        for (const std::uint32_t vertex : v) *multi_weights_++ = value(multi_weight_[i / 12], vertex, i % 12);
+        for (const std::uint32_t vertex : v) *w_.multi_weights++ = value(multi_weight_[i / 12], vertex, i % 12);
     for (const std::uint32_t vertex : v) write_slot(vertex);
   }
 
@@ -181,14 +203,15 @@ class Writer {
 
   void write_slot(std::uint32_t vertex) {
     if (uv_ != nullptr)
-      for (std::uint32_t c = 0; c < 2; ++c) *uvs_++ = value(*uv_, vertex, c);
+      for (std::uint32_t c = 0; c < 2; ++c) *w_.uvs++ = value(*uv_, vertex, c);
     if (colour_ != nullptr)
       for (std::uint32_t c = 0; c < 4; ++c)
-        *colours_++ = static_cast<std::uint8_t>(colour_->values[std::size_t{vertex} * 4 + c]);
+        *w_.colours++ = static_cast<std::uint8_t>(colour_->values[std::size_t{vertex} * 4 + c]);
   }
 
   const MeshStreams& mesh_;
   const Arrangement& a_;
+  WritingInWork w_;
   const Stream& positions_ = *mesh_.find(StreamKind::position);
   const Stream* const joints_ = mesh_.find(StreamKind::joints);
   const Stream* const weights_ = mesh_.find(StreamKind::weights);
@@ -199,63 +222,61 @@ class Writer {
   const Stream* const multi_weight_ = mesh_.find(StreamKind::multi_weight);
   const Stream* const uv_ = mesh_.find(StreamKind::uv);
   const Stream* const colour_ = mesh_.find(StreamKind::colour);
-  float *skin_, *normals_, *tangents_, *residual_, *multi_weights_, *uvs_;
-  std::uint8_t* colours_;
-  Run* runs_;
-  std::uint16_t* sets_;
 };
 
 // What morph targets or examples add, sparse: blocks that a target moves, and records of twelve 16-bit integers.
 class RecordWriter {
  public:
-  RecordWriter(const MeshStreams& mesh, const Arrangement& a, std::uint32_t index_bytes, StreamKind kind,
-               std::uint32_t target_count)
-      : mesh_(mesh), a_(a), index_bytes_(index_bytes), kind_(kind), target_count_(target_count) {
-    for_each_target([&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
-      for_each_moved(first, end, [&](std::uint32_t, const std::uint32_t(&)[4]) {
-        ++block_count;
-        record_count += end - first;
+  RecordWriter(const MeshStreams& mesh, const Arrangement& a, StreamKind kind, std::uint32_t target_count)
+      : mesh_(mesh), a_(a), kind_(kind), target_count_(target_count) {}
+
+  // Goes on; whether that were all.
+  bool count(TargetsInWork& at, std::uint32_t& left) const {
+    return for_some_targets(at, left, [&](std::uint32_t end) {
+      for_each_moved(at.stream, end, [&](std::uint32_t, const std::uint32_t(&)[4]) {
+        ++at.blocks;
+        at.records += end - at.stream;
       });
     });
   }
-
-  std::uint32_t block_count = 0, record_count = 0;
-
-  void write(std::byte* targets, std::byte* blocks, std::byte* records) const {
-    std::uint32_t block = 0, record = 0;
-    for_each_target([&](std::uint32_t t, std::uint32_t first, std::uint32_t end) {
+  bool write(std::uint32_t index_bytes, std::byte* targets, std::byte* blocks, std::byte* records, TargetsInWork& at_,
+             std::uint32_t& left) const {
+    return for_some_targets(at_, left, [&](std::uint32_t end) {
       MorphTarget target{};
-      target.first_block = block;
-      target.first_record = record;
-      for_each_moved(first, end, [&](std::uint32_t index, const std::uint32_t(&v)[4]) {
-        index_bytes_ == 2 ? at<std::uint16_t>(blocks, 0)[block] = static_cast<std::uint16_t>(index)
-                          : at<std::uint32_t>(blocks, 0)[block] = index;
-        ++block;
-        for (std::uint32_t s = first; s < end; ++s)
-          write_record(mesh_.streams[s], v, at<std::int16_t>(records, 0) + std::size_t{12} * record++);
+      target.first_block = at_.blocks;
+      target.first_record = at_.records;
+      for_each_moved(at_.stream, end, [&](std::uint32_t index, const std::uint32_t(&v)[4]) {
+        index_bytes == 2 ? at<std::uint16_t>(blocks, 0)[at_.blocks] = static_cast<std::uint16_t>(index)
+                         : at<std::uint32_t>(blocks, 0)[at_.blocks] = index;
+        ++at_.blocks;
+        for (std::uint32_t s = at_.stream; s < end; ++s)
+          write_record(mesh_.streams[s], v, at<std::int16_t>(records, 0) + std::size_t{12} * at_.records++);
       });
-      target.block_count = block - target.first_block;
+      target.block_count = at_.blocks - target.first_block;
       float* const steps[] = {&target.position_step, &target.normal_step, &target.tangent_step};
-      for (std::uint32_t s = first; s < end && target.block_count > 0; ++s) {
+      for (std::uint32_t s = at_.stream; s < end && target.block_count > 0; ++s) {
         target.attributes |= 1u << mesh_.streams[s].attribute;
         *steps[mesh_.streams[s].attribute] = mesh_.streams[s].step;
       }
-      std::memcpy(targets + t * sizeof target, &target, sizeof target);
+      std::memcpy(targets + at_.target * sizeof target, &target, sizeof target);
     });
   }
 
  private:
-  // Calls f(target, its first stream, the one behind its last).
+  // Calls f(the stream behind its last) for targets from at.target on.
   template <class F>
-  void for_each_target(const F& f) const {
-    std::uint32_t first = 0;
-    while (first < mesh_.stream_count && mesh_.streams[first].kind != kind_) ++first;
-    for (std::uint32_t t = 0; t < target_count_; ++t) {
-      std::uint32_t end = first;
-      while (end < mesh_.stream_count && mesh_.streams[end].kind == kind_ && mesh_.streams[end].target == t) ++end;
-      f(t, first, end);
-      first = end;
+  bool for_some_targets(TargetsInWork& at, std::uint32_t& left, const F& f) const {
+    if (at.target == 0)
+      for (at.stream = 0; at.stream < mesh_.stream_count && mesh_.streams[at.stream].kind != kind_;) ++at.stream;
+    for (; at.target < target_count_ && left > 0; ++at.target) {
+      std::uint32_t end = at.stream;
+      while (end < mesh_.stream_count && mesh_.streams[end].kind == kind_ && mesh_.streams[end].target == at.target)
+        ++end;
+      f(end);
+      use_up(1 + std::uint64_t{end - at.stream} * mesh_.vertex_count / 4, left);
+      at.stream = end;
     }
+    return at.target == target_count_;
   }
 
   // Calls f(block, its vertices) for the blocks that the streams move. A target without streams, which takes a byte of
@@ -264,12 +285,10 @@ class RecordWriter {
   void for_each_moved(std::uint32_t first, std::uint32_t end, const F& f) const {
     if (first == end) return;
     std::uint32_t block = 0;
-    for_each_block(
-        mesh_, a_, [](std::uint32_t, std::uint32_t, std::uint32_t) {},
-        [&](const std::uint32_t(&v)[4], std::uint32_t) {
-          if (moves(first, end, v)) f(block, v);
-          ++block;
-        });
+    for_each_block(a_, [&](const std::uint32_t(&v)[4]) {
+      if (moves(first, end, v)) f(block, v);
+      ++block;
+    });
   }
 
   bool moves(std::uint32_t first, std::uint32_t end, const std::uint32_t (&v)[4]) const {
@@ -289,7 +308,6 @@ class RecordWriter {
 
   const MeshStreams& mesh_;
   const Arrangement& a_;
-  std::uint32_t index_bytes_;
   StreamKind kind_;
   std::uint32_t target_count_;
 };
@@ -297,31 +315,34 @@ class RecordWriter {
 // What stands behind the arrays: morph targets, then pose-space deformation.
 class Appendix {
  public:
-  Appendix(const MeshStreams& mesh, const Arrangement& a, const GeometryHeader& h, const GeometryLayout& l)
+  Appendix(const MeshStreams& mesh, const GeometryHeader& h, const GeometryLayout& l, const WritingInWork& w)
       : mesh_(mesh),
-        targets_(mesh, a, l.index_bytes, StreamKind::target, mesh.target_count),
-        deltas_(mesh, a, l.index_bytes, StreamKind::pose_delta, mesh.example_count),
+        index_bytes_(l.index_bytes),
         arrays_end_(l.bytes),
-        morph_header_{mesh.target_count, targets_.block_count, targets_.record_count, 0},
-        space_header_{mesh.example_count, deltas_.block_count, mesh.sigma, 0},
+        morph_header_{mesh.target_count, w.block_count, w.record_count, 0},
+        space_header_{mesh.example_count, w.delta_count, mesh.sigma, 0},
         morphs_(layout(morph_header_, l)),
         morphs_end_(mesh.target_count > 0 ? morphs_.bytes : l.bytes),
         space_(layout(space_header_, h, morphs_end_)) {}
 
   std::uint64_t bytes() const { return mesh_.example_count > 0 ? space_.bytes : morphs_end_; }
 
-  void write(std::byte* base) const {
-    if (mesh_.target_count > 0) {
-      zero(base, arrays_end_, morphs_.header);
-      std::memcpy(base + morphs_.header, &morph_header_, sizeof morph_header_);
-      targets_.write(base + morphs_.targets, base + morphs_.blocks, base + morphs_.records);
-    }
-    if (mesh_.example_count == 0) return;
+  // Each goes on, and says whether that were all.
+  bool write_targets(const RecordWriter& targets, TargetsInWork& at, std::uint32_t& left, std::byte* base) const {
+    if (mesh_.target_count == 0) return true;
+    zero(base, arrays_end_, morphs_.header);
+    std::memcpy(base + morphs_.header, &morph_header_, sizeof morph_header_);
+    return targets.write(index_bytes_, base + morphs_.targets, base + morphs_.blocks, base + morphs_.records, at, left);
+  }
+  bool write_deltas(const RecordWriter& deltas, TargetsInWork& at, std::uint32_t& left, std::byte* base) const {
+    if (mesh_.example_count == 0) return true;
     zero(base, morphs_end_, space_.header);
     std::memcpy(base + space_.header, &space_header_, sizeof space_header_);
-    deltas_.write(base + space_.examples, base + space_.blocks, base + space_.records);
+    if (!deltas.write(index_bytes_, base + space_.examples, base + space_.blocks, base + space_.records, at, left))
+      return false;
     std::memcpy(base + space_.rotations, mesh_.rotations, static_cast<std::size_t>(space_.blocks - space_.rotations));
     std::memcpy(base + space_.parents, mesh_.parents, static_cast<std::size_t>(space_.bytes - space_.parents));
+    return true;
   }
 
  private:
@@ -330,7 +351,7 @@ class Appendix {
   }
 
   const MeshStreams& mesh_;
-  RecordWriter targets_, deltas_;
+  std::uint32_t index_bytes_;
   std::uint64_t arrays_end_;
   format::MorphHeader morph_header_;
   format::PoseSpaceHeader space_header_;
@@ -339,10 +360,11 @@ class Appendix {
   format::PoseSpaceLayout space_;
 };
 
-void write_indices(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::byte* base) {
+void write_indices(const MeshStreams& mesh, const Arrangement& a, const GeometryLayout& l, std::uint32_t from,
+                   std::uint32_t end, std::byte* base) {
   auto* const narrow = reinterpret_cast<std::uint16_t*>(base + l.indices);
   auto* const wide = reinterpret_cast<std::uint32_t*>(base + l.indices);
-  for (std::uint32_t i = 0; i < 3 * mesh.triangle_count; ++i) {
+  for (std::uint32_t i = from; i < end; ++i) {
     const std::uint32_t slot = a.slot_of_vertex[mesh.indices[i]];
     l.index_bytes == 2 ? narrow[i] = static_cast<std::uint16_t>(slot) : wide[i] = slot;
   }
@@ -388,24 +410,85 @@ const char* check_streams(const MeshStreams& mesh) {
   return bad == 0 ? nullptr : "weights that sum to more than one";
 }
 
+const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, ArrangingInWork& work, Arrangement& out,
+                             std::uint32_t& left) {
+  if (work.place == ArrangingInWork::Place::beginning) {
+    if (const char* const rule = check_streams(mesh)) return rule;
+    std::uint64_t numbers = std::uint64_t{3} * mesh.triangle_count;
+    for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
+      numbers += std::uint64_t{mesh.vertex_count} * mesh.streams[i].components;
+    use_up(numbers / 16, left);
+  }
+  return arrange(mesh, scratch, work, out, left) ? nullptr : "memory_bytes too small";
+}
+
 const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out) {
   if (const char* const rule = check_streams(mesh)) return rule;
   return arrange(mesh, scratch, out) ? nullptr : "memory_bytes too small";
 }
 
-const char* write_geometry(const MeshStreams& mesh, const Arrangement& a, Span<std::byte> out, std::uint32_t& bytes) {
-  const GeometryHeader h = make_header(mesh, a);
+const char* write_geometry(const MeshStreams& mesh, const Arrangement& a, WritingInWork& w, Span<std::byte> out,
+                           std::uint32_t& bytes, std::uint32_t& left) {
+  using Place = WritingInWork::Place;
+  const RecordWriter targets(mesh, a, StreamKind::target, mesh.target_count),
+      deltas(mesh, a, StreamKind::pose_delta, mesh.example_count);
+  if (w.place == Place::counting) {
+    if (!targets.count(w.targets, left)) return nullptr;
+    w.place = Place::counting_deltas;
+  }
+  if (w.place == Place::counting_deltas) {
+    if (!deltas.count(w.deltas, left)) return nullptr;
+    w.block_count = w.targets.blocks;
+    w.record_count = w.targets.records;
+    w.delta_count = w.deltas.blocks;
+    w.targets = w.deltas = {};
+    find_box(*mesh.find(StreamKind::position), mesh.vertex_count, w.box_min, w.box_max);
+    use_up(mesh.vertex_count / 8, left);
+  }
+  const GeometryHeader h = make_header(mesh, a, w);
   const GeometryLayout l = layout(h);
-  const Appendix appendix(mesh, a, h, l);
-  if (appendix.bytes() > out.size) return "file_bytes too small";
-  std::memcpy(out.data, &h, sizeof h);
-  Writer(mesh, a, l, out.data).write();
-  auto* const source_slots = reinterpret_cast<std::uint32_t*>(out.data + l.source_slots);
-  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i)
-    source_slots[i] = mesh.source_map[i] == kNoSlot ? kNoSlot : a.slot_of_vertex[mesh.source_map[i]];
-  write_indices(mesh, a, l, out.data);
-  appendix.write(out.data);
-  bytes = static_cast<std::uint32_t>(appendix.bytes());
+  const Appendix appendix(mesh, h, l, w);
+  std::byte* const base = out.data;
+  if (w.place == Place::counting_deltas) {
+    if (appendix.bytes() > out.size) return "file_bytes too small";
+    std::memcpy(base, &h, sizeof h);
+    bytes = static_cast<std::uint32_t>(appendix.bytes());
+    begin_vertices(l, base, w);
+    w.place = Place::vertices;
+  }
+  while (left > 0 && w.place != Place::done) {
+    bool done = false;
+    if (w.place == Place::vertices) {
+      done = Writer(mesh, a, w).write(left, w);
+    } else if (w.place == Place::targets) {
+      done = appendix.write_targets(targets, w.targets, left, base);
+    } else if (w.place == Place::deltas) {
+      done = appendix.write_deltas(deltas, w.deltas, left, base);
+    } else {
+      const bool indices = w.place == Place::indices;
+      const std::uint32_t count = indices ? 3 * mesh.triangle_count : mesh.source_vertex_count,
+                          end = step_end(w.at, count, left);
+      auto* const slots = reinterpret_cast<std::uint32_t*>(base + l.source_slots);
+      if (indices) write_indices(mesh, a, l, w.at, end, base);
+      for (std::uint32_t i = w.at; !indices && i < end; ++i)
+        slots[i] = mesh.source_map[i] == kNoSlot ? kNoSlot : a.slot_of_vertex[mesh.source_map[i]];
+      use_up(end - w.at, left);
+      w.at = end;
+      done = end == count;
+    }
+    if (!done) continue;
+    w.at = 0;
+    w.place = static_cast<Place>(static_cast<std::uint8_t>(w.place) + 1);
+  }
+  return nullptr;
+}
+
+const char* write_geometry(const MeshStreams& mesh, const Arrangement& a, Span<std::byte> out, std::uint32_t& bytes) {
+  WritingInWork work;
+  while (work.place != WritingInWork::Place::done) {
+    std::uint32_t left = UINT32_MAX;
+    if (const char* const rule = write_geometry(mesh, a, work, out, bytes, left)) return rule;
+  }
   return nullptr;
 }
 

@@ -1,6 +1,7 @@
 #include "unpack/geometry.h"
 
 #include <algorithm>
+#include <new>
 
 #include "unpack/residual.h"
 
@@ -255,6 +256,8 @@ const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds&
   return nullptr;
 }
 
+static_assert(alignof(WritingInWork) <= 16 && sizeof(WritingInWork) <= 256);
+
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
   const auto array = [](std::uint64_t count) { return (count * 4 + 15) / 16 * 16; };
   std::uint64_t bytes = array(std::uint64_t{mesh.triangle_count} * 3) + array(mesh.source_vertex_count);
@@ -270,7 +273,8 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             GeometryInWork& out, Status& decoded) {
   ByteReader reader(record.data, record.size);
-  out = {{scratch.data, 0, scratch.size}, {}, {}, nullptr};
+  out = {};
+  out.scratch = {scratch.data, 0, scratch.size};
   Memory& memory = out.scratch;
   MeshStreams& mesh = out.streams;
   if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
@@ -293,6 +297,25 @@ const char* finish_streams(GeometryInWork& mesh, bool& done) {
   if (done) return nullptr;
   if (mesh.residual == nullptr) return begin_residual_apart(mesh.streams, mesh.scratch, mesh.residual);
   return unpack_residual_apart(*mesh.residual, mesh.scratch, mesh.streams, done);
+}
+
+const char* arrange_geometry(GeometryInWork& mesh, bool& done) {
+  std::uint32_t left = kStepNumbers;
+  const char* const rule = arrange_geometry(mesh.streams, mesh.scratch, mesh.arranging, mesh.arrangement, left);
+  done = mesh.arranging.place == ArrangingInWork::Place::done;
+  return rule;
+}
+
+const char* write_geometry(GeometryInWork& mesh, Span<std::byte> out, std::uint32_t& bytes, bool& done) {
+  done = true;
+  // So few vertices that how far one is does not fit where they were arranged are written at once.
+  if (mesh.streams.vertex_count < sizeof(WritingInWork) / sizeof(std::uint32_t))
+    return write_geometry(mesh.streams, mesh.arrangement, out, bytes);
+  if (mesh.writing == nullptr) mesh.writing = ::new (mesh.arranging.stretch_of) WritingInWork;
+  std::uint32_t left = kStepNumbers;
+  const char* const rule = write_geometry(mesh.streams, mesh.arrangement, *mesh.writing, out, bytes, left);
+  done = mesh.writing->place == WritingInWork::Place::done;
+  return rule;
 }
 
 }  // namespace marrow

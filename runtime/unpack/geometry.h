@@ -35,8 +35,10 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 struct GeometryInWork {
   Memory scratch;
   MeshStreams streams;
-  Arrangement arrangement;
   ResidualInWork* residual = nullptr;  // begun
+  ArrangingInWork arranging;
+  Arrangement arrangement;
+  WritingInWork* writing = nullptr;  // begun
 };
 
 // A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them
@@ -47,6 +49,10 @@ const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& dec
 // Goes on with a residual that stands apart, of which a large mesh's takes several steps; without one there is nothing
 // to do. Returns null, or the rule that is broken.
 const char* finish_streams(GeometryInWork& mesh, bool& done);
+
+// The same of one step of arrange_geometry() and of write_geometry().
+const char* arrange_geometry(GeometryInWork& mesh, bool& done);
+const char* write_geometry(GeometryInWork& mesh, Span<std::byte> out, std::uint32_t& bytes, bool& done);
 
 // All in one go, for the cooker and for tests.
 inline const char* unpack_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/memory.h"
+#include "core/step.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -23,8 +24,29 @@ constexpr std::uint64_t neighbours_bytes(std::uint64_t vertex_count, std::uint64
   return 5 * aligned(vertex_count * 4) + aligned(vertex_count) + aligned(triangle_count * 24);
 }
 
-// The streams are checked: indices, joints. Triangles between fewer than three leaders do not count. Returns false if
-// the memory does not suffice. Cost: one sort of the vertices.
-bool find_neighbours(const MeshStreams& mesh, Memory& memory, MeshNeighbours& out);
+// A search on its way.
+struct NeighboursInWork {
+  enum class Place : std::uint8_t {
+    beginning,
+    numbering,
+    sorting,
+    leading,
+    counting,
+    summing,
+    filling,
+    marking,
+    thinning,
+    done
+  };
+
+  Place place = Place::beginning;
+  std::uint32_t at = 0, sum = 0;  // of what it goes through; entries of `all`
+  Sorting sorting;
+};
+
+// Goes on until `left` is used up or the place is `done`. The streams are checked: indices, joints. Triangles between
+// fewer than three leaders do not count. Returns false if the memory does not suffice. Cost: one sort of the vertices.
+bool find_neighbours(const MeshStreams& mesh, Memory& memory, NeighboursInWork& work, MeshNeighbours& out,
+                     std::uint32_t& left);
 
 }  // namespace marrow

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "core/step.h"
 #include "unpack/arrange.h"
 #include "unpack/expand.h"
 
@@ -25,22 +26,26 @@ Stream& stream_of(MeshStreams& mesh, StreamKind kind) {
   return mesh.streams[mesh.find(kind) - mesh.streams];
 }
 
-// The weights that vertices have, at the places that their joints have among all that they follow.
-void spread_weights(const MeshStreams& mesh, const ResidualTable& table, std::int32_t* out) {
+// The weights that a vertex has, at the places that its joints have among all that it follows.
+void spread_weights(const MeshStreams& mesh, const ResidualTable& table, std::uint32_t v, std::int32_t* out) {
   const Stream &joints = *mesh.find(StreamKind::joints), &weights = *mesh.find(StreamKind::weights);
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    const std::uint32_t own = influence_count(mesh, v);
-    const EntrySet set = table.set_of(v);
-    std::int32_t left = (1 << weights.bits) - 1;
-    std::int32_t* const to = out + std::size_t{v} * (table.influences - 1);
-    for (std::uint32_t j = 0; j + 1 < table.influences; ++j) to[j] = 0;
-    for (std::uint32_t i = 0; i < own; ++i) {
-      const std::int32_t given = i + 1 < own ? weights.values[std::size_t{v} * weights.components + i] : left;
-      left -= given;
-      for (std::uint32_t j = 0; j + 1 < set.count; ++j)
-        if (set.joints[j] == joints.values[std::size_t{v} * joints.components + i]) to[j] = given;
-    }
+  const std::uint32_t own = influence_count(mesh, v);
+  const EntrySet set = table.set_of(v);
+  std::int32_t left = (1 << weights.bits) - 1;
+  std::int32_t* const to = out + std::size_t{v} * (table.influences - 1);
+  for (std::uint32_t j = 0; j + 1 < table.influences; ++j) to[j] = 0;
+  for (std::uint32_t i = 0; i < own; ++i) {
+    const std::int32_t given = i + 1 < own ? weights.values[std::size_t{v} * weights.components + i] : left;
+    left -= given;
+    for (std::uint32_t j = 0; j + 1 < set.count; ++j)
+      if (set.joints[j] == joints.values[std::size_t{v} * joints.components + i]) to[j] = given;
   }
+}
+
+// As streams have them, whose numbers are not negative.
+void bias_residual(const ResidualTable& table, std::uint32_t v) {
+  for (std::uint32_t j = 0; j < table.influences; ++j)
+    for (std::size_t c = 0; c < 4; ++c) table.rows[j][std::size_t{v} * 4 + c] += 1 << (kResidualBits - 1);
 }
 
 void replace_streams(const ResidualTable& table, std::int32_t* weights, MeshStreams& mesh) {
@@ -60,8 +65,19 @@ void replace_streams(const ResidualTable& table, std::int32_t* weights, MeshStre
     s.origin[0] = mesh.apart.step_of_w;
     s.step = mesh.apart.step;
     s.values = table.rows[j];
-    for (std::size_t i = 0; i < std::size_t{mesh.vertex_count} * 4; ++i) s.values[i] += 1 << (kResidualBits - 1);
   }
+}
+
+// A step of looking for neighbours, after the last of which smoothing begins.
+const char* find_guess(Memory& memory, ResidualInWork& work) {
+  std::uint32_t left = kStepNumbers;
+  const ResidualApart& apart = work.mesh.apart;
+  bool fits = find_neighbours(work.mesh, memory, work.finding, work.near, left);
+  if (fits && work.finding.place == NeighboursInWork::Place::done) {
+    fits = work.smoothed.begin(work.mesh, work.near, apart.iterations, apart.share, memory);
+    work.place = ResidualInWork::Place::smoothing;
+  }
+  return fits ? nullptr : "memory_bytes too small";
 }
 
 }  // namespace
@@ -93,20 +109,23 @@ ResidualBytes residual_apart_bytes(const MeshStreams& mesh) {
 
 const char* begin_guess(Memory& memory, ResidualInWork& work) {
   if (const char* const rule = check_streams(work.mesh)) return rule;
-  const ResidualApart& apart = work.mesh.apart;
-  const bool fits = find_neighbours(work.mesh, memory, work.near) &&
-                    work.smoothed.begin(work.mesh, work.near, apart.iterations, apart.share, memory);
-  return fits ? nullptr : "memory_bytes too small";
+  while (work.place == ResidualInWork::Place::neighbours)
+    if (const char* const rule = find_guess(memory, work)) return rule;
+  return nullptr;
 }
 
 bool shift_by_guess(const ResidualInWork& work, std::int32_t sign) {
+  return shift_by_guess(work, sign, 0, work.mesh.vertex_count);
+}
+
+bool shift_by_guess(const ResidualInWork& work, std::int32_t sign, std::uint32_t from, std::uint32_t end) {
   constexpr std::int32_t kMost = 1 << (kResidualBits - 1);
   const ResidualApart& apart = work.mesh.apart;
   const double step_in_positions =
       static_cast<double>(apart.step) / static_cast<double>(work.mesh.find(StreamKind::position)->step);
   const ResidualGuess guess(work.smoothed, apart.step_of_w, step_in_positions);
   bool fits = true;
-  for (std::uint32_t v = 0; v < work.mesh.vertex_count; ++v) {
+  for (std::uint32_t v = from; v < end; ++v) {
     const EntrySet set = work.table.set_of(v);
     ResidualRows guessed;
     guess(work.near.leader[v], set, guessed);
@@ -127,26 +146,52 @@ const char* begin_residual_apart(const MeshStreams& mesh, Memory& memory, Residu
   const std::size_t kept_end = memory.used;
   const Span<std::byte> place = memory.take<std::byte>(kWorkBytes);
   if (memory.failed) return "memory_bytes too small";
-  out = new (place.data) ResidualInWork{mesh, {}, {}, table, weights, kept_end};
-  return begin_guess(memory, *out);
+  out = new (place.data) ResidualInWork;
+  out->mesh = mesh;
+  out->table = table;
+  out->weights = weights;
+  out->kept_end = kept_end;
+  return check_streams(mesh);
 }
 
 const char* unpack_residual_apart(ResidualInWork& work, Memory& memory, MeshStreams& mesh, bool& done) {
-  if (!work.smoothed.at_end()) return work.smoothed.step();
-  const Span<std::byte> place = memory.take<std::byte>(kModelsBytes);
-  if (memory.failed) return "memory_bytes too small";
-  ResidualModels& models = *new (place.data) ResidualModels;
-  SymbolDecoder decoder(work.mesh.apart.bits);
-  ResidualCodec<SymbolDecoder> codec(work.mesh, work.near, work.smoothed, work.mesh.apart.iterations > 0, work.table,
-                                     models, decoder);
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
-    if (!codec.code(v)) return "a residual that is none";
-  if (!decoder.at_end()) return "a residual of more or fewer bytes";
-  if (!shift_by_guess(work, 1)) return "a change beyond its bits";
-  spread_weights(work.mesh, work.table, work.weights);
+  using Place = ResidualInWork::Place;
+  if (work.place == Place::neighbours) return find_guess(memory, work);
+  if (work.place == Place::smoothing) {
+    if (!work.smoothed.at_end()) return work.smoothed.step();
+    const Span<std::byte> models = memory.take<std::byte>(kModelsBytes);
+    if (memory.failed) return "memory_bytes too small";
+    work.models = new (models.data) ResidualModels;
+    work.decoder = SymbolDecoder(work.mesh.apart.bits);
+    work.place = Place::decoding;
+  }
+  std::uint32_t left = kStepNumbers;
+  const std::uint32_t count = mesh.vertex_count;
+  if (work.place == Place::decoding) {
+    ResidualCodec<SymbolDecoder> codec(work.mesh, work.near, work.smoothed, work.mesh.apart.iterations > 0, work.table,
+                                       *work.models, work.decoder);
+    for (; work.at < count && left > 0; ++work.at) {
+      if (!codec.code(work.at)) return "a residual that is none";
+      use_up(32 + work.near.count[work.near.leader[work.at]] / 8, left);
+    }
+    if (work.at == count && !work.decoder.at_end()) return "a residual of more or fewer bytes";
+  } else {
+    const bool guessing = work.place == Place::guessing;
+    const std::uint32_t end = step_end(work.at, count, kStepNumbers / 16);
+    if (guessing && !shift_by_guess(work, 1, work.at, end)) return "a change beyond its bits";
+    for (; work.at < end; ++work.at) {
+      if (guessing) continue;
+      spread_weights(work.mesh, work.table, work.at, work.weights);
+      bias_residual(work.table, work.at);
+    }
+  }
+  if (work.at < count) return nullptr;
+  work.at = 0;
+  work.place = static_cast<Place>(static_cast<std::uint8_t>(work.place) + 1);
+  done = work.place == Place::done;
+  if (!done) return nullptr;
   replace_streams(work.table, work.weights, mesh);
   memory.used = work.kept_end;
-  done = true;
   return nullptr;
 }
 

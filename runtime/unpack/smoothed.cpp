@@ -1,5 +1,6 @@
 #include "unpack/smoothed.h"
 
+#include "core/step.h"
 #include "unpack/arrange.h"
 
 namespace marrow {
@@ -7,7 +8,6 @@ namespace {
 
 constexpr std::uint32_t kWeightBits = packed::kMaxWeightBits;
 constexpr std::uint32_t kColumnBits = 30;      // of a weight times a position
-constexpr std::uint64_t kStepWork = 1 << 17;   // vertices times iterations that a step takes, or some more
 constexpr std::uint64_t kMostWork = 1024;      // for each vertex
 constexpr std::int32_t kLeastShare = 1 << 13;  // of the whole, that a joint is carried for
 
@@ -58,34 +58,46 @@ bool Smoothed::begin(const MeshStreams& mesh, const MeshNeighbours& near, std::u
     followers_ = memory.take<std::uint32_t>(count * mesh.influences).data;
   }
   if (memory.failed) return false;
-  const Stream& joints = *mesh.find(StreamKind::joints);
   const std::uint32_t weight_bits = mesh.find(StreamKind::weights)->bits;
   weight_shift_ = kWeightBits - weight_bits;
   one_ = ((1 << weight_bits) - 1) << weight_shift_;
   const std::uint32_t bits = mesh.find(StreamKind::position)->bits + kWeightBits;
   place_shift_ = bits > kColumnBits ? bits - kColumnBits : 0;
-  for (std::uint32_t v = 0; v < count; ++v) {
-    const std::uint32_t n = influence_count(mesh, v);
+  share_ = share;
+  return true;
+}
+
+bool Smoothed::find_own(std::uint32_t& left) {
+  const Stream& joints = *mesh_->find(StreamKind::joints);
+  const bool smooths = iterations_ > 0;
+  for (std::uint32_t j = 0; at_ == 0 && smooths && j <= joint_count_; ++j) first_of_[j] = 0;
+  for (; at_ < mesh_->vertex_count && left > 0; ++at_) {
+    const std::uint32_t v = at_, n = influence_count(*mesh_, v);
+    use_up(4 + n, left);
     own_[v] = all_[v] = static_cast<std::uint8_t>(n);
     for (std::uint32_t j = 0; j < n; ++j)
       carried_[std::size_t{v} * kMostCarried + j] = {
           joints.values[std::size_t{v} * joints.components + j], own_weight(v, j), {0, 0, 0}};
-  }
-  if (iterations == 0) return true;
-  for (std::uint32_t j = 0; j <= mesh.joint_count; ++j) first_of_[j] = 0;
-  for (std::uint32_t v = 0; v < count; ++v) {
-    const std::uint32_t n = near.count[v];
-    pace_[v] = near.is_inside[v] != 0 ? (share << 15) / n : 0;
+    if (!smooths) continue;
+    pace_[v] = near_->is_inside[v] != 0 ? (share_ << 15) / near_->count[v] : 0;
     reached_by_[v] = UINT32_MAX;
     for (int c = 0; c < 4; ++c) now_[v][c] = next_[v][c] = 0;
-    for (std::uint32_t j = 0; near.leader[v] == v && j < own_[v]; ++j) ++first_of_[of(v).carried[j].joint];
+    for (std::uint32_t j = 0; near_->leader[v] == v && j < n; ++j) ++first_of_[of(v).carried[j].joint];
   }
+  if (at_ < mesh_->vertex_count) return false;
   // Where each joint's list ends; filled from behind, each begins there in the end.
-  for (std::uint32_t j = 0; j < mesh.joint_count; ++j) first_of_[j + 1] += first_of_[j];
-  for (std::uint32_t v = mesh.vertex_count; v-- > 0;)
-    for (std::uint32_t j = 0; near.leader[v] == v && j < own_[v]; ++j)
-      followers_[--first_of_[of(v).carried[j].joint]] = v;
+  for (std::uint32_t j = 0; j < joint_count_; ++j) first_of_[j + 1] += first_of_[j];
   return true;
+}
+
+bool Smoothed::find_followers(std::uint32_t& left) {
+  for (; iterations_ > 0 && at_ < mesh_->vertex_count && left > 0; ++at_) {
+    const std::uint32_t v = mesh_->vertex_count - 1 - at_;
+    use_up(4, left);
+    for (std::uint32_t j = 0; near_->leader[v] == v && j < own_[v]; ++j)
+      followers_[--first_of_[of(v).carried[j].joint]] = v;
+  }
+  return iterations_ == 0 || at_ == mesh_->vertex_count;
 }
 
 void Smoothed::activate(std::uint32_t vertex) {
@@ -107,77 +119,117 @@ void Smoothed::begin_own(std::uint32_t joint) {
     now_[v][3] = static_cast<std::int32_t>(weight);
     if (reached_by_[v] != joint) activate(v);
   }
+  grow_end_ = active_count_;
 }
 
-void Smoothed::iterate() {
+void Smoothed::grow(std::uint32_t v) {
   const MeshNeighbours& near = *near_;
-  const std::uint32_t end = active_count_;
-  for (; grown_ < end; ++grown_) {
-    const std::uint32_t v = active_[grown_];
-    for (std::uint32_t i = 0; i < near.count[v]; ++i) {
-      const std::uint32_t other = near.all[near.first[v] + i];
-      if (pace_[other] != 0 && reached_by_[other] != joint_) activate(other);
-    }
+  for (std::uint32_t i = 0; i < near.count[v]; ++i) {
+    const std::uint32_t other = near.all[near.first[v] + i];
+    if (pace_[other] != 0 && reached_by_[other] != joint_) activate(other);
   }
-  for (std::uint32_t k = 0; k < active_count_; ++k) {
-    const std::uint32_t v = active_[k], n = near.count[v];
-    const std::uint32_t* const row = near.all + near.first[v];
-    std::int64_t sum[4] = {};
-    if (pace_[v] != 0)
-      for (std::uint32_t i = 0; i < n; ++i)
-        for (int c = 0; c < 4; ++c) sum[c] += now_[row[i]][c];
-    for (int c = 0; c < 4; ++c) {
-      const std::int64_t missing = sum[c] - std::int64_t{now_[v][c]} * n;
-      next_[v][c] =
-          pace_[v] == 0 ? now_[v][c] : static_cast<std::int32_t>(now_[v][c] + ((missing * pace_[v] + (1 << 29)) >> 30));
-    }
+}
+
+void Smoothed::smooth(std::uint32_t v) {
+  const MeshNeighbours& near = *near_;
+  const std::uint32_t n = near.count[v];
+  const std::uint32_t* const row = near.all + near.first[v];
+  std::int64_t sum[4] = {};
+  if (pace_[v] != 0)
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (int c = 0; c < 4; ++c) sum[c] += now_[row[i]][c];
+  for (int c = 0; c < 4; ++c) {
+    const std::int64_t missing = sum[c] - std::int64_t{now_[v][c]} * n;
+    next_[v][c] =
+        pace_[v] == 0 ? now_[v][c] : static_cast<std::int32_t>(now_[v][c] + ((missing * pace_[v] + (1 << 29)) >> 30));
   }
+}
+
+bool Smoothed::iterate(std::uint32_t& left) {
+  for (; !is_grown_ && grown_ < grow_end_ && left > 0; ++grown_) {
+    grow(active_[grown_]);
+    use_up(1 + near_->count[active_[grown_]] / 8, left);
+  }
+  is_grown_ = grown_ == grow_end_;
+  if (!is_grown_) return false;
+  for (; at_ < active_count_ && left > 0; ++at_) {
+    smooth(active_[at_]);
+    use_up(1 + near_->count[active_[at_]] / 4, left);
+  }
+  if (at_ < active_count_) return false;
   Column* const last = now_;
   now_ = next_;
   next_ = last;
+  at_ = 0;
+  grow_end_ = active_count_;
+  is_grown_ = false;
+  return true;
 }
 
 // What has become of a joint goes to the vertices, and zeros where it was.
-void Smoothed::keep(std::uint32_t joint) {
-  const Stream& positions = *mesh_->find(StreamKind::position);
-  for (std::uint32_t k = 0; k < active_count_; ++k) {
-    const std::uint32_t v = active_[k];
-    Carried it{static_cast<std::int32_t>(joint), now_[v][3], {}};
-    for (std::uint32_t c = 0; c < 3; ++c)
-      it.offset[c] =
-          static_cast<float>((std::int64_t{now_[v][c]} << place_shift_) - it.weight * position(positions, v, c));
-    for (int c = 0; c < 4; ++c) now_[v][c] = next_[v][c] = 0;
-    Carried* const list = carried_ + std::size_t{v} * kMostCarried;
-    std::uint32_t at = 0;
-    while (at < own_[v] && list[at].joint != it.joint) ++at;
-    if (at < own_[v]) {
-      list[at] = it;
-      continue;
-    }
-    if (it.weight < one_ / kLeastShare) continue;
-    if (all_[v] < kMostCarried) {
-      at = all_[v]++;
-    } else if (own_[v] == kMostCarried || list[kMostCarried - 1].weight >= it.weight) {
-      continue;
-    } else {
-      at = kMostCarried - 1;
-    }
-    for (; at > own_[v] && list[at - 1].weight < it.weight; --at) list[at] = list[at - 1];
-    list[at] = it;
+bool Smoothed::keep(std::uint32_t& left) {
+  for (; at_ < active_count_ && left > 0; ++at_) {
+    keep(joint_, active_[at_]);
+    use_up(4, left);
   }
+  return at_ == active_count_;
+}
+
+void Smoothed::keep(std::uint32_t joint, std::uint32_t v) {
+  const Stream& positions = *mesh_->find(StreamKind::position);
+  Carried it{static_cast<std::int32_t>(joint), now_[v][3], {}};
+  for (std::uint32_t c = 0; c < 3; ++c)
+    it.offset[c] =
+        static_cast<float>((std::int64_t{now_[v][c]} << place_shift_) - it.weight * position(positions, v, c));
+  for (int c = 0; c < 4; ++c) now_[v][c] = next_[v][c] = 0;
+  Carried* const list = carried_ + std::size_t{v} * kMostCarried;
+  std::uint32_t at = 0;
+  while (at < own_[v] && list[at].joint != it.joint) ++at;
+  if (at < own_[v]) {
+    list[at] = it;
+    return;
+  }
+  if (it.weight < one_ / kLeastShare) return;
+  if (all_[v] < kMostCarried) {
+    at = all_[v]++;
+  } else if (own_[v] == kMostCarried || list[kMostCarried - 1].weight >= it.weight) {
+    return;
+  } else {
+    at = kMostCarried - 1;
+  }
+  for (; at > own_[v] && list[at - 1].weight < it.weight; --at) list[at] = list[at - 1];
+  list[at] = it;
 }
 
 const char* Smoothed::step() {
-  const std::uint64_t first = work_;
-  for (; joint_ < joint_count_ && work_ - first < kStepWork; ++joint_) {
-    if (first_of_[joint_] == first_of_[joint_ + 1]) continue;
-    begin_own(joint_);
-    for (std::uint32_t i = 0; i < iterations_; ++i) {
-      iterate();
+  std::uint32_t left = kStepNumbers;
+  while (place_ != Place::smoothing) {
+    if (!(place_ == Place::own ? find_own(left) : find_followers(left))) return nullptr;
+    at_ = 0;
+    place_ = place_ == Place::own ? Place::followers : Place::smoothing;
+  }
+  while (joint_ < joint_count_ && left > 0) {
+    if (!is_begun_) {
+      const std::uint32_t followers = first_of_[joint_ + 1] - first_of_[joint_];
+      use_up(1 + 2 * std::uint64_t{followers}, left);
+      if (followers == 0) {
+        ++joint_;
+        continue;
+      }
+      begin_own(joint_);
+      iteration_ = 0;
+      is_begun_ = true;
+    }
+    if (iteration_ < iterations_) {
+      if (!iterate(left)) return nullptr;
+      ++iteration_;
       work_ += active_count_;
       if (work_ > kMostWork * mesh_->vertex_count) return "joints that spread too far to be smoothed";
+    } else if (keep(left)) {
+      at_ = 0;
+      is_begun_ = false;
+      ++joint_;
     }
-    keep(joint_);
   }
   return nullptr;
 }

@@ -38,21 +38,28 @@ class Smoothed {
   // Bytes that begin() takes. With no iterations there are only the own joints.
   static std::uint64_t bytes(const MeshStreams& mesh, std::uint32_t iterations);
   // share: of the way to the mean that a step goes, of kWholeStep. Both must outlive this. Returns false if the memory
-  // does not suffice.
+  // does not suffice. What there is of the mesh is read by step().
   bool begin(const MeshStreams& mesh, const MeshNeighbours& near, std::uint32_t iterations, std::uint32_t share,
              Memory& memory);
-  // Smooths some joints, those that come next, until that is a good step's work. Returns null, or the rule that is
+  // Goes on until that is a step's work, which counts vertices and their neighbours. Returns null, or the rule that is
   // broken: joints that spread so far that it would take too long.
   const char* step();
-  bool at_end() const { return joint_ == joint_count_; }
+  bool at_end() const { return place_ == Place::smoothing && joint_ == joint_count_; }
 
  private:
   using Column = std::int32_t[4];  // of a joint and a vertex: its weight times the position, and its weight
+  enum class Place : std::uint8_t { own, followers, smoothing };
 
+  // Each goes on until `left` is used up, and says whether that was all.
+  bool find_own(std::uint32_t& left);
+  bool find_followers(std::uint32_t& left);
+  bool iterate(std::uint32_t& left);
+  bool keep(std::uint32_t& left);
   void begin_own(std::uint32_t joint);
   void activate(std::uint32_t vertex);
-  void iterate();
-  void keep(std::uint32_t joint);
+  void grow(std::uint32_t vertex);
+  void smooth(std::uint32_t vertex);
+  void keep(std::uint32_t joint, std::uint32_t vertex);
 
   const MeshStreams* mesh_ = nullptr;
   const MeshNeighbours* near_ = nullptr;
@@ -69,6 +76,11 @@ class Smoothed {
   // The vertices that a joint has reached, those that the last step reached from grown_ on, and by which joint last.
   std::uint32_t *active_ = nullptr, *reached_by_ = nullptr;
   std::uint32_t active_count_ = 0, grown_ = 0;
+  // Where a step stopped: vertices that it goes through, the joint's iteration, and of that how far vertices were to
+  // grow, and whether all have.
+  std::uint32_t at_ = 0, iteration_ = 0, grow_end_ = 0, share_ = 0;
+  Place place_ = Place::own;
+  bool is_begun_ = false, is_grown_ = false;
 };
 
 }  // namespace marrow

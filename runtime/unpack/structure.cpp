@@ -1,6 +1,7 @@
 #include "unpack/structure.h"
 
 #include "core/memory.h"
+#include "core/step.h"
 #include "marrow/local_to_model.h"
 #include "math/affine.h"
 #include "unpack/rest.h"
@@ -89,7 +90,9 @@ bool take_mesh_header(ByteReader& reader, std::uint32_t flags, format::MeshHeade
   const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
   h.lod_count = static_cast<std::uint8_t>(lod_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
-  return h.joint_count <= kMaxJoints && helper_count <= kMaxJoints && lod_count <= 255;
+  constexpr std::uint32_t kMostTargets = 1 << 16;  // as of geometries
+  return h.joint_count <= kMaxJoints && helper_count <= kMaxJoints && lod_count <= 255 &&
+         h.target_count <= kMostTargets;
 }
 
 // Each as its distance from the one behind the last. False if one is not of the skeleton.
@@ -175,36 +178,33 @@ std::uint32_t NameReader::next(char* pool) {
   if (pool != nullptr)
     for (std::uint32_t i = 0; i < shared; ++i) pool[offset + i] = pool[from.offset + i];
   end_ += shared;
-  char c = 0;
-  do {
-    c = static_cast<char>(reader_.take<std::uint8_t>());
-    if (reader_.failed() || end_ >= pool_bytes_) {
-      failed_ = true;
-      return 0;
-    }
-    if (pool != nullptr) pool[end_] = c;
-    ++end_;
-  } while (c != 0);
+  // However long it is, which load() judges, it takes no longer than to copy it.
+  const std::size_t room = pool_bytes_ - end_, most = reader_.left() < room ? reader_.left() : room;
+  const void* const zero = most > 0 ? std::memchr(reader_.at(), 0, most) : nullptr;
+  if (zero == nullptr) {
+    failed_ = true;
+    return 0;
+  }
+  const Span<const std::byte> rest =
+      reader_.take_bytes(static_cast<std::size_t>(static_cast<const std::byte*>(zero) - reader_.at()) + 1);
+  if (pool != nullptr) std::memcpy(pool + end_, rest.data, rest.size);
+  end_ += static_cast<std::uint32_t>(rest.size);
   for (int i = 3; i > 0; --i) last_[i] = last_[i - 1];
   last_[0] = {offset, end_ - 1 - offset};
   return offset;
 }
 
-const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes) {
-  NameReader names(record);
+const char* unpack_names(NameReader& names, Span<std::byte> out, std::uint32_t& bytes, bool& done) {
   if (names.pool_bytes() < 1) return "a pool without the empty name";
   if (names.pool_bytes() > out.size) return "file_bytes too small";
   auto* const pool = reinterpret_cast<char*>(out.data);
   pool[0] = 0;
-  std::uint32_t end = 1;
-  while (!names.at_end()) {
-    const std::uint32_t offset = names.next(pool);
+  for (const std::uint32_t first = names.end(); !names.at_end() && names.end() - first < kStepBytes / 4;) {
+    names.next(pool);
     if (names.failed()) return "a name that does not fit";
-    end = offset;
-    while (pool[end] != 0) ++end;
-    ++end;
   }
-  if (end != names.pool_bytes()) return "names that do not fill their pool";
+  done = names.at_end();
+  if (done && names.end() != names.pool_bytes()) return "names that do not fill their pool";
   bytes = names.pool_bytes();
   return nullptr;
 }

@@ -16,6 +16,7 @@ class NameReader {
   // Where in the pool the next string stands; written there if there is a pool. Past the last one, or with anything
   // that does not fit: 0, and failed().
   std::uint32_t next(char* pool = nullptr);
+  std::uint32_t end() const { return end_; }
   bool at_end() const { return !reader_.failed() && reader_.left() == 0; }
   bool failed() const { return failed_ || reader_.failed(); }
 
@@ -32,7 +33,14 @@ class NameReader {
 // Each writes a section at `out`, 16-byte aligned, and says how long it is. They return null, or the rule that is
 // broken. `names` stands where the skeleton's names begin, and behind them afterwards.
 const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out, std::uint32_t& bytes);
-const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes);
+// Of names so many as a step takes; names: of the record, with all before them read.
+const char* unpack_names(NameReader& names, Span<std::byte> out, std::uint32_t& bytes, bool& done);
+inline const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes) {
+  NameReader names(record);
+  const char* rule = nullptr;
+  for (bool done = false; !done && rule == nullptr;) rule = unpack_names(names, out, bytes, done);
+  return rule;
+}
 
 // A file in the making, whose first sections are skeletons that unpack_skeleton() made, or references to others.
 struct UnpackedSkeletons {

@@ -1,10 +1,12 @@
 #include "marrow/unpack.h"
 
+#include <new>
 #include <type_traits>
 
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
+#include "core/step.h"
 #include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
@@ -84,11 +86,25 @@ const char* codec_name(std::uint32_t codec) {
 // What a mesh record waits for.
 enum class MeshStage : std::uint8_t { decoding, finishing, ordering, writing };
 
+// What a step leaves of its record, or of the file's checksum, for the next one.
+union Work {
+  std::uint32_t copied;
+  GeometryInWork mesh;
+  NameReader names;
+  BoundsInWork bounds;
+  ClipInWork clip;
+  format::Checksum sum;
+
+  Work() : copied(0) {}
+};
+
 // Writes sections one behind the other into the front part of memory, a step at a time. Lies in Unpacking::state.
 class Unpacker {
  public:
   Unpacker(const Header& header, Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory)
-      : header_(header),
+      : file_bytes_(header.file_bytes),
+        memory_bytes_(header.memory_bytes),
+        record_count_(header.record_count),
         decoders_(decoders),
         memory_(memory),
         packed_bytes_(packed.size),
@@ -97,32 +113,39 @@ class Unpacker {
         end_(sizeof(format::Header) + std::uint64_t{header.record_count} * sizeof(File::Section)) {}
 
   bool is_begun() const { return memory_.data != nullptr; }
-  bool at_end() const { return index_ == header_.record_count; }
+  bool at_end() const { return index_ == record_count_; }
   std::uint32_t done_bytes() const { return static_cast<std::uint32_t>(end_); }
-  Span<const std::byte> file() const { return {memory_.data, header_.file_bytes}; }
+  Span<const std::byte> file() const { return {memory_.data, file_bytes_}; }
 
   // Not at_end().
   Status step(DataError* error) {
-    if (end_ > header_.file_bytes) return fail(error, Status::bad_data, 12, "file_bytes too small");
-    if (stage_ == MeshStage::decoding) {
-      offset_ = packed_bytes_ - records_.left();
+    if (end_ > file_bytes_) return fail(error, Status::bad_data, 12, "file_bytes too small");
+    if (!is_going_on_) {
+      offset_ = static_cast<std::uint32_t>(packed_bytes_ - records_.left());
       record_ = take_record(records_);
+      begin_work();
     }
+    is_going_on_ = true;
     const char* rule = nullptr;
     const Status status = add(rule);
     return status == Status::ok ? status : fail(error, status, offset_, rule);
   }
 
-  Status finish(DataError* error) {
-    if (end_ != header_.file_bytes)
-      return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
+  // at_end(). Not done yet: to be called again.
+  Status finish(DataError* error, bool& done) {
+    if (end_ != file_bytes_) return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
+    if (!is_going_on_) ::new (&work_.sum) format::Checksum;
+    is_going_on_ = true;
     constexpr std::size_t kBehind = sizeof(format::Header);
-    const format::Header h{format::kMagic,
-                           format::kVersion,
-                           header_.file_bytes,
-                           header_.record_count,
-                           format::checksum(memory_.data + kBehind, header_.file_bytes - kBehind),
-                           0};
+    const std::byte* const data = memory_.data + kBehind;
+    const std::size_t bytes = file_bytes_ - kBehind;
+    done = bytes - work_.sum.at <= kStepBytes;
+    if (!done) {
+      work_.sum.add(data, work_.sum.at + kStepBytes);
+      return Status::ok;
+    }
+    const format::Header h{
+        format::kMagic, format::kVersion, file_bytes_, record_count_, work_.sum.finish(data, bytes), 0};
     std::memcpy(memory_.data, &h, sizeof h);
     return Status::ok;
   }
@@ -133,63 +156,90 @@ class Unpacker {
     return Status::bad_data;
   }
 
-  // Adds the record's section, or does one stage of a mesh.
+  void begin_work() {
+    section_ = {};
+    if (record_.kind < format::kKindCount) section_.type = format::kTypes[record_.kind];
+    const bool compact = record_.codec == packed::kCompact;
+    if (record_.codec < packed::kFirstCodec) {
+      work_.copied = 0;
+    } else if (compact && record_.kind == format::kNames) {
+      ::new (&work_.names) NameReader(record_.bytes);
+    } else if (compact && record_.kind == format::kBounds) {
+      ::new (&work_.bounds) BoundsInWork(record_.bytes);
+    } else if (compact && record_.kind == format::kClips) {
+      ::new (&work_.clip) ClipInWork;
+    } else if (record_.kind == format::kGeometries) {
+      ::new (&work_.mesh) GeometryInWork{};
+    }
+  }
+
+  // Adds to the record's section, which is done when nothing goes on.
   Status add(const char*& rule) {
     if (record_.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
     const std::uint64_t offset = format::align16(end_);
-    if (offset > header_.file_bytes) return bad(rule, "file_bytes too small");
+    if (offset > file_bytes_) return bad(rule, "file_bytes too small");
     std::memset(memory_.data + end_, 0, static_cast<std::size_t>(offset - end_));
-    const Span<std::byte> out(memory_.data + offset, header_.file_bytes - static_cast<std::size_t>(offset));
-    File::Section section{format::kTypes[record_.kind], static_cast<std::uint32_t>(offset), 0, 0};
-    if (record_.codec < packed::kFirstCodec) {
-      if (record_.bytes.size > out.size) return bad(rule, "file_bytes too small");
-      std::memcpy(out.data, record_.bytes.data, record_.bytes.size);
-      section.bytes = static_cast<std::uint32_t>(record_.bytes.size);
-      section.codec = record_.codec;
-    } else {
-      const Status status = expand(out, section, rule);
-      if (status != Status::ok || stage_ != MeshStage::decoding) return status;
-    }
+    const Span<std::byte> out(memory_.data + offset, file_bytes_ - static_cast<std::size_t>(offset));
+    section_.offset = static_cast<std::uint32_t>(offset);
+    bool done = true;  // unless whatever takes several steps says that it is not
+    const Status status = record_.codec < packed::kFirstCodec ? copy(out, rule, done) : expand(out, rule, done);
+    if (status != Status::ok || !done) return status;
+    is_going_on_ = false;
     if (record_.kind == format::kSkeletons && record_.codec == packed::kCompact && skeletons_ == index_) ++skeletons_;
     if (record_.kind == format::kReferences && record_.codec == format::kCodecRaw && references_ == index_)
       ++references_;
     has_models_ = has_models_ && record_.kind == format::kClips && record_.codec == packed::kCompact;
-    std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section, &section, sizeof section);
-    end_ = offset + section.bytes;
+    std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section_, &section_, sizeof section_);
+    end_ = offset + section_.bytes;
     ++index_;
     return Status::ok;
   }
 
+  // A section as it stands.
+  Status copy(Span<std::byte> out, const char*& rule, bool& done) {
+    const auto bytes = static_cast<std::uint32_t>(record_.bytes.size);
+    if (bytes > out.size) return bad(rule, "file_bytes too small");
+    const std::uint32_t end = step_end(work_.copied, bytes, kStepBytes);
+    if (end > work_.copied) std::memcpy(out.data + work_.copied, record_.bytes.data + work_.copied, end - work_.copied);
+    work_.copied = end;
+    done = end == bytes;
+    section_.bytes = bytes;
+    section_.codec = record_.codec;
+    return Status::ok;
+  }
+
   Span<std::byte> scratch() const {
-    const std::size_t first = static_cast<std::size_t>(format::align16(header_.file_bytes));
-    return {memory_.data + first, header_.memory_bytes - first};
+    const std::size_t first = static_cast<std::size_t>(format::align16(file_bytes_));
+    return {memory_.data + first, memory_bytes_ - first};
   }
 
   // A record that is not a section as it stands.
-  Status expand(Span<std::byte> out, File::Section& section, const char*& rule) {
-    if (record_.kind == format::kGeometries && record_.codec != packed::kCompact)
-      return expand_mesh(out, section, rule);
+  Status expand(Span<std::byte> out, const char*& rule, bool& done) {
+    if (record_.kind == format::kGeometries && record_.codec != packed::kCompact) return expand_mesh(out, rule, done);
     const UnpackedSkeletons skeletons{memory_.data, skeletons_, references_};
-    std::uint32_t& bytes = section.bytes;
+    std::uint32_t& bytes = section_.bytes;
     if (record_.codec != packed::kCompact) {
       rule = "a codec that is none of this kind of record";
     } else if (record_.kind == format::kSkeletons) {
       rule = unpack_skeleton(record_.bytes, names_, out, bytes);
     } else if (record_.kind == format::kClips) {
-      rule = unpack_clip(record_.bytes, skeletons, has_models_, scratch(), out, bytes, section.codec);
+      rule =
+          unpack_clip(record_.bytes, skeletons, has_models_, scratch(), work_.clip, out, bytes, section_.codec, done);
     } else if (record_.kind == format::kMeshes) {
       rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
     } else if (record_.kind == format::kNames) {
-      rule = unpack_names(record_.bytes, out, bytes);
+      rule = unpack_names(work_.names, out, bytes, done);
     } else if (record_.kind == format::kBounds) {
-      rule = unpack_bounds(record_.bytes, out, bytes);
+      rule = unpack_bounds(record_.bytes, work_.bounds, out, bytes, done);
     } else {
       rule = "a codec that is none of this kind of record";
     }
     return rule == nullptr ? Status::ok : Status::bad_data;
   }
 
-  Status expand_mesh(Span<std::byte> out, File::Section& section, const char*& rule) {
+  Status expand_mesh(Span<std::byte> out, const char*& rule, bool& done) {
+    GeometryInWork& mesh = work_.mesh;
+    bool stage_done = true;
     if (stage_ == MeshStage::decoding) {
       const MeshDecoder* decoder = nullptr;
       for (const MeshDecoder& d : decoders_)
@@ -199,36 +249,39 @@ class Unpacker {
         return Status::unsupported;
       }
       Status decoded = Status::ok;
-      rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh_, decoded);
+      rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh, decoded);
       if (decoded == Status::out_of_memory) return decoded;
-      stage_ = mesh_.streams.apart.influences > 0 ? MeshStage::finishing : MeshStage::ordering;
     } else if (stage_ == MeshStage::finishing) {
-      bool done = false;
-      rule = finish_streams(mesh_, done);
-      if (done) stage_ = MeshStage::ordering;
+      rule = finish_streams(mesh, stage_done);
     } else if (stage_ == MeshStage::ordering) {
-      rule = arrange_geometry(mesh_.streams, mesh_.scratch, mesh_.arrangement);
-      stage_ = MeshStage::writing;
+      rule = arrange_geometry(mesh, stage_done);
     } else {
-      rule = write_geometry(mesh_.streams, mesh_.arrangement, out, section.bytes);
+      rule = write_geometry(mesh, out, section_.bytes, stage_done);
+    }
+    done = stage_done && stage_ == MeshStage::writing;
+    if (done) {
       stage_ = MeshStage::decoding;
+    } else if (stage_done) {
+      const bool plain = stage_ == MeshStage::decoding && mesh.streams.apart.influences == 0;
+      stage_ = static_cast<MeshStage>(static_cast<std::uint8_t>(stage_) + (plain ? 2 : 1));
     }
     return rule == nullptr ? Status::ok : Status::bad_data;
   }
 
-  Header header_;
+  std::uint32_t file_bytes_, memory_bytes_, record_count_;
   Span<const MeshDecoder> decoders_;
   Span<std::byte> memory_;
   std::size_t packed_bytes_;
   ByteReader records_;
   NameReader names_;  // stands at the next skeleton's
   std::uint64_t end_;
-  std::size_t offset_ = 0;  // of the record in work
   Record record_;
-  GeometryInWork mesh_;
-  std::uint32_t index_ = 0;                       // of the record in work
+  File::Section section_{};  // of the record in work
+  Work work_;
+  std::uint32_t offset_ = 0, index_ = 0;          // of the record in work
   std::uint32_t skeletons_ = 0, references_ = 0;  // compact ones, or references, at the front of the table
   bool has_models_ = false;                       // a clip's, at the front of the scratch memory, for the next one
+  bool is_going_on_ = false;                      // with a record, or with the file's checksum
   MeshStage stage_ = MeshStage::decoding;
 };
 static_assert(sizeof(Unpacker) <= kUnpackStateBytes && alignof(Unpacker) <= 8);
@@ -261,7 +314,7 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
   MARROW_REQUIRE_GOOD(check_memory(h, memory, error));
   Unpacker unpacker(h, packed, decoders, memory);
   while (status == Status::ok && !unpacker.at_end()) status = unpacker.step(error);
-  if (status == Status::ok) status = unpacker.finish(error);
+  for (bool done = false; status == Status::ok && !done;) status = unpacker.finish(error, done);
   if (status == Status::ok) file = unpacker.file();
   return status;
 }
@@ -286,8 +339,8 @@ Status unpack_step(Unpacking& unpacking, DataError* error) {
   MARROW_MARK;
   Unpacker& unpacker = *reinterpret_cast<Unpacker*>(unpacking.state);
   MARROW_REQUIRE(unpacker.is_begun() && "begin_unpack() before, and neither failed nor finished since");
-  const bool last = unpacker.at_end();
-  const Status status = last ? unpacker.finish(error) : unpacker.step(error);
+  bool last = false;
+  const Status status = unpacker.at_end() ? unpacker.finish(error, last) : unpacker.step(error);
   unpacking.done_bytes = unpacker.done_bytes();
   if (last && status == Status::ok) unpacking.file = unpacker.file();
   if (last || status != Status::ok) std::memset(unpacking.state, 0, sizeof unpacking.state);

@@ -32,8 +32,9 @@ struct UnpackSizes {
 MARROW_API bool is_packed(Span<const std::byte> bytes);
 
 // How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
-// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
-// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+// else, or a clip or bounds more than their bytes can hold. A mesh's counts are the file's claim, which a codec's few
+// bytes may bear out, so whoever reads files of strangers should set a limit. Errors: bad_magic, bad_version,
+// bad_checksum, truncated, bad_data. Cost: the checksum.
 MARROW_API Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
 
 // Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
@@ -70,9 +71,9 @@ MARROW_API Status begin_unpack(Span<const std::byte> packed, Span<const MeshDeco
                                Unpacking& out, DataError* error = nullptr);
 
 // Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
-// in several steps of a few milliseconds and decoding that, ordering and writing. The
-// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
-// meshopt's is short. A clip is one step: some 25 ns an integer.
+// and decoding that, ordering and writing; then with the file's checksum. A step stops when it has done so much, a few
+// milliseconds whatever the file holds, and the next one goes on there; but for a codec's decoding of a mesh, which is
+// one step: Draco's is the longest, meshopt's is short. Cost: docs/benchmarks.md.
 //
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.

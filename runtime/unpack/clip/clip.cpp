@@ -1,8 +1,9 @@
 #include "unpack/clip/clip.h"
 
 #include <bit>
+#include <new>
 
-#include "unpack/clip/segments.h"
+#include "core/step.h"
 
 namespace marrow {
 namespace {
@@ -64,9 +65,8 @@ Head take_head(ByteReader& reader) {
   return out;
 }
 
-// What stands behind them. Returns null, or the rule that is broken.
-const char* take_sizes(ByteReader& reader, const Head& head, SegmentSizes& out) {
-  format::CodedHeader& h = out.header;
+// What stands behind them, up to the segments' sizes. Returns null, or the rule that is broken.
+const char* take_coded_header(ByteReader& reader, const Head& head, format::CodedHeader& h) {
   h.frame_count = reader.take_varint();
   h.segment_intervals = reader.take_varint();
   if ((head.flags & packed::kClipGivesMean) != 0) h.frames_per_s = reader.take<float>();
@@ -77,53 +77,180 @@ const char* take_sizes(ByteReader& reader, const Head& head, SegmentSizes& out) 
   if (h.frame_count < 2 || h.frame_count > format::kMaxFrames || h.segment_intervals < 1)
     return "frames or intervals out of range";
   h.time_count = (head.flags & packed::kClipIsUneven) != 0 ? h.frame_count : 0;
-  return read_segment_sizes(reader, out) ? nullptr : "a clip that is too short, or larger than a file";
+  return nullptr;
 }
 
-void take_times(ClipCodec<SymbolDecoder>& codec, std::uint32_t rate, std::uint32_t count, std::byte* out) {
-  for (std::uint32_t i = 0; i < count; ++i) reinterpret_cast<float*>(out)[i] = codec.code_time(rate, 0);
-}
+constexpr const char *kWrongSize = "a clip that is too short or too long",
+                     *kTooLarge = "a clip that is too short, or larger than a file";
 
-// False if there is one that no encoder writes.
-bool take_lists(ListModels& models, SymbolDecoder& decoder, const format::ClipHeader& h, std::byte* section) {
-  const format::ClipLayout l = layout(h);
-  ListCodec<SymbolDecoder> codec(models, decoder);
-  auto* const tracks = reinterpret_cast<Track*>(section + l.tracks);
-  auto* const channels = reinterpret_cast<Channel*>(section + l.channels);
-  for (std::uint32_t t = 0; t < h.track_count; ++t) codec.code_track(tracks[t]);
-  for (std::uint32_t c = 0; c < h.channel_count; ++c) codec.code_channel(channels[c]);
-  bool fits = true;
-  for_each_list(h, tracks, channels, [&](const ValueList& list) {
-    fits = fits && codec.code_values(list, {}, reinterpret_cast<float*>(section + l.values));
-  });
-  return fits;
-}
+// One step of a clip, over what `work` has of it.
+class ClipStep {
+ public:
+  using Stage = ClipInWork::Stage;
 
-// From `start` on.
-const char* unpack_coded(ClipCodec<SymbolDecoder>& codec, const Head& head, SegmentSizes& sizes,
-                         std::uint32_t joint_count, const SegmentScratch& work, std::uint64_t start,
-                         Span<std::byte> out, std::uint32_t& bytes) {
-  format::CodedHeader& h = sizes.header;
-  const format::CodedLayout fixed = layout(h, start, joint_count);  // up to the constants
-  if (fixed.constants > out.size) return "file_bytes too small";
-  const std::uint64_t payload_bytes = sizes.payload_bytes + format::kPayloadPadding;
-  if (payload_bytes > UINT32_MAX) return "a clip larger than a file";
-  take_times(codec, head.rate, h.time_count, out.data + fixed.times);
-  auto* const masks = reinterpret_cast<GroupMasks*>(out.data + fixed.masks);
-  const auto groups = static_cast<std::uint32_t>(soa_count(joint_count));
-  if (!take_masks(codec, groups, masks, h)) return "masks that are not the tracks'";
-  h.payload_bytes = static_cast<std::uint32_t>(payload_bytes);
-  const format::CodedLayout l = layout(h, start, joint_count);
-  if (l.bytes > out.size) return "file_bytes too small";
-  std::memcpy(out.data + l.header, &h, sizeof h);
-  take_constants(codec, groups, masks, reinterpret_cast<format::Constant*>(out.data + l.constants));
-  std::memset(out.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
-  bytes = static_cast<std::uint32_t>(l.bytes);
-  return unpack_segments(codec, sizes, work, out.data + l.payload,
-                         reinterpret_cast<std::uint32_t*>(out.data + l.offsets))
-             ? nullptr
-             : "a segment that is none";
-}
+  ClipStep(Span<const std::byte> record, std::uint32_t joint_count, Span<std::byte> scratch, ClipInWork& work,
+           Span<std::byte> out)
+      : record_(record),
+        reader_(record.data, record.size),
+        head_(take_head(reader_)),
+        lists_(layout(head_.header)),
+        joint_count_(joint_count),
+        scratch_(scratch),
+        w_(work),
+        out_(out) {}
+
+  const char* run(bool& has_models, std::uint32_t& bytes, std::uint32_t& codec, bool& done) {
+    if (w_.stage == Stage::beginning) {
+      const char* const rule = begin(bytes, codec, done);
+      if (rule != nullptr || done) return rule;
+    }
+    if (w_.stage == Stage::sizes) {
+      const std::uint32_t before = w_.sizes.read;
+      if (!read_segment_sizes(w_.reader, w_.sizes, left_)) return kTooLarge;
+      use_up(w_.sizes.read - before, left_);
+      if (w_.sizes.read == format::segment_count(w_.sizes.header)) w_.stage = Stage::symbols;
+    }
+    if (w_.stage == Stage::symbols) {
+      if (w_.reader.failed()) return kWrongSize;
+      Memory memory{scratch_.data, 0, scratch_.size};
+      const SegmentScratch whole = take_segment_scratch(memory, w_.sizes.header.track_count, w_.sizes.most_frames);
+      if (memory.failed) return "memory_bytes too small";
+      if (!has_models) whole.models->begin();
+      has_models = true;
+      w_.decoder = SymbolDecoder(w_.reader.take_bytes(w_.reader.left()));
+      next(head_.has_lists() ? Stage::tracks : Stage::times);
+    }
+    Memory memory{scratch_.data, 0, scratch_.size};
+    const SegmentScratch scratch = take_segment_scratch(memory, w_.sizes.header.track_count, 0);
+    if (w_.stage >= Stage::tracks && w_.stage <= Stage::values && !take_lists(scratch.models->lists))
+      return "a list that is none";
+    if (w_.stage < Stage::times) return nullptr;
+    ClipCodec<SymbolDecoder> symbols(*scratch.models, w_.decoder, w_.symbols);
+    const char* const rule = take_rest(symbols, scratch, bytes, done);
+    w_.symbols = symbols.state();
+    return rule;
+  }
+
+ private:
+  const char* begin(std::uint32_t& bytes, std::uint32_t& codec, bool& done) {
+    if ((head_.flags & ~std::uint32_t{packed::kAllClipFlags}) != 0) return "unknown clip flags";
+    if (joint_count_ == 0) return "no such skeleton among the first records";
+    if (lists_.bytes > out_.size) return "file_bytes too small";
+    std::memcpy(out_.data, &head_.header, sizeof head_.header);
+    copy_to(reader_.take_bytes(static_cast<std::size_t>(lists_.tracks - lists_.reference)), out_, lists_.reference);
+    bytes = static_cast<std::uint32_t>(lists_.bytes);
+    codec = head_.is_coded() ? format::kCodecSegments : format::kCodecRaw;
+    if (!head_.has_symbols()) {
+      done = true;
+      return reader_.failed() || reader_.left() != 0 ? kWrongSize : nullptr;
+    }
+    if (head_.is_coded())
+      if (const char* const rule = take_coded_header(reader_, head_, w_.sizes.header)) return rule;
+    w_.reader = reader_;
+    next(head_.is_coded() ? Stage::sizes : Stage::symbols);
+    return nullptr;
+  }
+
+  // False if there is one that no encoder writes.
+  bool take_lists(ListModels& models) {
+    const format::ClipHeader& h = head_.header;
+    auto& at = w_.lists;
+    ListCodec<SymbolDecoder> codec(models, w_.decoder, at.state);
+    auto* const tracks = reinterpret_cast<Track*>(out_.data + lists_.tracks);
+    auto* const channels = reinterpret_cast<Channel*>(out_.data + lists_.channels);
+    if (w_.stage == Stage::tracks)
+      each(h.track_count, 4, Stage::channels, [&](std::uint32_t t) { codec.code_track(tracks[t]); });
+    if (w_.stage == Stage::channels)
+      each(h.channel_count, 4, Stage::values, [&](std::uint32_t c) { codec.code_channel(channels[c]); });
+    bool fits = true;
+    while (w_.stage == Stage::values && fits && left_ > 0) {
+      if (w_.at == at.list.count) {
+        w_.at = 0;
+        if (!next_list(h, tracks, channels, at.which, at.list)) {
+          next(Stage::times);
+          break;
+        }
+      }
+      const std::uint32_t end = step_end(w_.at, at.list.count, left_);
+      fits = codec.code_values(at.list, {}, reinterpret_cast<float*>(out_.data + lists_.values), w_.at, end);
+      use_up(end - w_.at + 1, left_);
+      w_.at = end;
+    }
+    if (w_.stage <= Stage::values) at.state = codec.state();
+    return fits;
+  }
+
+  // Times and segments of what is coded; channels' and tracks' times are coded the same way.
+  const char* take_rest(ClipCodec<SymbolDecoder>& symbols, const SegmentScratch& scratch, std::uint32_t& bytes,
+                        bool& done) {
+    const format::ClipHeader& h = head_.header;
+    format::CodedHeader& coded = w_.sizes.header;
+    const std::uint64_t start = lists_.bytes;
+    format::CodedLayout fixed{};  // up to the constants
+    if (head_.is_coded()) fixed = layout(coded, start, joint_count_);
+    if (w_.stage == Stage::times) {
+      if (head_.is_coded() && fixed.constants > out_.size) return "file_bytes too small";
+      const std::uint64_t payload_bytes = w_.sizes.payload_bytes + format::kPayloadPadding;
+      if (payload_bytes > UINT32_MAX) return "a clip larger than a file";
+      const std::uint64_t count = std::uint64_t{h.time_count} + coded.time_count;
+      if (count > UINT32_MAX) return "a clip larger than a file";
+      each(static_cast<std::uint32_t>(count), 2, Stage::masks, [&](std::uint32_t i) {
+        const bool is_frame = i >= h.time_count;
+        auto* const times = reinterpret_cast<float*>(out_.data + (is_frame ? fixed.times : lists_.times));
+        times[is_frame ? i - h.time_count : i] = symbols.code_time(head_.rate, 0);
+      });
+    }
+    if (w_.stage == Stage::masks && head_.is_coded()) {
+      auto* const masks = reinterpret_cast<GroupMasks*>(out_.data + fixed.masks);
+      const auto groups = static_cast<std::uint32_t>(soa_count(joint_count_));
+      if (!take_masks(symbols, groups, masks, coded)) return "masks that are not the tracks'";
+      coded.payload_bytes = static_cast<std::uint32_t>(w_.sizes.payload_bytes + format::kPayloadPadding);
+      const format::CodedLayout l = layout(coded, start, joint_count_);
+      if (l.bytes > out_.size) return "file_bytes too small";
+      std::memcpy(out_.data + l.header, &coded, sizeof coded);
+      take_constants(symbols, groups, masks, reinterpret_cast<format::Constant*>(out_.data + l.constants));
+      std::memset(out_.data + l.bytes - format::kPayloadPadding, 0, format::kPayloadPadding);
+      bytes = static_cast<std::uint32_t>(l.bytes);
+      use_up(8 * groups + 4 * coded.constant_count, left_);
+    }
+    if (w_.stage == Stage::masks) {
+      ::new (&w_.segments) SegmentsInWork;
+      next(Stage::frames);
+    }
+    if (w_.stage == Stage::frames && head_.is_coded()) {
+      const format::CodedLayout l = layout(coded, start, joint_count_);
+      if (!unpack_segments(symbols, w_.sizes, scratch, out_.data + l.payload,
+                           reinterpret_cast<std::uint32_t*>(out_.data + l.offsets), w_.segments, left_))
+        return "a segment that is none";
+    }
+    done = w_.stage == Stage::frames && (!head_.is_coded() || w_.segments.segment == format::segment_count(coded));
+    return !done || w_.decoder.at_end() ? nullptr : kWrongSize;
+  }
+
+  // Elements from where the stage is, of so much work each; then the next stage.
+  template <class F>
+  void each(std::uint32_t count, std::uint32_t work, Stage then, const F& f) {
+    for (; w_.at < count && left_ > 0; ++w_.at) {
+      f(w_.at);
+      use_up(work, left_);
+    }
+    if (w_.at == count) next(then);
+  }
+  void next(Stage stage) {
+    w_.stage = stage;
+    w_.at = 0;
+  }
+
+  Span<const std::byte> record_;
+  ByteReader reader_;
+  Head head_;
+  format::ClipLayout lists_;
+  std::uint32_t joint_count_;
+  Span<std::byte> scratch_;
+  ClipInWork& w_;
+  Span<std::byte> out_;
+  std::uint32_t left_ = kStepNumbers;
+};
 
 }  // namespace
 
@@ -134,54 +261,33 @@ std::uint64_t clip_scratch_bytes(std::uint32_t track_count, std::uint32_t most_f
 }
 
 const char* measure_clip_record(Span<const std::byte> record, ClipNeeds& out) {
+  // A symbol takes a 95th of a bit or more, see bounds_record.cpp, and says 19 bits of a frame at most.
+  constexpr std::uint64_t kMostBytesOfByte = 4096, kMostFramesOfByte = 1024;
   ByteReader reader(record.data, record.size);
   const Head head = take_head(reader);
   if (!head.has_symbols()) return nullptr;
   const format::ClipLayout l = layout(head.header);
-  if (l.tracks - l.reference > reader.left()) return "a clip that is too short or too long";
+  if (l.tracks - l.reference > reader.left()) return kWrongSize;
   reader.take_bytes(static_cast<std::size_t>(l.tracks - l.reference));
   SegmentSizes sizes;
-  if (head.is_coded())
-    if (const char* const rule = take_sizes(reader, head, sizes)) return rule;
+  if (head.is_coded()) {
+    if (const char* const rule = take_coded_header(reader, head, sizes.header)) return rule;
+    if (!read_segment_sizes(reader, sizes)) return kTooLarge;
+  }
   out.scratch_bytes = clip_scratch_bytes(sizes.header.track_count, sizes.most_frames);
   out.most_section_bytes = l.bytes - l.tracks + std::uint64_t{sizes.header.time_count} * 4 + sizes.payload_bytes;
-  return nullptr;
+  return out.most_section_bytes > kMostBytesOfByte * record.size || sizes.most_frames > kMostFramesOfByte * record.size
+             ? kTooLarge
+             : nullptr;
 }
 
 const char* unpack_clip(Span<const std::byte> record, UnpackedSkeletons skeletons, bool& has_models,
-                        Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes, std::uint32_t& codec) {
+                        Span<std::byte> scratch, ClipInWork& work, Span<std::byte> out, std::uint32_t& bytes,
+                        std::uint32_t& codec, bool& done) {
+  done = false;
   ByteReader reader(record.data, record.size);
-  const Head head = take_head(reader);
-  const format::ClipHeader& h = head.header;
-  if ((head.flags & ~std::uint32_t{packed::kAllClipFlags}) != 0) return "unknown clip flags";
-  const std::uint32_t joint_count = joint_count_at(skeletons, h.skeleton);
-  if (joint_count == 0) return "no such skeleton among the first records";
-  const format::ClipLayout l = layout(h);
-  if (l.bytes > out.size) return "file_bytes too small";
-  std::memcpy(out.data, &h, sizeof h);
-  copy_to(reader.take_bytes(static_cast<std::size_t>(l.tracks - l.reference)), out, l.reference);
-  bytes = static_cast<std::uint32_t>(l.bytes);
-  codec = head.is_coded() ? format::kCodecSegments : format::kCodecRaw;
-  const char* const wrong_size = "a clip that is too short or too long";
-  if (!head.has_symbols()) return reader.failed() || reader.left() != 0 ? wrong_size : nullptr;
-
-  SegmentSizes sizes;
-  if (head.is_coded())
-    if (const char* const rule = take_sizes(reader, head, sizes)) return rule;
-  if (reader.failed()) return wrong_size;
-  Memory memory{scratch.data, 0, scratch.size};
-  const SegmentScratch work = take_segment_scratch(memory, sizes.header.track_count, sizes.most_frames);
-  if (memory.failed) return "memory_bytes too small";
-  if (!has_models) work.models->begin();
-  has_models = true;
-  SymbolDecoder decoder(reader.take_bytes(reader.left()));
-  ClipCodec<SymbolDecoder> symbols(*work.models, decoder);
-  if (head.has_lists() && !take_lists(work.models->lists, decoder, h, out.data)) return "a list that is none";
-  take_times(symbols, head.rate, h.time_count, out.data + l.times);
-  if (head.is_coded())
-    if (const char* const rule = unpack_coded(symbols, head, sizes, joint_count, work, l.bytes, out, bytes))
-      return rule;
-  return decoder.at_end() ? nullptr : wrong_size;
+  const std::uint32_t joint_count = joint_count_at(skeletons, take_head(reader).header.skeleton);
+  return ClipStep(record, joint_count, scratch, work, out).run(has_models, bytes, codec, done);
 }
 
 }  // namespace marrow

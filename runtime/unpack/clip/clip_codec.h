@@ -123,17 +123,26 @@ struct ClipTrackEnd {
   ClipWalk walks[3];
 };
 
+// What a codec keeps from one number to the next, beside the models.
+struct ClipCodecState {
+  std::int32_t step = 100, scale = 10;  // of the track and of the moving component before
+  std::uint32_t mask_same = 0, constant_same = 0;
+  std::int32_t part = 0, gap = 0;  // the time before, and how far it was from the one before that
+};
+
 // Coder: SymbolDecoder, or an encoder that has the same functions. An encoder's track holds what is to be written; a
 // decoder's is filled in. A clip has one of its own; models go on from clip to clip.
 template <class Coder>
 class ClipCodec {
  public:
-  ClipCodec(ClipModels& models, Coder& coder) : models_(models), coder_(coder) {}
+  ClipCodec(ClipModels& models, Coder& coder, const ClipCodecState& at = {})
+      : models_(models), coder_(coder), at_(at) {}
+  const ClipCodecState& state() const { return at_; }
 
   // place: which mask of the clip it is.
   std::uint16_t code_mask(std::uint32_t place, std::uint16_t wanted) {
     std::uint16_t& last = models_.last_masks[place % ClipModels::kPlaces];
-    if (!code_same(models_.masks[mask_same_], mask_same_, wanted == last))
+    if (!code_same(models_.masks[at_.mask_same], at_.mask_same, wanted == last))
       last = static_cast<std::uint16_t>(last ^ code_number(models_.mask_changes, wanted ^ last));
     return last;
   }
@@ -146,7 +155,7 @@ class ClipCodec {
       same = same && change == 0;
       near = near && change >= -kNear && change <= kNear;
     }
-    if (code_same(models_.constants[constant_same_], constant_same_, same)) return last;
+    if (code_same(models_.constants[at_.constant_same], at_.constant_same, same)) return last;
     near = coder_.raw_bits(1, near ? 1 : 0) != 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
       std::int16_t& number = last.v[i];
@@ -159,10 +168,10 @@ class ClipCodec {
 
   // A moment close to a whole number of the rate's parts of a second, which goes on by what it went on by before.
   float code_time(std::uint32_t rate, float wanted) {
-    gap_ =
-        wrapped_sum(gap_, code_number(models_.gaps, Coder::kEncodes ? nearest_part(wanted, rate) - part_ - gap_ : 0));
-    part_ = wrapped_sum(part_, gap_);
-    const auto guess = bit_cast<std::int32_t>(time_of(part_, rate));
+    at_.gap = wrapped_sum(
+        at_.gap, code_number(models_.gaps, Coder::kEncodes ? nearest_part(wanted, rate) - at_.part - at_.gap : 0));
+    at_.part = wrapped_sum(at_.part, at_.gap);
+    const auto guess = bit_cast<std::int32_t>(time_of(at_.part, rate));
     const std::int32_t stray = Coder::kEncodes ? bit_cast<std::int32_t>(wanted) - guess : 0;
     return bit_cast<float>(wrapped_sum(guess, code_number(models_.strays, stray)));
   }
@@ -172,11 +181,11 @@ class ClipCodec {
   // False if it is nothing that an encoder writes.
   bool code_head(ClipTrack& track, ClipTrackEnd& end, bool is_first) {
     const std::uint32_t which = is_first ? 0 : 1;
-    const std::int32_t step = is_first ? step_ : end.step;
+    const std::int32_t step = is_first ? at_.step : end.step;
     track.step = wrapped_sum(step, code_number(models_.steps[which], Coder::kEncodes ? track.step - step : 0));
     bool fits = track.step >= 0 && track.step <= 255, moves = false;
     if (!fits) return false;
-    step_ = track.step;
+    at_.step = track.step;
     const bool goes_on = !is_first && track.step == end.step;
     for (std::uint32_t c = 0; c < 3; ++c) {
       const std::int32_t guess = is_first ? 0 : rescaled(end.numbers[c], end.step, track.step);
@@ -199,9 +208,13 @@ class ClipCodec {
 
   // All frames but the first; of components that do not move copies of it.
   bool code_numbers(const ClipTrack& track, ClipWalk (&walks)[3]) {
+    return code_numbers(track, walks, 1, track.frame_count);
+  }
+  // Those of them from `from` on and before `end`.
+  bool code_numbers(const ClipTrack& track, ClipWalk (&walks)[3], std::uint32_t from, std::uint32_t end) {
     ClipWalk now_at[3] = {walks[0], walks[1], walks[2]};
     const std::int32_t(&first)[3] = track.numbers[0];
-    for (std::uint32_t f = 1; f < track.frame_count; ++f) {
+    for (std::uint32_t f = from; f < end; ++f) {
       bool fits = true;
       std::int32_t(&now)[3] = track.numbers[f];
       for (std::uint32_t c = 0; c < 3; ++c) {
@@ -282,25 +295,23 @@ class ClipCodec {
   // Scales are close to the last one.
   void code_curve(ClipCurve& curve, bool is_after_moving) {
     constexpr std::int32_t kFarthest = 7, kMost = ClipScale::kCount - 1;
-    std::int32_t off = static_cast<std::int32_t>(curve.scale) - scale_;
+    std::int32_t off = static_cast<std::int32_t>(curve.scale) - at_.scale;
     off = off < -kFarthest ? -kFarthest : off > kFarthest ? kFarthest : off;
     const std::uint32_t code =
         coder_.symbol(models_.scales[is_after_moving ? 1 : 0], curve.moves ? 1 + folded(off) : 0);
     coder_.raw_bits(0, 0);
     curve.moves = code != 0;
     if (!curve.moves) return;
-    scale_ += unfolded(code - 1);
-    scale_ = scale_ < 0 ? 0 : scale_ > kMost ? kMost : scale_;
-    curve.scale = static_cast<std::uint32_t>(scale_);
+    at_.scale += unfolded(code - 1);
+    at_.scale = at_.scale < 0 ? 0 : at_.scale > kMost ? kMost : at_.scale;
+    curve.scale = static_cast<std::uint32_t>(at_.scale);
     curve.predictor = coder_.symbol(models_.predictors, curve.predictor) % kClipPredictors;
     coder_.raw_bits(0, 0);
   }
 
   ClipModels& models_;
   Coder& coder_;
-  std::int32_t step_ = 100, scale_ = 10;  // of the track and of the moving component before
-  std::uint32_t mask_same_ = 0, constant_same_ = 0;
-  std::int32_t part_ = 0, gap_ = 0;  // the time before, and how far it was from the one before that
+  ClipCodecState at_;
 };
 
 }  // namespace marrow

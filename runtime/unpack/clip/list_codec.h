@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 
 #include "asset/format.h"
 #include "core/builtins.h"
@@ -31,80 +32,117 @@ struct ValueList {
   bool has_tangents = false;
 };
 
-// Visits what the tracks and channels have of the values, in their order; of what two share once, and what none has.
-template <class Visit>
-void for_each_list(const format::ClipHeader& h, const Track* tracks, const Channel* channels, Visit&& visit) {
-  std::uint32_t end = 0;
-  const auto add = [&](std::uint32_t first, std::uint64_t keys, std::uint32_t width, bool has_tangents) {
+// What the tracks and channels have of the values, in their order; of what two share once, and what none has. `list` is
+// the one before, or empty; which: the track or channel to look at next, 0 at first. False behind the last.
+inline bool next_list(const format::ClipHeader& h, const Track* tracks, const Channel* channels, std::uint32_t& which,
+                      ValueList& list) {
+  const std::uint32_t end = list.first + list.count;
+  const auto is = [&](std::uint32_t first, std::uint64_t keys, std::uint32_t width, bool has_tangents) {
     const std::uint64_t wanted = keys * width * (has_tangents ? 3 : 1), left = h.value_count - end;
     const auto count = static_cast<std::uint32_t>(wanted < left ? wanted : left);
-    if (first != end || count == 0) return;
-    visit(ValueList{end, count, width, has_tangents});
-    end += count;
+    if (first != end || count == 0) return false;
+    list = {end, count, width, has_tangents};
+    return true;
   };
-  for (std::uint32_t t = 0; t < h.track_count; ++t)
-    add(tracks[t].first_value, tracks[t].key_count, tracks[t].path == TrackPath::rotation ? 4 : 3,
-        tracks[t].interpolation == Interpolation::cubic_spline);
-  for (std::uint32_t c = 0; c < h.channel_count; ++c)
-    add(channels[c].first_value, channels[c].key_count, 1, channels[c].interpolation == Interpolation::cubic_spline);
-  add(end, h.value_count, 1, false);
+  while (which <= h.track_count + h.channel_count) {
+    const std::uint32_t n = which++;
+    if (n < h.track_count) {
+      const Track& t = tracks[n];
+      if (is(t.first_value, t.key_count, t.path == TrackPath::rotation ? 4 : 3,
+             t.interpolation == Interpolation::cubic_spline))
+        return true;
+    } else if (n - h.track_count < h.channel_count) {
+      const Channel& c = channels[n - h.track_count];
+      if (is(c.first_value, c.key_count, 1, c.interpolation == Interpolation::cubic_spline)) return true;
+    } else if (is(end, h.value_count, 1, false)) {
+      return true;
+    }
+  }
+  return false;
 }
+template <class Visit>
+void for_each_list(const format::ClipHeader& h, const Track* tracks, const Channel* channels, Visit&& visit) {
+  ValueList list;
+  for (std::uint32_t which = 0; next_list(h, tracks, channels, which, list);) visit(list);
+}
+
+inline constexpr std::uint32_t kMostListWidth = 4;
+// What a codec keeps from one number to the next, beside the models.
+struct ListCodecState {
+  std::int32_t exponents[2] = {};  // of values, of tangents
+  std::uint32_t words[ListModels::kWords] = {}, kind = 0, end = 0;
+  std::int32_t before[2][kMostListWidth] = {};  // of the list in work a value, and a tangent
+  std::uint8_t sizes[3][kMostListWidth] = {};   // of what they were off by
+};
 
 // Coder: as ClipCodec's. A clip has one of its own; models go on from clip to clip.
 template <class Coder>
 class ListCodec {
  public:
-  ListCodec(ListModels& models, Coder& coder) : models_(models), coder_(coder) {}
+  ListCodec(ListModels& models, Coder& coder, const ListCodecState& at = {})
+      : models_(models), coder_(coder), at_(at) {}
+  const ListCodecState& state() const { return at_; }
 
   // An encoder's are what is to be written, a decoder's are filled in.
   void code_track(Track& t) {
+    if (!Coder::kEncodes) t = {};
     const std::uint32_t kind = static_cast<std::uint32_t>(t.path) | static_cast<std::uint32_t>(t.interpolation) << 8;
-    const std::uint32_t joint_and_kind = code_word(0, t.joint | kind << 16, words_[0]);
+    const std::uint32_t joint_and_kind = code_word(0, t.joint | kind << 16, at_.words[0]);
     t.joint = static_cast<std::uint16_t>(joint_and_kind);
     t.path = static_cast<TrackPath>(joint_and_kind >> 16 & 255);
     t.interpolation = static_cast<Interpolation>(joint_and_kind >> 24);
     code_place(t.key_count, t.first_time, t.first_value);
-    end_ += t.key_count * format::floats_per_key(t.path, t.interpolation);
+    at_.end += t.key_count * format::floats_per_key(t.path, t.interpolation);
   }
   void code_channel(Channel& c) {
-    c.name = code_word(0, c.name, words_[0]);
-    c.rest = bit_cast<float>(code_word(4, bit_cast<std::uint32_t>(c.rest), words_[4]));
+    if (!Coder::kEncodes) c = {};
+    c.name = code_word(0, c.name, at_.words[0]);
+    c.rest = bit_cast<float>(code_word(4, bit_cast<std::uint32_t>(c.rest), at_.words[4]));
     code_place(c.key_count, c.first_time, c.first_value);
-    c.interpolation = static_cast<Interpolation>(code_word(4, static_cast<std::uint32_t>(c.interpolation), kind_));
-    if (!Coder::kEncodes)
-      for (std::uint8_t& byte : c.reserved) byte = 0;
-    end_ += c.key_count * format::floats_per_key(c.interpolation);
+    c.interpolation = static_cast<Interpolation>(code_word(4, static_cast<std::uint32_t>(c.interpolation), at_.kind));
+    at_.end += c.key_count * format::floats_per_key(c.interpolation);
   }
 
   // values: of the whole clip. False if it is nothing that an encoder writes.
   bool code_values(const ValueList& list, const ListExponents& wanted, float* values) {
-    code_exponent(wanted.values, exponents_[0]);
-    if (list.has_tangents) code_exponent(wanted.tangents, exponents_[1]);
-    for (const std::int32_t exponent : exponents_)
-      if (exponent != ListExponents::kAsBits && (exponent < ListExponents::kLeast || exponent > ListExponents::kMost))
-        return false;
-    std::int32_t before[2][kMostWidth] = {};  // a value, and a tangent
-    std::uint32_t sizes[3][kMostWidth] = {};  // of what they were off by
-    for (std::uint32_t i = 0; i < list.count; ++i) {
+    return code_values(list, wanted, values, 0, list.count);
+  }
+  // Those from the list's `from` on and before `end`.
+  bool code_values(const ValueList& list, const ListExponents& wanted, float* values, std::uint32_t from,
+                   std::uint32_t end) {
+    if (from == 0 && !begin_values(list, wanted)) return false;
+    auto& before = at_.before;
+    auto& sizes = at_.sizes;
+    for (std::uint32_t i = from; i < end; ++i) {
       const std::uint32_t c = i % list.width, place = list.has_tangents ? i / list.width % 3 : kValue;
       const std::uint32_t kind = place == kValue ? 0 : 1;
       float& value = values[list.first + i];
       std::int32_t &number = before[kind][c], wanted_off = 0;
-      if (Coder::kEncodes) wanted_off = wrapped_difference(number_of(value, exponents_[kind]), number);
+      if (Coder::kEncodes) wanted_off = wrapped_difference(number_of(value, at_.exponents[kind]), number);
       const std::int32_t off = code_signed(coder_, models_.values[place][sizes[place][c]], wanted_off);
       number = wrapped_sum(number, off);
       sizes[place][c] = size_of(off);
-      if (!Coder::kEncodes) value = value_of(number, exponents_[kind]);
+      if (!Coder::kEncodes) value = value_of(number, at_.exponents[kind]);
     }
     return true;
   }
 
  private:
-  static constexpr std::uint32_t kMostWidth = 4, kValue = 1;
+  static constexpr std::uint32_t kValue = 1;
 
-  static std::uint32_t size_of(std::int32_t off) {
+  bool begin_values(const ValueList& list, const ListExponents& wanted) {
+    code_exponent(wanted.values, at_.exponents[0]);
+    if (list.has_tangents) code_exponent(wanted.tangents, at_.exponents[1]);
+    for (const std::int32_t exponent : at_.exponents)
+      if (exponent != ListExponents::kAsBits && (exponent < ListExponents::kLeast || exponent > ListExponents::kMost))
+        return false;
+    std::memset(at_.before, 0, sizeof at_.before);
+    std::memset(at_.sizes, 0, sizeof at_.sizes);
+    return true;
+  }
+  static std::uint8_t size_of(std::int32_t off) {
     const std::uint32_t size = bit_length(folded(off));
-    return size < ListModels::kSizes ? size : ListModels::kSizes - 1;
+    return static_cast<std::uint8_t>(size < ListModels::kSizes ? size : ListModels::kSizes - 1);
   }
   static float value_of(std::int32_t number, std::int32_t exponent) {
     return exponent == ListExponents::kAsBits ? bit_cast<float>(number)
@@ -125,15 +163,14 @@ class ListCodec {
   }
   // Values stand one behind the other.
   void code_place(std::uint32_t& key_count, std::uint32_t& first_time, std::uint32_t& first_value) {
-    key_count = code_word(1, key_count, words_[1]);
-    first_time = code_word(2, first_time, words_[2]);
-    first_value = code_word(3, first_value, end_);
+    key_count = code_word(1, key_count, at_.words[1]);
+    first_time = code_word(2, first_time, at_.words[2]);
+    first_value = code_word(3, first_value, at_.end);
   }
 
   ListModels& models_;
   Coder& coder_;
-  std::int32_t exponents_[2] = {};  // of values, of tangents
-  std::uint32_t words_[ListModels::kWords] = {}, kind_ = 0, end_ = 0;
+  ListCodecState at_;
 };
 
 }  // namespace marrow

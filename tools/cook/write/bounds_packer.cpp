@@ -46,7 +46,7 @@ std::vector<std::byte> pack_bounds(const MeasuredBounds& bounds) {
   const auto row = [&](std::size_t clip) { return Row(codes).subspan(clip * meshes, meshes); };
   const auto bytes_of = [](format::BoundsCodes& c) { return reinterpret_cast<std::byte*>(&c); };
   SymbolEncoder encoder;
-  Codec codec(encoder);
+  Codec codec;
   for (std::size_t clip = 0; clip < bounds.header.clip_count; ++clip) {
     std::size_t like = clip;
     std::uint32_t least = UINT32_MAX;
@@ -57,9 +57,10 @@ std::vector<std::byte> pack_bounds(const MeasuredBounds& bounds) {
         like = other;
       }
     }
-    if (clip > 0) codec.code_between(static_cast<std::uint32_t>(clip - 1 - like));
+    if (clip > 0) codec.code_between(encoder, static_cast<std::uint32_t>(clip - 1 - like));
     for (std::size_t m = 0; m < meshes; ++m)
-      codec.code(clip > 0 ? bytes_of(row(like)[m])
+      codec.code(encoder,
+                 clip > 0 ? bytes_of(row(like)[m])
                  : m > 0  ? bytes_of(row(0)[m - 1])
                           : Codec::kNothing,
                  bytes_of(row(clip)[m]));

@@ -3987,8 +3987,9 @@ extern "C" {
     #[link_name = "mrw_is_packed"]
     pub fn is_packed(bytes: *const c_void, byte_count: usize) -> bool;
     /// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
-    /// else. The counts are the file's claim, which a codec's few bytes may bear out, so whoever reads files of strangers
-    /// should set a limit. Errors: bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+    /// else, or a clip or bounds more than their bytes can hold. A mesh's counts are the file's claim, which a codec's few
+    /// bytes may bear out, so whoever reads files of strangers should set a limit. Errors: bad_magic, bad_version,
+    /// bad_checksum, truncated, bad_data. Cost: the checksum.
     /// May be null: error.
     #[link_name = "mrw_find_unpack_sizes"]
     pub fn find_unpack_sizes(packed: *const c_void, packed_bytes: usize, out: *mut UnpackSizes, error: *mut DataError) -> Status;
@@ -4012,9 +4013,9 @@ extern "C" {
     #[link_name = "mrw_begin_unpack"]
     pub fn begin_unpack(packed: *const c_void, packed_bytes: usize, decoders: *const MeshDecoder, decoder_count: usize, memory: *mut c_void, memory_bytes: usize, out: *mut Unpacking, error: *mut DataError) -> Status;
     /// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
-    /// in several steps of a few milliseconds and decoding that, ordering and writing. The
-    /// last step is the file's checksum. Cost: docs/benchmarks.md. Draco's decoding of a mesh is one step and the longest;
-    /// meshopt's is short. A clip is one step: some 25 ns an integer.
+    /// and decoding that, ordering and writing; then with the file's checksum. A step stops when it has done so much, a few
+    /// milliseconds whatever the file holds, and the next one goes on there; but for a codec's decoding of a mesh, which is
+    /// one step: Draco's is the longest, meshopt's is short. Cost: docs/benchmarks.md.
     ///
     /// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
     /// at a time.

@@ -163,6 +163,30 @@ TEST(ClipPacker, GivesBackWhatItGot) {
   EXPECT_LT(coded, plain * 3 / 4) << "curves that go on as they did";
 }
 
+// Five tracks of forty thousand frames, the most of them in one segment: a step is so many numbers, wherever it stops.
+TEST(ClipPacker, LongClipsAreUnpackedInSteps) {
+  std::mt19937 random(23);
+  ClipPacker packer;
+  const std::vector<std::byte> section = section_of(random, 40000, 30000, 0),
+                               record = packer.pack(section, format::kCodecSegments, kPackedJoints);
+  AlignedBlock scratch(packer.scratch_bytes()), out(section.size());
+  std::memset(out.data(), 0xCD, out.size());
+  const std::vector<std::byte> file = skeleton_file();
+  bool has_models = false, done = false;
+  auto work = std::make_unique<ClipInWork>();
+  std::uint32_t bytes = 0, codec = 0;
+  int steps = 0;
+  for (; !done; ++steps) {
+    ASSERT_STREQ(unpack_clip({record.data(), record.size()}, {file.data(), 1, 0}, has_models,
+                             {scratch.data(), scratch.size()}, *work, {out.data(), out.size()}, bytes, codec, done),
+                 nullptr);
+    work = std::make_unique<ClipInWork>(*work);  // it may move
+  }
+  EXPECT_GE(steps, 5) << "six hundred thousand numbers, decoded and written";
+  ASSERT_EQ(bytes, section.size());
+  EXPECT_EQ(std::memcmp(out.data(), section.data(), bytes), 0);
+}
+
 // The record that structure_test reads.
 TEST(ClipPacker, WritesTheSymbolsThatTheRuntimesTestsRead) {
   std::vector<std::byte> section;
