@@ -171,7 +171,8 @@ class SkinCodec {
       const std::int64_t guess = all > 0 ? (left * expected[k] + all / 2) / all : left / std::int64_t{set.count - k};
       const std::uint32_t size = bit_length(apart[k] / 2 + near + missed);
       SymbolModel& model = models_.weights[size < SkinModels::kSizes ? size : SkinModels::kSizes - 1];
-      const std::int32_t change = code_number(model, out[k] - static_cast<std::int32_t>(guess));
+      const std::int32_t wanted = Coder::kEncodes ? out[k] - static_cast<std::int32_t>(guess) : 0;
+      const std::int32_t change = code_number(model, wanted);
       const std::int64_t weight = guess + change;
       if (weight < 0 || weight > left) return false;
       out[k] = static_cast<std::int32_t>(weight);
