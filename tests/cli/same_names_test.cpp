@@ -131,7 +131,7 @@ TEST_F(SameNames, AreExportedApart) {
 // A metre in 1 s, and two in 2 s: in the file, and of the pack in its skeletons' units, which are metres here.
 TEST_F(SameNames, MoveAtAMetreASecond) {
   const auto info = nlohmann::json::parse(run_marrow({"info", in("two.mrw"), in("pack.mrw"), "--json"}).out);
-  for (int clip = 0; clip < 2; ++clip) {
+  for (std::size_t clip = 0; clip < 2; ++clip) {
     EXPECT_NEAR(info.at(0).at("clips").at(clip).at("speed_m_s").get<double>(), 1, 1e-3);
     EXPECT_NEAR(info.at(1).at("clips").at(clip).at("root_speed").get<double>(), 1, 1e-3);
   }

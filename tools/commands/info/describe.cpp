@@ -189,10 +189,12 @@ ordered_json describe_meshes(const LoadedFile& loaded) {
     counted[g] = true;
     for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
       const Geometry less = file.mesh(i, level).geometry;
+      const std::uint32_t of = mesh.lods[level - 1].geometry;
       out.back()["lods"].push_back({{"vertices", less.vertex_count},
                                     {"triangles", less.index_count / 3},
-                                    {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
+                                    {"bytes", counted[of] ? 0 : geometries[of].bytes},
                                     {"error_m", mesh.lods[level - 1].error_m}});
+      counted[of] = true;
     }
   }
   return out;
