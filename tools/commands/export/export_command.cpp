@@ -30,7 +30,7 @@ ExportedClips clips_of(const Play& play) {
   return out;
 }
 
-Exported run(const std::string& in, const Choice& choice) {
+Exported exported_with(const std::string& in, const Choice& choice) {
   const LoadedFile loaded = load_mrw(in);
   const File& file = loaded.file;
   expect_joints(in, file);
@@ -55,7 +55,7 @@ void add_export(CLI::App& app, int&) {
   command->callback([] {
     expect_extension(out, {".glb"});
     expect_writable(out);
-    const Exported exported = run(in, choice);
+    const Exported exported = exported_with(in, choice);
     for (const std::string& line : warning_lines(in, exported.warnings)) fmt::print(stderr, "{}\n", line);
     write_file_atomically(out, exported.glb);
   });
