@@ -2,12 +2,14 @@
 uniform vec4 base_colour;   // linear
 uniform vec2 alpha_range;   // only what is at least as opaque as x and less than y is drawn
 uniform float shading;      // 1: lit; 0: the colour as it is (heat maps use something between)
+uniform vec3 emissive;      // linear: light of its own
 in vec3 position_scene;
 #if MARROW_NORMAL
 in vec3 normal_scene;
 #endif
 #if MARROW_UV
 uniform highp sampler2D base_texture;
+uniform highp sampler2D emissive_texture;
 in vec2 uv;
 #endif
 #if MARROW_COLOUR || MARROW_PALETTES == 2
@@ -29,8 +31,10 @@ float gloss(vec3 n, vec3 v, vec3 l) {
 
 void main() {
   vec4 base = base_colour;
+  vec3 glow = emissive;
 #if MARROW_UV
   base *= texture(base_texture, uv);
+  glow *= texture(emissive_texture, uv).rgb;
 #endif
 #if MARROW_COLOUR || MARROW_PALETTES == 2
   base *= vertex_colour;
@@ -74,6 +78,8 @@ void main() {
   vec3 rim_direction = normalize(vec3(-key_direction.x, 0.55, -key_direction.z));
   float edge = pow(1.0 - max(dot(normal, view), 0.0), 3.0);
   light += kRimColour * (paint * 0.7 + 0.06) * edge * smoothstep(-0.1, 0.8, dot(normal, rim_direction)) * open;
+
+  light += glow;
 
   vec3 plain = albedo * (0.80 + 0.20 * max(dot(normal, view), 0.0));
   frag_colour = vec4(dither(mix(plain, film(light), shading), gl_FragCoord.xy), base.a);

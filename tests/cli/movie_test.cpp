@@ -218,6 +218,15 @@ TEST_F(MovieTest, HeatMapsShareOneScale) {
   EXPECT_EQ(frames_of(chunks_of(read_text(folder_ / "h.png"))).size(), 5u);
 }
 
+// What is loaded whole to be shown is smaller by default than a picture, which has 960x720.
+TEST_F(MovieTest, HasFewerPixelsByDefault) {
+  const Ran ran =
+      run_marrow({"render", folder_ / "t.mrw", "--clip", "wave", "--movie", "--fps", "1", "-o", folder_ / "one.png"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  const std::string png = read_text(folder_ / "one.png");
+  EXPECT_EQ(std::pair(big_endian(png, 16), big_endian(png, 20)), std::pair(480u, 360u));
+}
+
 }  // namespace
 }  // namespace marrow::test
 #endif

@@ -16,6 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools/docs
 import api_comments
 import blocks
 import commands
+import figures
 import links
 import pages
 import prose
@@ -282,6 +283,17 @@ MARROW_API void make(Box& box, int a);
         (self.root / "runtime/include/marrow/brand_new.h").unlink()
         (self.root / "runtime/include/marrow/pose.h").unlink()
         self.assertIn("differ in ['pose']", self.run_main(api_comments, "--inputs", self.root / "stages.dox")[0])
+
+
+class Figures(Made):
+    def test_each_stands_in_a_page_that_is_linked(self):
+        self.write("docs/measured.md", "| a | 0.29 | 16 304 |\n\nThe median is 0.47.\n")
+        readme = "# A\n\n## What it costs\n\n| what | ratio | when |\n|---|---|---|\n| a | 0.29, {} | 2026 |\n" \
+                 "| code | 16 304 bytes | |\n\n[Measured](docs/measured.md)\n\n## More\n\n| b | 7 |\n"
+        self.write("README.md", readme.format("0.47"))
+        self.assertEqual(self.run_main(figures), (0, ""))
+        self.write("README.md", readme.format("0.48"))
+        self.assertEqual(self.run_main(figures), (1, "README.md: a: 0.48 stands in none of docs/measured.md\n"))
 
 
 if __name__ == "__main__":

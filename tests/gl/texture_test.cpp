@@ -116,6 +116,43 @@ TEST_F(TexturedQuad, FindsPicturesInTheSource) {
   expect_corners();
 }
 
+// Black surfaces: what is seen is their own light.
+TEST_F(TexturedQuad, WhatEmitsIsSeenWhereItsTextureSays) {
+  const auto black = [&](const std::string& png) {
+    Builder b = quad(data_uri(png));
+    b.root["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0, 0, 0, 1}}}}}};
+    return b;
+  };
+  const std::string png = encode(2, 2, corners());
+  Builder textured = black(png);
+  textured.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
+  textured.root["materials"][0]["emissiveTexture"] = {{"index", 0}};
+  cook(textured, "--images embed");
+  ASSERT_EQ(render("--path ubo"), 0);
+  expect_corners();
+  textured.root["materials"][0]["emissiveFactor"] = {1, 0, 0};
+  cook(textured, "--images embed");
+  ASSERT_EQ(render("--path cpu"), 0);
+  EXPECT_GT(red().count, 2000u) << "red and yellow";
+  EXPECT_EQ(green().count + yellow().count + blue().count, 0u);
+  Builder plain = black(png);
+  plain.root["materials"][0]["emissiveFactor"] = {0, 1, 0};
+  cook(plain, "");
+  ASSERT_EQ(render(), 0);
+  EXPECT_GT(green().count, 4000u);
+  // As KHR_materials_unlit has it, its base colour is all that is seen.
+  plain.root["materials"][0]["extensions"] = {{"KHR_materials_unlit", nlohmann::json::object()}};
+  plain.root["extensionsUsed"] = {"KHR_materials_unlit"};
+  cook(plain, "");
+  ASSERT_EQ(render(), 0);
+  EXPECT_EQ(green().count, 0u);
+  // Where it emits is not known.
+  textured.root["images"][0]["uri"] = data_uri(png.substr(0, 40));
+  cook(textured, "--images embed");
+  ASSERT_EQ(render(), 0);
+  EXPECT_EQ(red().count, 0u);
+}
+
 TEST_F(TexturedQuad, TheDemoShowsTheSourcesPictures) {
   write("face.gltf", quad(data_uri(encode(2, 2, corners()))).text());
   ASSERT_EQ(run("demo " + path("face.gltf") + " -o " + path("out")), 0);

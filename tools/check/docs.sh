@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Tries the manual: its programs are those of tests, its commands run, its prose keeps to its limits, its links lead
-# somewhere, and nothing public is undocumented. Exit 1 if something is wrong, 3 if a tool cannot be had.
+# Tries the manual: its programs are those of tests, its commands run, its prose keeps to its limits, its figures
+# agree, its links lead somewhere, and nothing public is undocumented. Exit 1 if something is wrong, 3 if a tool cannot
+# be had.
 # usage: tools/check/docs.sh MARROW      (the program)
 set -euo pipefail
 marrow=$(realpath "$1")
@@ -15,6 +16,7 @@ try() {  # WHAT COMMAND ...
   [ $code -eq 0 ] || { echo "check/docs: $what" >&2; exit 1; }
 }
 try "programs that no test compiles" python3 tools/docs/snippets.py
+try "figures" python3 tools/docs/figures.py
 try "prose" python3 tools/docs/prose.py
 try "the site" tools/docs.sh
 try "commands" python3 tools/docs/commands.py "$marrow"

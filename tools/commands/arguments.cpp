@@ -14,12 +14,18 @@ void add_outfits(CLI::App* command, std::vector<std::string>& to) {
       ->type_name("OUTFIT.mrw");
 }
 
-void add_choice(CLI::App* command, Choice& choice) {
+void add_clip(CLI::App* command, Choice& choice, const std::string& without) {
   command
       ->add_option("--clip", choice.clip,
-                   "clip by name or by index, and what other skeletons play by that name; without it the rest pose")
+                   "clip by name or by index, and what other skeletons play by that name; C@SKELETON for that of one "
+                   "skeleton alone; without it " +
+                       without)
       ->type_name("C");
-  command->add_option("--clips", choice.clips, "take the clip from this clip pack")->type_name("PACK.mrw");
+  command->add_option("--clips", choice.clips, "take clips from this clip pack")->type_name("PACK.mrw");
+}
+
+void add_choice(CLI::App* command, Choice& choice) {
+  add_clip(command, choice, "the rest pose");
   command
       ->add_option("--time", choice.time_s, "seconds from the clip's start; outside the clip its first or last moment")
       ->type_name("S")

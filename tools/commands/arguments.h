@@ -15,6 +15,9 @@ void add_input(CLI::App* command, std::string& to);
 // Files that the character wears, behind it.
 void add_outfits(CLI::App* command, std::vector<std::string>& to);
 
+// --clip and --clips. without: what happens without a clip.
+void add_clip(CLI::App* command, Choice& choice, const std::string& without);
+// These, --time and --set.
 void add_choice(CLI::App* command, Choice& choice);
 void add_deformer(CLI::App* command, Deformer& to, std::span<const Named<Deformer>> deformers = kDeformers);
 

@@ -1,15 +1,11 @@
 #include "common/load_mrw.h"
 
-#include <charconv>
-
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/unpack_mrw.h"
 #include "marrow/example_space.h"
 #include "marrow/unpack.h"
-#include "text/nearest.h"
-#include "text/printable.h"
 
 namespace marrow::tools {
 
@@ -41,24 +37,6 @@ LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
                   to_string(status), error.rule);
   if (!packed) loaded.stored.assign(loaded.file.sections().begin(), loaded.file.sections().end());
   return loaded;
-}
-
-std::uint32_t find_clip(const std::string& path, const File& file, const std::string& name_or_index) {
-  const std::uint32_t by_name = file.find_clip(name_or_index.c_str());
-  if (by_name < file.clip_count()) return by_name;
-  std::uint32_t index = 0;
-  const char* const end = name_or_index.data() + name_or_index.size();
-  const auto [stop, error] = std::from_chars(name_or_index.data(), end, index);
-  if (error == std::errc() && stop == end && index < file.clip_count()) return index;
-  std::vector<std::string> names, numbered;
-  for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
-    names.emplace_back(file.clip(i).name);
-    numbered.push_back(std::to_string(i) + " \"" + printable(names.back()) + "\"");
-  }
-  const std::string question = did_you_mean(name_or_index, names);
-  throw Failure(Exit::usage, path, "", "no clip \"" + name_or_index + "\"",
-                names.empty() ? "the file has no clips"
-                              : question + (question.empty() ? "" : " ") + "there are " + listed(numbered));
 }
 
 }  // namespace marrow::tools

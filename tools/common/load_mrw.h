@@ -23,7 +23,4 @@ LoadedFile load_mrw(const std::string& path);
 // The same of bytes that are in memory already. path: for messages.
 LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes);
 
-// A clip by name or, failing that, by index. Throws Failure (usage) that lists the clips there are.
-std::uint32_t find_clip(const std::string& path, const File& file, const std::string& name_or_index);
-
 }  // namespace marrow::tools

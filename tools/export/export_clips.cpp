@@ -27,8 +27,12 @@ std::size_t components_of(TrackPath path) {
 
 class ClipExport {
  public:
-  ClipExport(ExportScene& scene, const Clip& clip)
-      : scene_(scene), clip_(clip), skeleton_(scene.file.skeleton(clip.skeleton)) {}
+  ClipExport(ExportScene& scene, const File& from, const ExportedClips::One& one)
+      : scene_(scene),
+        from_(from),
+        clip_(from.clip(one.clip)),
+        skeleton_(scene.file.skeleton(one.skeleton)),
+        nodes_(scene.joint_nodes[one.skeleton]) {}
 
   // Adds to an animation, which the clips of several skeletons may share.
   void run(Json& animation) {
@@ -67,8 +71,8 @@ class ClipExport {
 
   void add_path(std::uint32_t joint, TrackPath path, const std::vector<float>& seconds,
                 const std::vector<float>& values, Interpolation interpolation) {
-    add_channel({{"node", scene_.joint_nodes[clip_.skeleton][joint]}, {"path", kPaths[static_cast<std::size_t>(path)]}},
-                seconds, values, path == TrackPath::rotation ? kVec4 : kVec3, interpolation);
+    add_channel({{"node", nodes_[joint]}, {"path", kPaths[static_cast<std::size_t>(path)]}}, seconds, values,
+                path == TrackPath::rotation ? kVec4 : kVec3, interpolation);
   }
 
   // Keys as they stand. Of two tracks that move the same the last counts, as when sampled.
@@ -151,7 +155,7 @@ class ClipExport {
       std::vector<std::uint32_t> driving;
       bool any = false;
       for (const std::string& name : morphed.channels) {
-        const std::uint32_t found = scene_.file.find_channel(clip_, name.c_str());
+        const std::uint32_t found = from_.find_channel(clip_, name.c_str());
         driving.push_back(found < clip_.channels.size ? found : kNoChannel);
         if (driving.back() == kNoChannel) continue;
         any = true;
@@ -170,7 +174,7 @@ class ClipExport {
     for (std::uint32_t i = 0; i < clip_.channels.size; ++i) {
       if (drives_target_.contains(i)) continue;
       const Channel& channel = clip_.channels[i];
-      const std::string name = scene_.file.text(channel.name);
+      const std::string name = from_.text(channel.name);
       scene_.glb.json["extras"].emplace(name, number(channel.rest));
       std::string escaped;
       for (const char c : name) escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
@@ -195,7 +199,7 @@ class ClipExport {
   }
   bool moves(std::uint32_t joint) const {
     const std::string path = kPaths[0];
-    const std::size_t node = scene_.joint_nodes[clip_.skeleton][joint];
+    const std::size_t node = nodes_[joint];
     return std::any_of(channels_.begin(), channels_.end(), [&](const Json& channel) {
       return channel["target"].value("node", SIZE_MAX) == node && channel["target"]["path"] == path;
     });
@@ -206,7 +210,7 @@ class ClipExport {
     if (clip_.reference == nullptr) return "rest";
     Json out = Json::array();
     for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) {
-      Json joint = {{"node", scene_.joint_nodes[clip_.skeleton][j]}};
+      Json joint = {{"node", nodes_[j]}};
       for (const TrackPath path : {TrackPath::translation, TrackPath::rotation, TrackPath::scale}) {
         std::vector<float> values;
         append(clip_.reference[j / 4], j % 4, path, values);
@@ -218,8 +222,10 @@ class ClipExport {
   }
 
   ExportScene& scene_;
-  const Clip& clip_;
+  const File& from_;
+  Clip clip_;
   Skeleton skeleton_;
+  const std::vector<std::size_t>& nodes_;  // of its joints
   Json channels_ = Json::array(), samplers_ = Json::array();
   std::map<std::pair<std::uint16_t, TrackPath>, const Track*> last_;
   std::map<std::vector<float>, std::size_t> time_accessors_;
@@ -229,19 +235,20 @@ class ClipExport {
 
 }  // namespace
 
-void export_clips(ExportScene& scene) {
-  // The cooker makes a clip a skeleton of an animation, one after the other.
-  const std::uint32_t count = scene.file.clip_count();
-  for (std::uint32_t i = 0; i < count;) {
+// The cooker makes a clip a skeleton of an animation, one after the other, as long as each other.
+void export_clips(ExportScene& scene, const ExportedClips& clips) {
+  for (std::size_t i = 0; i < clips.clips.size();) {
     Json animation = {{"samplers", Json::array()}, {"channels", Json::array()}};
-    const Clip first = scene.file.clip(i);
+    const Clip first = clips.from.clip(clips.clips[i].clip);
     std::uint32_t last = first.skeleton;
-    ClipExport(scene, first).run(animation);
-    for (++i; i < count; ++i) {
-      const Clip next = scene.file.clip(i);
-      if (std::strcmp(next.name, first.name) != 0 || next.skeleton <= last || next.additive != first.additive) break;
+    ClipExport(scene, clips.from, clips.clips[i]).run(animation);
+    for (++i; i < clips.clips.size(); ++i) {
+      const Clip next = clips.from.clip(clips.clips[i].clip);
+      if (std::strcmp(next.name, first.name) != 0 || next.skeleton <= last || next.additive != first.additive ||
+          next.duration_s != first.duration_s)
+        break;
       last = next.skeleton;
-      ClipExport(scene, next).run(animation);
+      ClipExport(scene, clips.from, clips.clips[i]).run(animation);
     }
     scene.glb.add("animations", animation);
   }

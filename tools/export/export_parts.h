@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "export/export.h"
 #include "glb/glb.h"
 #include "marrow/file.h"
 #include "terminal/warnings.h"
@@ -36,6 +37,6 @@ struct ExportScene {
 void export_skeletons(ExportScene& scene);
 void export_limits(ExportScene& scene);
 void export_meshes(ExportScene& scene);
-void export_clips(ExportScene& scene);
+void export_clips(ExportScene& scene, const ExportedClips& clips);
 
 }  // namespace marrow::tools

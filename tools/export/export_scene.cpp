@@ -17,7 +17,13 @@ std::size_t ExportScene::add_node(Json node, std::size_t parent) {
   return number;
 }
 
-Exported export_file(const File& file, const std::string& name) {
+ExportedClips all_clips(const File& file) {
+  ExportedClips out{file, {}};
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) out.clips.push_back({i, file.clip(i).skeleton});
+  return out;
+}
+
+Exported export_file(const File& file, const std::string& name, const ExportedClips& clips) {
   ExportScene scene{file, name, Glb("marrow export"), {}, {}, {}, {}};
   scene.glb.json["scene"] = 0;
   export_skeletons(scene);
@@ -33,7 +39,7 @@ Exported export_file(const File& file, const std::string& name) {
                               "glTF has no spaces of example shapes; they are left out"});
   }
   export_meshes(scene);
-  export_clips(scene);
+  export_clips(scene, clips);
   export_nodes(scene);
   scene.glb.add("scenes", {{"nodes", scene.roots}});
   return {scene.glb.finish(name), std::move(scene.warnings)};

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "terminal/warnings.h"
-#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {
@@ -60,14 +59,6 @@ void print_rows(const std::vector<TableRow>& rows) {
   }
 }
 
-// Clips that take more room than they might.
-void print_raw_clips(const CookJob& job, const ordered_json& report) {
-  for (const auto& clip : report.at("clips"))
-    if (const auto& why = clip.at("raw_because"); !why.is_null() && why != "--clip-codec raw")
-      fmt::print("{}: clip \"{}\" stays raw, {} bytes: {}\n", job.out, printable(clip.at("name").get<std::string>()),
-                 clip.at("bytes").get<std::uint64_t>(), why.get<std::string>());
-}
-
 }  // namespace
 
 std::string report_text(const ordered_json& report) {
@@ -95,7 +86,6 @@ void print_summary(const CookJob& job, const Outcome& outcome) {
   fmt::print("{}: {} bytes from {}; {} joints, {} meshes, {} vertices, {} triangles, {} clips{}\n", job.out, c.cooked,
              c.source, c.joints, c.meshes, c.vertices, c.triangles, c.clips,
              outcome.from_cache ? "; from the cache" : "");
-  print_raw_clips(job, outcome.report);
 }
 
 void print_table(const std::vector<CookJob>& jobs, const std::vector<Outcome>& outcomes, double seconds) {
@@ -122,8 +112,6 @@ void print_table(const std::vector<CookJob>& jobs, const std::vector<Outcome>& o
   }
   rows.push_back(row_of("total", sum, fmt::format("{:.2f}", seconds)));
   print_rows(rows);
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-    if (outcomes[i].code == Exit::done) print_raw_clips(jobs[i], outcomes[i].report);
   fmt::print("{} files: {} cooked, {} from the cache, {} failed\n", jobs.size(), jobs.size() - from_cache - failed,
              from_cache, failed);
 }

@@ -7,6 +7,7 @@
 #include "common/failure.h"
 #include "marrow/clip_pack.h"
 #include "pose/misfits_text.h"
+#include "pose/named_clip.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -45,30 +46,51 @@ std::size_t count_misfits(const File& pack, std::uint32_t reference, const File&
                     "; cook the pack again with --skeleton");
 }
 
+void expect_pack(const std::string& path, const File& file) {
+  if (file.reference_count() > 0) return;
+  throw Failure(Exit::invalid, path, "", "not a clip pack", "cook it with --clips-only");
+}
+
 Play play_pack(const std::string& pack_path, const File& pack, const std::string& wanted, const std::string& path,
                const File& file) {
-  if (pack.reference_count() == 0)
-    throw Failure(Exit::invalid, pack_path, "", "not a clip pack", "cook it with --clips-only");
-  const std::uint32_t first = find_clip(pack_path, pack, wanted);
-  const char* const name = pack.clip(first).name;
-  const Play play = play_together(file, pack, first);
+  expect_pack(pack_path, pack);
+  const NamedClip named = find_clip(pack_path, pack, wanted);
+  const Clip first = pack.clip(named.clip);
+  const Play play = play_together(file, pack, named.clip);
   for (std::uint32_t r = 0; r < pack.reference_count(); ++r) {
-    const std::uint32_t clip = pack.clip(first).skeleton == r ? first
-                               : *name != 0                   ? pack.find_clip(name, r)
-                                                              : pack.clip_count();
-    if (clip == pack.clip_count()) continue;
-    const auto plays = std::ranges::find(play.clip_of_skeleton, clip);
-    if (plays == play.clip_of_skeleton.end()) refuse(pack_path, pack, r, path, file, play);
+    const std::uint32_t clip = first.skeleton == r                ? named.clip
+                               : *first.name != 0 && !named.alone ? pack.find_clip(first.name, r)
+                                                                  : pack.clip_count();
+    if (clip < pack.clip_count() && !skeleton_of(play, clip)) refuse(pack_path, pack, r, path, file, play);
   }
-  return play;
+  return named.alone ? only(file, play, *skeleton_of(play, named.clip)) : play;
+}
+
+Play play_own(const std::string& path, const File& file, const std::string& wanted) {
+  const NamedClip named = find_clip(path, file, wanted);
+  const Play play = play_together(file, named.clip);
+  return named.alone ? only(file, play, file.clip(named.clip).skeleton) : play;
 }
 
 }  // namespace
 
+std::vector<Play> plays_of_pack(const std::string& pack_path, const File& pack, const std::string& path,
+                                const File& file) {
+  expect_pack(pack_path, pack);
+  std::vector<Play> plays = plays_of(file, pack);
+  for (std::uint32_t i = 0; i < pack.clip_count(); ++i)
+    if (!skeleton_of(plays[i], i)) refuse(pack_path, pack, pack.clip(i).skeleton, path, file, plays[i]);
+  return plays;
+}
+
+void expect_joints(const std::string& path, const File& file) {
+  if (file.reference_count() == 0) return;
+  throw Failure(Exit::invalid, path, "", "a clip pack has nothing to move",
+                "name the character's file, and this one with --clips");
+}
+
 Chosen choose(const std::string& path, const File& file, const Choice& choice, bool dressed) {
-  if (file.reference_count() > 0)
-    throw Failure(Exit::invalid, path, "", "a clip pack has nothing to move",
-                  "name the character's file, and this one with --clips");
+  expect_joints(path, file);
   if (file.mesh_count() == 0 && !dressed) throw Failure(Exit::invalid, path, "", "no mesh", "name a file that has one");
   Chosen out;
   if (!choice.clips.empty()) {
@@ -77,7 +99,7 @@ Chosen choose(const std::string& path, const File& file, const Choice& choice, b
     out.pack = load_mrw(choice.clips);
     out.play = play_pack(choice.clips, out.pack->file, choice.clip, path, file);
   } else if (!choice.clip.empty()) {
-    out.play = play_together(file, find_clip(path, file, choice.clip));
+    out.play = play_own(path, file, choice.clip);
   }
   return out;
 }

@@ -27,13 +27,25 @@ std::optional<Clip> Play::clip(std::uint32_t skeleton) const {
   return clips.clip(clip_of_skeleton[skeleton]);
 }
 
-Play play_together(const File& file, const File& clips, std::uint32_t clip) {
+std::vector<Play> plays_of(const File& file, const File& clips) {
   const auto memory = std::make_shared<AlignedBytes>(animations_bytes(file, clips));
   Animations animations;
   const Status status = make_animations(file, clips, *memory, animations);
-  if (status == Status::mismatch) return {};
+  if (status == Status::mismatch) return std::vector<Play>(clips.clip_count());
   check(status);
-  return {animations.all[clip], memory};
+  std::vector<Play> out;
+  for (const Animation& animation : animations.all) out.push_back({animation, memory});
+  return out;
+}
+
+Play play_together(const File& file, const File& clips, std::uint32_t clip) {
+  return plays_of(file, clips)[clip];
+}
+
+std::optional<std::uint32_t> skeleton_of(const Play& play, std::uint32_t clip) {
+  for (std::uint32_t s = 0; s < play.clip_of_skeleton.size; ++s)
+    if (play.clip_of_skeleton[s] == clip) return s;
+  return std::nullopt;
 }
 
 Play only(const File& file, const Play& play, std::uint32_t skeleton) {

@@ -58,11 +58,16 @@ struct Play : Animation {
   std::optional<Clip> clip(std::uint32_t skeleton) const;
 };
 
-// A clip of `clips`, and what make_animations() finds to go with it; nothing if it is of a pack and does not fit.
+// Of each clip of `clips` itself and what make_animations() finds to go with it; nothing if it is of a pack and does
+// not fit.
+std::vector<Play> plays_of(const File& file, const File& clips);
+// The same of one clip.
 Play play_together(const File& file, const File& clips, std::uint32_t clip);
 inline Play play_together(const File& file, std::uint32_t clip) {
   return play_together(file, file, clip);
 }
+// The skeleton that plays a clip; none if none does, as one of a pack that does not fit.
+std::optional<std::uint32_t> skeleton_of(const Play& play, std::uint32_t clip);
 // Of a play what one skeleton does.
 Play only(const File& file, const Play& play, std::uint32_t skeleton);
 

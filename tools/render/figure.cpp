@@ -113,7 +113,7 @@ void Figure::set_look(std::uint32_t index, const Mesh& mesh, Drawable& d) const 
 
 // What programs are to read: texture coordinates only where there is a texture.
 std::uint8_t Figure::features(std::uint32_t mesh) const {
-  const bool textured = textures_ != nullptr && textures_->look(mesh).texture != 0;
+  const bool textured = textures_ != nullptr && textures_->look(mesh).textured();
   return static_cast<std::uint8_t>(textured ? 255 : 255 & ~gles3::kUvs);
 }
 

@@ -25,6 +25,7 @@ constexpr GLint kKeyShadowUnit = 0;
 constexpr GLint kKeyDepthUnit = 1;
 constexpr GLint kSkyDepthUnit = 2;
 constexpr GLint kBaseTextureUnit = 3;
+constexpr GLint kEmissiveTextureUnit = 6;  // behind palettes and what is behind them
 
 // Of a blended surface, texels that are all but opaque are drawn as opaque, so that they hide what is behind them
 // within the same mesh; only the rest is blended.
@@ -100,7 +101,17 @@ Studio::Studio(const Gl& gl, int width, int height)
   show_ = build(gl, 0, {whole, text(embedded::shader_show_frag), {}});
   make_shadow_map(key_, kKeyMapSize);
   make_shadow_map(sky_, kSkyMapSize);
+  make_white();
   make_targets();
+}
+
+void Studio::make_white() {
+  const std::array<std::uint8_t, 4> texel{255, 255, 255, 255};
+  white_ = GlTexture(gl_);
+  gl_.BindTexture(GL_TEXTURE_2D, white_);
+  gl_.TexStorage2D(GL_TEXTURE_2D, 1, GL_SRGB8_ALPHA8, 1, 1);
+  gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, texel.data());
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
 }
 
 void Studio::resize(int width, int height) {
@@ -245,10 +256,14 @@ void Studio::draw_backdrop(const Shot& shot) {
 void Studio::set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range) {
   gl_.Uniform4fv(gl_.GetUniformLocation(id, "base_colour"), 1, glm::value_ptr(drawable.base_colour));
   gl_.Uniform2fv(gl_.GetUniformLocation(id, "alpha_range"), 1, glm::value_ptr(alpha_range));
-  gl_.Uniform1i(gl_.GetUniformLocation(id, "base_texture"), kBaseTextureUnit);
-  gl_.ActiveTexture(GL_TEXTURE0 + kBaseTextureUnit);
-  gl_.BindTexture(GL_TEXTURE_2D, drawable.look.texture);
-  gl_.BindSampler(kBaseTextureUnit, drawable.look.sampler);
+  bind_texture(id, "base_texture", kBaseTextureUnit, drawable.look.texture, drawable.look.sampler);
+}
+
+void Studio::bind_texture(GLuint id, const char* name, GLint unit, GLuint texture, GLuint sampler) {
+  gl_.Uniform1i(gl_.GetUniformLocation(id, name), unit);
+  gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  gl_.BindTexture(GL_TEXTURE_2D, texture != 0 ? texture : GLuint{white_});
+  gl_.BindSampler(static_cast<GLuint>(unit), texture != 0 ? sampler : GLuint{depth_sampler_});
 }
 
 void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range) {
@@ -256,9 +271,12 @@ void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 
   gl_.UseProgram(with.id);
   set_studio(with.id, shot);
   set_surface(with.id, drawable, alpha_range);
+  const Look& look = drawable.look;
+  gl_.Uniform3fv(gl_.GetUniformLocation(with.id, "emissive"), 1, glm::value_ptr(look.emissive));
+  bind_texture(with.id, "emissive_texture", kEmissiveTextureUnit, look.emissive_texture, look.emissive_sampler);
   gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
                        glm::value_ptr(shot.camera.clip_from_scene));
-  gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), drawable.look.unlit ? 0.0f : shot.shading);
+  gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), look.unlit ? 0.0f : shot.shading);
   cull(drawable);
   draw(drawable, with);
 }
@@ -317,10 +335,10 @@ void Studio::take(const Shot& shot, std::span<const Drawable> drawables, Strokes
   draw_backdrop(shot);
   draw_surfaces(shot, drawables);
   if (strokes != nullptr) strokes->draw(shot.camera);
-  for (GLuint unit = 0; unit <= kBaseTextureUnit; ++unit) {
-    gl_.ActiveTexture(GL_TEXTURE0 + unit);
+  for (const GLint unit : {kKeyShadowUnit, kKeyDepthUnit, kSkyDepthUnit, kBaseTextureUnit, kEmissiveTextureUnit}) {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl_.BindTexture(GL_TEXTURE_2D, 0);
-    gl_.BindSampler(unit, 0);
+    gl_.BindSampler(static_cast<GLuint>(unit), 0);
   }
   gl_.BindVertexArray(0);
   gl_.UseProgram(0);

@@ -32,7 +32,7 @@ struct Drawable {
   GLenum index_type = GL_UNSIGNED_SHORT;
   std::uint8_t features = 0;  // what is read of the vertices
   glm::vec4 base_colour{1};   // linear
-  Look look;                  // its texture is drawn where `features` has kUvs
+  Look look;                  // its textures are drawn where `features` has kUvs
   glm::vec3 centre{0};        // scene space; blended surfaces are drawn from the farthest on
   bool double_sided = true;   // else its back faces are not drawn
   bool inside_out = false;    // its fronts are clockwise
@@ -90,10 +90,12 @@ class Studio {
   void draw_surfaces(const Shot& shot, std::span<const Drawable> drawables);
   void draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 alpha_range);
   void set_surface(GLuint id, const Drawable& drawable, glm::vec2 alpha_range);
+  void bind_texture(GLuint id, const char* name, GLint unit, GLuint texture, GLuint sampler);
   void cull(const Drawable& drawable);
   void cull_nothing();
   void draw(const Drawable& drawable, const gles3::Program& program);
   void set_studio(GLuint id, const Shot& shot);
+  void make_white();
   void make_targets();
 
   const Gl& gl_;
@@ -106,6 +108,7 @@ class Studio {
   ShadowMap key_, sky_;
   LightView key_view_, sky_view_;
   GlSampler compare_sampler_, depth_sampler_;
+  GlTexture white_;  // where one of a surface's textures is missing
   GlRenderbuffer samples_, samples_depth_;
   GlTexture resolved_;
   GlFramebuffer sampled_framebuffer_, resolved_framebuffer_;

@@ -31,9 +31,9 @@ GLint gl_filter(MinFilter filter) {
   return kModes[static_cast<std::size_t>(filter)];
 }
 
-const Texture* base_colour(const Material& material) {
+const Texture* texture_of(const Material& material, TextureRole role) {
   for (const Texture& texture : material.textures)
-    if (texture.role == TextureRole::base_colour) return &texture;
+    if (texture.role == role) return &texture;
   return nullptr;
 }
 
@@ -56,12 +56,26 @@ Textures::Textures(const Gl& gl, const std::string& path, const File& file, cons
     look.alpha = material.alpha;
     look.alpha_cutoff = material.alpha_cutoff;
     look.unlit = material.unlit;
-    const Texture* const base = base_colour(material);
+    add_emission(material, mesh.geometry.uvs != nullptr, finder, look);
+    const Texture* const base = texture_of(material, TextureRole::base_colour);
     if (base == nullptr || mesh.geometry.uvs == nullptr) continue;
     look.texture = texture(shown_image(file, base->image), finder);
     if (look.texture != 0) look.sampler = sampler(*base);
   }
   gl.check("uploading textures");
+}
+
+// As glTF has it an unlit surface emits nothing. Nor does one here whose texture, which says where, cannot be shown.
+void Textures::add_emission(const Material& material, bool has_uvs, ImageFinder& finder, Look& look) {
+  const glm::vec3 emissive(material.emissive[0], material.emissive[1], material.emissive[2]);
+  if (material.unlit || emissive == glm::vec3(0)) return;
+  const Texture* const where = texture_of(material, TextureRole::emissive);
+  if (where != nullptr) {
+    if (has_uvs) look.emissive_texture = texture(shown_image(file_, where->image), finder);
+    if (look.emissive_texture == 0) return;
+    look.emissive_sampler = sampler(*where);
+  }
+  look.emissive = emissive;
 }
 
 // Throws Failure, whose rule and advice say why the image cannot be shown.

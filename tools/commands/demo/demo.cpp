@@ -15,6 +15,7 @@
 #include "common/files.h"
 #include "common/load_mrw.h"
 #include "cook/cook.h"
+#include "pose/named_clip.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
 #include "text/printable.h"
@@ -68,7 +69,7 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   const LoadedFile loaded = load_mrw(mrw);
   const File& file = loaded.file;
   const std::optional<std::uint32_t> clip =
-      arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip);
+      arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip).clip;
   progress.show(0, 0, "drawing");
   const Textures textures(gl, input, file, places_beside(input));
   const Sheet sheet = make_sheet(gl, file, textures, clip, stem);

@@ -10,6 +10,7 @@ inline constexpr int kFilesDiffer = 6;
 
 struct DiffArguments {
   std::string a, b;
+  std::string skeleton;  // the character of two clip packs; may be empty
   bool json = false;
 };
 

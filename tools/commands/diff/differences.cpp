@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "common/vertex_order.h"
+#include "pose/bare_skeleton.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -76,12 +78,70 @@ double shell_distance(const Affine& a, const Affine& b, double shell) {
   return worst;
 }
 
+bool is_pack(const File& file) {
+  return file.reference_count() > 0;
+}
+
+// What joints are called and hang on, of a skeleton or of a pack's reference.
+struct JointList {
+  std::string owner;
+  std::vector<std::string> names;
+  std::vector<std::size_t> parents;
+  std::vector<std::uint32_t> rest_hashes;  // a reference's
+};
+
+template <class Owner>
+JointList joints_in(const File& file, const Owner& owner) {
+  JointList out;
+  out.owner = owner.name;
+  for (std::uint32_t j = 0; j < owner.joint_count; ++j) {
+    out.names.emplace_back(file.text(owner.names[j]));
+    out.parents.push_back(owner.parents[j] == kNoParent ? kNone : std::size_t{owner.parents[j]});
+  }
+  return out;
+}
+
+// Of each skeleton; of a pack of each reference.
+std::vector<JointList> joints_of(const File& file) {
+  std::vector<JointList> out;
+  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) out.push_back(joints_in(file, file.skeleton(i)));
+  for (std::uint32_t i = 0; i < file.reference_count(); ++i) {
+    const SkeletonReference reference = file.reference(i);
+    out.push_back(joints_in(file, reference));
+    out.back().rest_hashes.assign(reference.rest_hashes, reference.rest_hashes + reference.joint_count);
+  }
+  return out;
+}
+
+// A file, and what its clips are posed on: itself, of a pack the character, or nothing.
+struct Side {
+  Side(const LoadedFile& of, const LoadedFile* on) : loaded(of), file(of.file), joints(joints_of(file)) {
+    if (!is_pack(file)) on = &of;
+    if (on == nullptr) return;
+    posed = on->file;
+    plays = plays_of(posed, file);
+    character.emplace(posed);
+  }
+  const LoadedFile& loaded;
+  const File& file;
+  std::vector<JointList> joints;
+  File posed;
+  std::vector<Play> plays;
+  std::optional<Character> character;
+};
+
 class Comparison {
  public:
-  Comparison(const LoadedFile& a, const LoadedFile& b) : a_(a), b_(b), pose_a_(a.file), pose_b_(b.file) {}
+  Comparison(const LoadedFile& a, const LoadedFile& b, const LoadedFile* character)
+      : a_(a, character), b_(b, character) {}
 
   ordered_json run() {
     compare_sections();
+    if (is_pack(a_.file) != is_pack(b_.file)) {
+      const auto what = [](const Side& side) { return is_pack(side.file) ? "a clip pack" : "no clip pack"; };
+      say("pack", "file", fmt::format("{}, now {}", what(a_), what(b_)));
+      return std::move(out_);
+    }
     compare_skeletons();
     compare_meshes();
     compare_clips();
@@ -101,7 +161,7 @@ class Comparison {
     std::map<std::string, std::vector<std::string>> bytes[2];
     std::vector<std::string> order;
     for (const int which : {0, 1}) {
-      const LoadedFile& loaded = which == 0 ? a_ : b_;
+      const LoadedFile& loaded = which == 0 ? a_.loaded : b_.loaded;
       for (const File::Section& s : loaded.stored) {
         const std::string type(reinterpret_cast<const char*>(&s.type), 4);
         if (std::find(order.begin(), order.end(), type) == order.end()) order.push_back(type);
@@ -138,57 +198,61 @@ class Comparison {
     return out;
   }
 
-  static std::vector<std::string> joint_names(const File& file, const Skeleton& s) {
-    std::vector<std::string> out;
-    for (std::uint32_t j = 0; j < s.joint_count; ++j) out.emplace_back(file.text(s.names[j]));
-    return out;
-  }
-
   void compare_skeletons() {
     std::vector<std::string> a, b;
-    for (std::uint32_t i = 0; i < a_.file.skeleton_count(); ++i) a.emplace_back(a_.file.skeleton(i).name);
-    for (std::uint32_t i = 0; i < b_.file.skeleton_count(); ++i) b.emplace_back(b_.file.skeleton(i).name);
+    for (const JointList& joints : a_.joints) a.push_back(joints.owner);
+    for (const JointList& joints : b_.joints) b.push_back(joints.owner);
     joints_.resize(a.size());
     skeleton_.assign(a.size(), kNone);
     for (const auto& [i, k] : pairs("skeleton", a, b)) {
       skeleton_[i] = k;
-      compare_joints(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k));
-      compare_rest(i, k);
+      const std::string in = fmt::format("skeleton \"{}\"", a[i]);
+      compare_joints(in, a_.joints[i], b_.joints[k], joints_[i]);
+      if (is_pack(a_.file)) {
+        compare_rests(in, a_.joints[i], b_.joints[k], joints_[i]);
+      } else {
+        compare_rest(in, i, k);
+      }
     }
   }
 
-  void compare_joints(std::uint32_t i, std::uint32_t k) {
-    const Skeleton a = a_.file.skeleton(i), b = b_.file.skeleton(k);
-    const std::vector<std::string> names_a = joint_names(a_.file, a), names_b = joint_names(b_.file, b);
-    std::vector<std::size_t>& partners = joints_[i] = match(names_a, names_b);
-    const std::string in = fmt::format("skeleton \"{}\"", a.name);
-    std::vector<std::size_t> fresh = unmatched(partners, names_b.size());
-    const auto parent_of = [&](std::size_t j) { return a.parents[j] == kNoParent ? kNone : partners[a.parents[j]]; };
-    const auto parent_in_b = [&](std::size_t j) {
-      return b.parents[j] == kNoParent ? kNone : std::size_t{b.parents[j]};
-    };
+  // partners: becomes which joint of `b` each of `a` is.
+  void compare_joints(const std::string& in, const JointList& a, const JointList& b,
+                      std::vector<std::size_t>& partners) {
+    partners = match(a.names, b.names);
+    std::vector<std::size_t> fresh = unmatched(partners, b.names.size());
+    const auto parent_of = [&](std::size_t j) { return a.parents[j] == kNone ? kNone : partners[a.parents[j]]; };
     for (std::size_t j = 0; j < partners.size(); ++j) {
       if (partners[j] != kNone) continue;
       // The same place under the same parent: another name for the same joint.
       const auto same = std::find(fresh.begin(), fresh.end(), j);
-      if (same != fresh.end() && parent_of(j) == parent_in_b(j)) {
-        say("joint-renamed", in, fmt::format("joint \"{}\" is now \"{}\"", names_a[j], names_b[j]));
+      if (same != fresh.end() && parent_of(j) == b.parents[j]) {
+        say("joint-renamed", in, fmt::format("joint \"{}\" is now \"{}\"", a.names[j], b.names[j]));
         partners[j] = j;
         fresh.erase(same);
       } else {
-        say("joint-removed", in, fmt::format("joint \"{}\" is gone", names_a[j]));
+        say("joint-removed", in, fmt::format("joint \"{}\" is gone", a.names[j]));
       }
     }
-    for (const std::size_t j : fresh) say("joint-added", in, fmt::format("joint \"{}\" is new", names_b[j]));
+    for (const std::size_t j : fresh) say("joint-added", in, fmt::format("joint \"{}\" is new", b.names[j]));
     for (std::size_t j = 0; j < partners.size(); ++j) {
       if (partners[j] == kNone) continue;
-      const std::size_t now = parent_in_b(partners[j]);
-      const bool root_in_a = a.parents[j] == kNoParent;
+      const std::size_t now = b.parents[partners[j]];
+      const bool root_in_a = a.parents[j] == kNone;
       if (root_in_a ? now == kNone : now != kNone && now == parent_of(j)) continue;
       say("joint-re-parented", in,
-          fmt::format("joint \"{}\" now hangs below {}", names_a[j],
-                      now == kNone ? "nothing" : fmt::format("\"{}\"", names_b[now])));
+          fmt::format("joint \"{}\" now hangs below {}", a.names[j],
+                      now == kNone ? "nothing" : fmt::format("\"{}\"", b.names[now])));
     }
+  }
+
+  // A pack knows that a joint rests elsewhere, but not where.
+  void compare_rests(const std::string& in, const JointList& a, const JointList& b,
+                     const std::vector<std::size_t>& partners) {
+    for (std::size_t j = 0; j < partners.size(); ++j)
+      if (partners[j] != kNone && a.rest_hashes[j] != b.rest_hashes[partners[j]])
+        say("rest-moved", in, fmt::format("the rest pose of joint \"{}\" differs", a.names[j]),
+            {{"joint", a.names[j]}});
   }
 
   struct Farthest {
@@ -196,28 +260,26 @@ class Comparison {
     std::size_t joint = 0;
     double time_s = 0;
   };
-  void farthest(std::size_t i, std::size_t k, double time_s, Farthest& worst) const {
-    const std::span<const Affine> a = pose_a_.scene_from_joint(static_cast<std::uint32_t>(i)),
-                                  b = pose_b_.scene_from_joint(static_cast<std::uint32_t>(k));
+  // Between the joints of skeletons that are posed. partners: which joint of the second each of the first is.
+  void farthest(std::uint32_t i, std::uint32_t k, const std::vector<std::size_t>& partners, double time_s,
+                Farthest& worst) const {
+    const std::span<const Affine> a = a_.character->scene_from_joint(i), b = b_.character->scene_from_joint(k);
     const double shell = shell_of(a);
     for (std::size_t j = 0; j < a.size(); ++j) {
-      if (joints_[i][j] == kNone) continue;
-      const double distance = shell_distance(a[j], b[joints_[i][j]], shell);
+      if (partners[j] == kNone) continue;
+      const double distance = shell_distance(a[j], b[partners[j]], shell);
       if (distance > worst.distance) worst = {distance, j, time_s};
     }
   }
-  std::string joint_name(std::size_t skeleton, std::size_t joint) const {
-    return a_.file.text(a_.file.skeleton(static_cast<std::uint32_t>(skeleton)).names[joint]);
-  }
 
-  void compare_rest(std::size_t i, std::size_t k) {
-    pose_a_.pose({}, 0);
-    pose_b_.pose({}, 0);
+  void compare_rest(const std::string& in, std::size_t i, std::size_t k) {
+    a_.character->pose({}, 0);
+    b_.character->pose({}, 0);
     Farthest worst;
-    farthest(i, k, 0, worst);
+    farthest(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), joints_[i], 0, worst);
     if (worst.distance == 0) return;
-    const std::string joint = joint_name(i, worst.joint);
-    say("rest-moved", fmt::format("skeleton \"{}\"", a_.file.skeleton(static_cast<std::uint32_t>(i)).name),
+    const std::string& joint = a_.joints[i].names[worst.joint];
+    say("rest-moved", in,
         fmt::format("the rest pose differs by up to {:.3g} m, at joint \"{}\"", worst.distance, joint),
         {{"distance_m", worst.distance}, {"joint", joint}});
   }
@@ -293,37 +355,64 @@ class Comparison {
           {{"a", a.duration_s}, {"b", b.duration_s}});
     if (a.additive != b.additive) say("clip-additive", in, a.additive ? "no longer additive" : "now additive");
     if (skeleton_[a.skeleton] != b.skeleton) return say("clip-skeleton", in, "moves another skeleton");
+    if (a_.character) {
+      compare_motion(in, i, k);
+    } else {
+      compare_keys(in, a, b);
+    }
+  }
+
+  static std::size_t moments(const Clip& a, const Clip& b) {
     const double end_s = static_cast<double>(std::max(a.duration_s, b.duration_s));
-    const auto steps = static_cast<std::size_t>(
+    return static_cast<std::size_t>(
         std::clamp(std::ceil(end_s * kMomentsPerSecond), 1.0, static_cast<double>(kMostMoments)));
+  }
+
+  void compare_motion(const std::string& in, std::uint32_t i, std::uint32_t k) {
+    const Clip a = a_.file.clip(i), b = b_.file.clip(k);
+    const auto at_a = skeleton_of(a_.plays[i], i), at_b = skeleton_of(b_.plays[k], k);
+    if (!at_a || !at_b) return;  // of a pack whose joints differ, which is said
+    const double end_s = static_cast<double>(std::max(a.duration_s, b.duration_s));
+    const std::size_t steps = moments(a, b);
     Farthest worst;
-    const Play play_a = only(a_.file, play_together(a_.file, i), a.skeleton),
-               play_b = only(b_.file, play_together(b_.file, k), b.skeleton);
+    const Play play_a = only(a_.posed, a_.plays[i], *at_a), play_b = only(b_.posed, b_.plays[k], *at_b);
     for (std::size_t m = 0; m <= steps; ++m) {
       const double time_s = end_s * static_cast<double>(m) / static_cast<double>(steps);
-      pose_a_.pose(play_a, static_cast<float>(time_s));
-      pose_b_.pose(play_b, static_cast<float>(time_s));
-      farthest(a.skeleton, b.skeleton, time_s, worst);
+      a_.character->pose(play_a, static_cast<float>(time_s));
+      b_.character->pose(play_b, static_cast<float>(time_s));
+      farthest(*at_a, *at_b, joints_[a.skeleton], time_s, worst);
     }
     if (worst.distance == 0) return;
-    const std::string joint = joint_name(a.skeleton, worst.joint);
+    const std::string& joint = a_.joints[a.skeleton].names[worst.joint];
     say("clip-moved", in,
         fmt::format("poses differ by up to {:.3g} m, at joint \"{}\" and {:.3f} s", worst.distance, joint,
                     worst.time_s),
         {{"distance_m", worst.distance}, {"joint", joint}, {"time_s", worst.time_s}});
   }
 
-  const LoadedFile &a_, &b_;
-  Character pose_a_, pose_b_;
-  std::vector<std::size_t> skeleton_;             // of a → of b
+  // Of packs alone: whether they differ, but not how far, as they do not know where joints are.
+  void compare_keys(const std::string& in, const Clip& a, const Clip& b) {
+    const BareSkeleton on_a(a_.file.reference(a.skeleton)), on_b(b_.file.reference(b.skeleton));
+    const std::size_t steps = moments(a, b);
+    const float end_s = std::max(a.duration_s, b.duration_s);
+    for (std::size_t m = 0; m <= steps; ++m) {
+      const float time_s = end_s * static_cast<float>(m) / static_cast<float>(steps);
+      const std::vector<SoaTransform> p = on_a.pose(a, time_s), q = on_b.pose(b, time_s);
+      if (p.size() == q.size() && std::memcmp(p.data(), q.data(), p.size() * sizeof p[0]) == 0) continue;
+      return say("clip-keys", in, "the motion differs; --skeleton CHARACTER.mrw says by how far");
+    }
+  }
+
+  Side a_, b_;
+  std::vector<std::size_t> skeleton_;             // of a → of b; of packs references
   std::vector<std::vector<std::size_t>> joints_;  // a skeleton of a: joint → of b
   ordered_json out_ = ordered_json::array();
 };
 
 }  // namespace
 
-ordered_json compare(const LoadedFile& a, const LoadedFile& b) {
-  return Comparison(a, b).run();
+ordered_json compare(const LoadedFile& a, const LoadedFile& b, const LoadedFile* character) {
+  return Comparison(a, b, character).run();
 }
 
 }  // namespace marrow::tools

@@ -13,6 +13,7 @@
 #include "gpu_cost/vertex_cost.h"
 #include "marrow/clip_pack.h"
 #include "marrow/version.h"
+#include "pose/bare_skeleton.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -40,11 +41,13 @@ ordered_json describe_totals(const LoadedFile& loaded) {
                                bytes_of(sections_of(loaded, "SHAP"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
                                 bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")),
-                    clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS"));
+                    clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS")),
+                    images = bytes_of(sections_of(loaded, "IMAG"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
           {"clips", clips},
-          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips}};
+          {"images", images},
+          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips - images}};
 }
 
 // Of the box around the joints at rest, scene units.
@@ -186,10 +189,12 @@ ordered_json describe_meshes(const LoadedFile& loaded) {
     counted[g] = true;
     for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
       const Geometry less = file.mesh(i, level).geometry;
+      const std::uint32_t of = mesh.lods[level - 1].geometry;
       out.back()["lods"].push_back({{"vertices", less.vertex_count},
                                     {"triangles", less.index_count / 3},
-                                    {"bytes", geometries[mesh.lods[level - 1].geometry].bytes},
+                                    {"bytes", counted[of] ? 0 : geometries[of].bytes},
                                     {"error_m", mesh.lods[level - 1].error_m}});
+      counted[of] = true;
     }
   }
   return out;
@@ -218,29 +223,43 @@ ordered_json describe_shapes(const LoadedFile& loaded) {
   return out;
 }
 
-// How fast the first root goes from where the clip begins to where it ends; null where that is less than a centimetre,
-// and of clips that are added to others or whose skeleton is in another file.
-ordered_json describe_speed(Character& character, const File& file, std::uint32_t clip) {
-  const Clip c = file.clip(clip);
-  if (c.additive || c.skeleton >= file.skeleton_count() || !(c.duration_s > 0)) return nullptr;
-  const Play play = play_together(file, clip);
+// Less than this is no travel.
+constexpr double kStays = 0.01;
+
+// From where a clip begins to where it ends, a second; null where it stays.
+ordered_json speed_of(const double (&travel)[3], const Clip& clip) {
+  const double length = std::hypot(travel[0], travel[1], travel[2]);
+  if (!(length > kStays)) return nullptr;
+  return length / static_cast<double>(clip.duration_s);
+}
+
+// How fast the first root goes, metres; null of clips that are added to others or whose skeleton is in another file.
+ordered_json describe_speed(Character& character, const Clip& clip, const Play& play) {
+  if (clip.additive || play.empty() || !(clip.duration_s > 0)) return nullptr;
   character.pose(play, 0);
-  const Affine first = character.scene_from_joint(c.skeleton)[0];
-  character.pose(play, c.duration_s);
-  const Affine last = character.scene_from_joint(c.skeleton)[0];
-  double squared = 0;
-  for (int r = 0; r < 3; ++r) {
-    const double along = static_cast<double>(last.rows[r][3]) - static_cast<double>(first.rows[r][3]);
-    squared += along * along;
-  }
-  constexpr double kStays = 0.01;
-  if (!(squared > kStays * kStays)) return nullptr;
-  return std::sqrt(squared) / static_cast<double>(c.duration_s);
+  const Affine first = character.scene_from_joint(clip.skeleton)[0];
+  character.pose(play, clip.duration_s);
+  const Affine last = character.scene_from_joint(clip.skeleton)[0];
+  double travel[3];
+  for (int r = 0; r < 3; ++r) travel[r] = static_cast<double>(last.rows[r][3]) - static_cast<double>(first.rows[r][3]);
+  return speed_of(travel, clip);
+}
+
+// The same of a clip pack, in the units of what the root hangs on, which stands in the character's file alone.
+ordered_json describe_root_speed(const File& file, const Clip& clip) {
+  if (clip.additive || clip.skeleton >= file.reference_count() || !(clip.duration_s > 0)) return nullptr;
+  const BareSkeleton bare(file.reference(clip.skeleton));
+  const SoaTransform first = bare.pose(clip, 0)[0], last = bare.pose(clip, clip.duration_s)[0];
+  double travel[3];
+  for (int c = 0; c < 3; ++c)
+    travel[c] = static_cast<double>(last.translation[c][0]) - static_cast<double>(first.translation[c][0]);
+  return speed_of(travel, clip);
 }
 
 ordered_json describe_clips(const LoadedFile& loaded) {
   const File& file = loaded.file;
   Character character(file);
+  const std::vector<Play> plays = plays_of(file, file);
   const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
   ordered_json out = ordered_json::array();
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
@@ -255,7 +274,8 @@ ordered_json describe_clips(const LoadedFile& loaded) {
                    {"frames", coded.frame_count},
                    {"skeleton", c.skeleton},
                    {"bytes", sections[i].bytes},
-                   {"speed_m_s", describe_speed(character, file, i)},
+                   {"speed_m_s", describe_speed(character, c, plays[i])},
+                   {"root_speed", describe_root_speed(file, c)},
                    {"additive", c.additive},
                    {"reference", c.reference != nullptr ? "own" : "rest"},
                    {"channels", channels},

@@ -8,6 +8,7 @@
 
 #include "commands/info/describe.h"
 #include "commands/info/looks.h"
+#include "common/failure.h"
 #include "text/quantity.h"
 
 namespace marrow::tools {
@@ -42,9 +43,10 @@ std::string reach_of(const ordered_json& clip) {
   return fmt::format(", reaches {} × {} × {}", plain_number(size[0]), plain_number(size[1]), plain_number(size[2]));
 }
 
-// Of a clip that goes somewhere: ", moves at 1.4 m/s".
+// Of a clip that goes somewhere: ", moves at 1.4 m/s". A pack does not know its character's units.
 std::string speed_of(const ordered_json& clip) {
-  const ordered_json& speed = clip["speed_m_s"];
+  const ordered_json &speed = clip["speed_m_s"], &root = clip["root_speed"];
+  if (!root.is_null()) return fmt::format(", moves at {:.3g} units/s", root.get<double>());
   return speed.is_null() ? "" : fmt::format(", moves at {:.3g} m/s", speed.get<double>());
 }
 
@@ -83,8 +85,8 @@ class Tree {
     add_meshes();
     add_skeletons();
     add_clips();
+    if (r_["totals"]["images"] != 0 || !source_.is_null()) branch("images", "images");
     branch("names and structure", "names_and_structure", true);
-    if (!source_.is_null()) lines_.push_back({"source: images", "", source_bytes("images"), ""});
   }
 
   // Columns as wide as the widest of each.
@@ -128,6 +130,10 @@ class Tree {
             const std::string& words) {
     lines_.push_back({std::string("│  ") + (last ? "└─ " : "├─ ") + label, bytes, source, words});
   }
+  // last: the leaf is its branch's last.
+  void below_leaf(bool last, const std::string& label, const std::string& bytes, const std::string& words) {
+    lines_.push_back({fmt::format("│  {}  {}", last ? " " : "│", label), bytes, "", words});
+  }
 
   void add_meshes() {
     branch("geometry", "geometry");
@@ -142,8 +148,19 @@ class Tree {
                        m["bytes_per_vertex"].get<double>(), text(m["codec"]),
                        m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
                        m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m), gpu_cost_of(m)));
+      add_levels(m, i + 1 == r_["meshes"].size() && r_["shapes"].empty());
     }
     add_shapes(r_["shapes"]);
+  }
+
+  void add_levels(const ordered_json& mesh, bool last) {
+    if (!mesh.contains("lods")) return;
+    for (std::size_t level = 0; level < mesh["lods"].size(); ++level) {
+      const auto& l = mesh["lods"][level];
+      below_leaf(last, fmt::format("level {}", level + 1), size_of(l["bytes"]),
+                 fmt::format("{} vertices, {} triangles, {} off", l["vertices"].get<int>(), l["triangles"].get<int>(),
+                             length_text(l["error_m"].get<double>())));
+    }
   }
 
   void add_shapes(const ordered_json& shapes) {
@@ -194,8 +211,7 @@ class Tree {
            fmt::format("{:.3f} s, {}{} tracks, {}{}{}{}", c["duration_s"].get<double>(),
                        frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
                        kind, reach_of(c), speed_of(c), of_skeleton(c)));
-      for (const auto& channel : c["channels"])
-        lines_.push_back({fmt::format("│  {}  channel \"{}\"", last ? " " : "│", text(channel)), "", "", ""});
+      for (const auto& channel : c["channels"]) below_leaf(last, fmt::format("channel \"{}\"", text(channel)), "", "");
     }
   }
 
@@ -204,20 +220,33 @@ class Tree {
   std::vector<Line> lines_;
 };
 
+void print(const ordered_json& description, const ordered_json& source) {
+  Tree(description, source).print();
+  if (!description["meshes"].empty()) fmt::print("{}\n", kGpuLegend);
+  print_looks(description);
+  print_nodes(description);
+}
+
 }  // namespace
 
 void run_info(const InfoArguments& a) {
-  ordered_json description = describe(a.in, load_mrw(a.in));
+  if (!a.source.empty() && a.in.size() > 1)
+    throw Failure(Exit::usage, "--source", "", "several files", "name one, and the glTF file that it was cooked from");
   const ordered_json source = a.source.empty() ? ordered_json() : describe_source(a.source);
-  if (a.json) {
-    if (!source.is_null()) description["source"] = source;
-    fmt::print("{}\n", description.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-  } else {
-    Tree(description, source).print();
-    if (!description["meshes"].empty()) fmt::print("{}\n", kGpuLegend);
-    print_looks(description);
-    print_nodes(description);
+  ordered_json all = ordered_json::array();
+  for (const std::string& in : a.in) {
+    ordered_json description = describe(in, load_mrw(in));
+    if (a.json) {
+      if (!source.is_null()) description["source"] = source;
+      all.push_back(std::move(description));
+    } else {
+      if (&in != &a.in.front()) fmt::print("\n");
+      print(description, source);
+    }
   }
+  if (!a.json) return;
+  const ordered_json& out = a.in.size() == 1 ? all.front() : all;
+  fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 }  // namespace marrow::tools

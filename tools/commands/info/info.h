@@ -1,13 +1,14 @@
-// `marrow info`: what a cooked file holds.
+// `marrow info`: what cooked files hold.
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace marrow::tools {
 
 struct InfoArguments {
-  std::string in;
-  std::string source;  // the glTF file it was cooked from, to show its bytes beside; may be empty
+  std::vector<std::string> in;
+  std::string source;  // the glTF file that one was cooked from, to show its bytes beside; may be empty
   bool json = false;
 };
 

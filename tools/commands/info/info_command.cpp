@@ -7,11 +7,11 @@ namespace marrow::tools {
 void add_info(CLI::App& app, int&) {
   static InfoArguments a;  // as long as the options that point at it
   CLI::App* const command =
-      app.add_subcommand("info", "Say what a cooked file holds, and what its vertices cost phones' GPUs");
-  add_input(command, a.in);
+      app.add_subcommand("info", "Say what cooked files hold, and what its vertices cost phones' GPUs");
+  command->add_option("file", a.in, "cooked files")->required()->type_name("FILE...");
   command->add_option("--source", a.source, "the glTF file it was cooked from, to show its bytes beside")
       ->type_name("IN.glb");
-  command->add_flag("--json", a.json, "as JSON");
+  command->add_flag("--json", a.json, "as JSON; of several files as an array");
   command->callback([] { run_info(a); });
 }
 

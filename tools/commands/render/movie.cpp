@@ -172,6 +172,11 @@ void expect_movie_output(const std::string& output) {
   if (is_film(first)) expect_ffmpeg(first);
 }
 
+const char* default_movie_size(const std::string& output) {
+  const bool streamed = parse_frame_names(output) || has_extension(output, ".mp4") || has_extension(output, ".webm");
+  return streamed ? "960x720" : "480x360";
+}
+
 std::string movie_size(const std::string& output, const std::string& size) {
   if (!is_film(output) || has_extension(output, ".gif")) return size;
   const auto [width, height] = parse_size(size);

@@ -34,6 +34,9 @@ std::optional<FrameNames> parse_frame_names(const std::string& output);
 // Throws Failure (usage, io, unsupported) if this could not be written.
 void expect_movie_output(const std::string& output);
 
+// The --size that movies have by default: of those that are loaded whole to be shown, a quarter of a picture's pixels.
+const char* default_movie_size(const std::string& output);
+
 // The --size that frames for this output have: sides of videos are even, rounded up. Throws Failure (usage).
 std::string movie_size(const std::string& output, const std::string& size);
 

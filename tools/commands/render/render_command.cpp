@@ -1,6 +1,7 @@
 #include "commands/arguments.h"
 #include "commands/command.h"
 #include "commands/look_arguments.h"
+#include "commands/render/movie.h"
 #include "commands/render/render.h"
 
 namespace marrow::tools {
@@ -11,7 +12,7 @@ void add_movie(CLI::App* command, RenderArguments& a) {
       command->add_flag("--movie", a.movie,
                         "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
                         "an animated PNG (.png), or by the program ffmpeg .gif, .mp4 or .webm, or, with -o FOLDER/ or "
-                        "-o NAME%04d.png, numbered frames");
+                        "-o NAME%04d.png, numbered frames; without --size one .png or .gif has 480x360");
   command->add_option("--fps", a.fps, "frames a second of a movie")
       ->type_name("N")
       ->check(CLI::Range(1, 60))
@@ -54,6 +55,7 @@ void add_render(CLI::App& app, int&) {
   command->add_option("-o,--output", a.output, "the picture, PNG, or the movie")->required()->type_name("P.png");
   command->callback([command] {
     a.held = command->count("--time") > 0;
+    if (a.movie && command->count("--size") == 0) a.size = default_movie_size(a.output);
     run_render(a);
   });
 }

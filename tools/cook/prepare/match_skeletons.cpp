@@ -10,6 +10,8 @@
 #include "cook/gltf/read.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_skeletons.h"
+#include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::cook {
 namespace {
@@ -120,10 +122,19 @@ void Matching::check_moved() {
     }
   if (strangers.empty()) return;
   tools::make_distinct(strangers);
-  std::string names;
-  for (const int node : strangers) names.append(names.empty() ? "" : ", ").append(name_of(node));
+  std::vector<std::string> joints, moved, there;
+  for (const BuiltSkeleton& skeleton : character_.skeletons)
+    for (const std::string& joint : skeleton.joint_names) {
+      joints.push_back(joint);
+      there.push_back('"' + tools::printable(joint) + '"');
+    }
+  for (const int node : strangers) {
+    const std::string meant = tools::did_you_mean(scene_.nodes[static_cast<std::size_t>(node)].name, joints);
+    moved.push_back(tools::printable(name_of(node)) + (meant.empty() ? "" : " (" + meant + ")"));
+  }
   fail(strangers.front(), "no such joint in " + character_.file,
-       "clips move " + names + "; export from the same skeleton, or rename");
+       "clips move " + tools::listed(moved) + "; name them as the character's joints before you export, which are " +
+           tools::listed(there));
 }
 
 void Matching::drop_strangers() {

@@ -124,6 +124,22 @@ TEST(Packs, NodesThatAreNoJointsMustNotMove) {
   EXPECT_TRUE(warns(still.notes, "no-such-joint", "/nodes/5"));
 }
 
+TEST(Packs, NodesThatMoveAreToldWhatJointsAreCalled) {
+  Apart a;
+  a.d.clip("wave");
+  a.d.b.root["nodes"][static_cast<std::size_t>(a.arm)]["name"] = "Arm.";
+  a.d.turn(a.arm, {0, 1});
+  a.d.carry(a.cup, {0, 1});
+  try {
+    a.build();
+    ADD_FAILURE() << "not refused";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.advice(),
+              "clips move \"Arm.\" (did you mean \"arm\"?), \"cup\"; name them as the character's joints before you "
+              "export, which are \"hips\", \"spine\", \"head\", \"arm\"");
+  }
+}
+
 TEST(Packs, ParentsMustBeTheSame) {
   Apart a;
   const int arm = a.d.node("head", a.hips);

@@ -32,13 +32,6 @@ std::vector<NamedJoint> all_joints(const File& file) {
   return out;
 }
 
-// Of the first clip that moves anything.
-std::string first_name(const Play& play) {
-  std::uint32_t skeleton = 0;
-  while (!play.clip(skeleton)) ++skeleton;
-  return play.clip(skeleton)->name;
-}
-
 }  // namespace
 
 Actor::Actor(const Gl& gl, gles3::ProgramSet& programs, const Choice& choice, Source source, Chosen chosen)
@@ -70,9 +63,10 @@ void Actor::add_plays(Chosen chosen, const Choice& choice) {
     return;
   }
   const auto same = [&](const NamedPlay& named) {
-    return !named.play.empty() && first_name(named.play) == first_name(chosen.play);
+    return std::ranges::equal(named.play.clip_of_skeleton, chosen.play.clip_of_skeleton);
   };
   chosen_ = static_cast<std::size_t>(std::ranges::find_if(plays_, same) - plays_.begin());
+  if (chosen_ == plays_.size()) plays_.push_back({choice.clip, std::move(chosen.play)});
 }
 
 // The pose as the clip has it, kept for the panel, and what the rig makes of it.

@@ -1,0 +1,62 @@
+// `marrow info`: every byte is counted once, and several files are told one after the other.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/support/process.h"
+#include "support/places.h"
+
+namespace marrow::test {
+namespace {
+
+nlohmann::json described(const std::string& path) {
+  const Ran ran = run_marrow({"info", path, "--json"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  return nlohmann::json::parse(ran.out);
+}
+
+TEST(Info, CountsImagesByThemselves) {
+  const nlohmann::json r = described(in_golden("looks_v1.mrw"));
+  std::size_t images = 0, all = 0;
+  for (const nlohmann::json& image : r.at("images")) images += 16 + image.at("embedded_bytes").get<std::size_t>();
+  for (const auto& [name, bytes] : r.at("totals").items()) all += bytes.get<std::size_t>();
+  EXPECT_GE(images, 70u + 16u) << "dot.png, and what stands before it";
+  EXPECT_EQ(r.at("totals").at("images"), images);
+  EXPECT_EQ(r.at("bytes"), all);
+  const std::string text = run_marrow({"info", in_golden("looks_v1.mrw")}).out;
+  EXPECT_NE(text.find("─ images"), std::string::npos) << text;
+  EXPECT_EQ(run_marrow({"info", in_golden("tiny_v1.mrw")}).out.find("─ images"), std::string::npos);
+}
+
+TEST(Info, SaysWhatLevelsOfDetailTake) {
+  const nlohmann::json r = described(in_golden("lod_v1.mrw"));
+  const std::string text = run_marrow({"info", in_golden("lod_v1.mrw")}).out;
+  std::size_t bytes = 0, levels = 0;
+  for (const nlohmann::json& mesh : r.at("meshes")) {
+    bytes += mesh.at("bytes").get<std::size_t>();
+    for (const nlohmann::json& level : mesh.value("lods", nlohmann::json::array())) {
+      bytes += level.at("bytes").get<std::size_t>();
+      EXPECT_NE(text.find(std::to_string(level.at("bytes").get<int>()) + " B  " +
+                          std::to_string(level.at("vertices").get<int>()) + " vertices, "),
+                std::string::npos)
+          << text;
+      ++levels;
+    }
+  }
+  EXPECT_GE(levels, 2u);
+  EXPECT_EQ(bytes, r.at("totals").at("geometry"));
+}
+
+TEST(Info, TakesSeveralFiles) {
+  const std::string a = in_golden("tiny_v1.mrw"), b = in_golden("pack_v1.mrw");
+  EXPECT_EQ(nlohmann::json::parse(run_marrow({"info", a, b, "--json"}).out),
+            nlohmann::json::array({described(a), described(b)}));
+  EXPECT_EQ(run_marrow({"info", a, b}).out, run_marrow({"info", a}).out + "\n" + run_marrow({"info", b}).out);
+  const Ran both = run_marrow({"info", a, b, "--source", tiny_gltf()});
+  EXPECT_EQ(both.code, kUsage);
+  EXPECT_NE(both.err.find("--source"), std::string::npos) << both.err;
+}
+
+}  // namespace
+}  // namespace marrow::test
