@@ -25,12 +25,18 @@ inline bool has_sign(float x) {
 inline float square_root(float x) {
   return ::sqrtf(x);
 }
+inline double square_root(double x) {
+  return ::sqrt(x);
+}
 inline float without_sign(float x) {
   return ::fabsf(x);
 }
 #else
 inline float square_root(float x) {
   return __builtin_sqrtf(x);
+}
+inline double square_root(double x) {
+  return __builtin_sqrt(x);
 }
 inline float without_sign(float x) {
   return __builtin_fabsf(x);

@@ -16,11 +16,6 @@ T* at(Span<std::byte> section, std::uint64_t offset) {
   return reinterpret_cast<T*>(section.data + offset);
 }
 
-std::int32_t take_24_bits(ByteReader& reader) {
-  const std::uint32_t low = reader.take<std::uint16_t>(), high = reader.take<std::uint8_t>();
-  return static_cast<std::int32_t>((high << 16 | low) << 8) >> 8;
-}
-
 // 0: the next new name; else an offset, plus one.
 std::uint32_t take_name(ByteReader& reader, NameReader& names) {
   const std::uint32_t code = reader.take_varint();
@@ -47,18 +42,32 @@ Affine take_map(ByteReader& reader) {
   return out;
 }
 
-// What is not said is the identity's.
-void take_joint(ByteReader& reader, std::uint32_t flags, std::int32_t exponent, std::size_t lane, SoaTransform& four) {
-  for (std::uint32_t axis = 0; axis < 3; ++axis)
-    if ((flags & packed::kJointTranslates << axis) != 0)
-      four.translation[axis][lane] = decode_translation(take_24_bits(reader), exponent);
-  if ((flags & packed::kJointRotates) != 0) {
-    float q[4];
-    decode_rotation(reader.take<std::uint64_t>(), q);
-    for (int i = 0; i < 4; ++i) four.rotation[i][lane] = q[i];
+void take_rotation(ByteReader& reader, std::size_t lane, SoaTransform& four) {
+  const std::uint32_t codes = reader.take<std::uint8_t>();
+  const auto code_of = [&](std::uint32_t i) { return codes >> 2 * i & 3; };
+  double squared = 0;
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const float x = code_of(i) == kCodeGiven ? reader.take<float>() : 0.0f;
+    squared += static_cast<double>(x) * static_cast<double>(x);
+    four.rotation[i][lane] = x;
   }
-  if ((flags & packed::kJointScales) != 0)
-    for (auto& axis : four.scale) axis[lane] = reader.take<float>();
+  const float left = left_of_rotation(squared);
+  for (std::uint32_t i = 0; i < 4; ++i)
+    if (code_of(i) >= kCodeLeft) four.rotation[i][lane] = code_of(i) == kCodeLeft ? left : -left;
+}
+
+// What is not said is the identity's.
+void take_joint(ByteReader& reader, std::uint32_t flags, std::size_t lane, SoaTransform& four) {
+  for (std::uint32_t axis = 0; axis < 3; ++axis)
+    if ((flags & packed::kJointTranslates << axis) != 0) four.translation[axis][lane] = reader.take<float>();
+  if ((flags & packed::kJointRotates) != 0) take_rotation(reader, lane, four);
+  if ((flags & packed::kJointScales) == 0) return;
+  std::uint32_t codes = reader.take<std::uint8_t>();
+  for (auto& axis : four.scale) {
+    if ((codes & 3) == kCodeScale) axis[lane] = reader.take<float>();
+    if ((codes & 3) == kCodeNearOne) axis[lane] = near_one(reader.take<std::int8_t>());
+    codes >>= 2;
+  }
 }
 
 void take_helpers(ByteReader& reader, std::uint32_t flags, Span<Helper> helpers, float* centres) {
@@ -70,7 +79,7 @@ void take_helpers(ByteReader& reader, std::uint32_t flags, Span<Helper> helpers,
   }
   if ((flags & packed::kMeshHasCentres) == 0) return;
   const std::int32_t exponent = reader.take<std::int8_t>();
-  for (std::size_t i = 0; i < 3 * helpers.size; ++i) centres[i] = decode_translation(take_signed(reader), exponent);
+  for (std::size_t i = 0; i < 3 * helpers.size; ++i) centres[i] = decode_centre(take_signed(reader), exponent);
 }
 
 // False if a count is out of range.
@@ -223,7 +232,6 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
   for (std::uint32_t r = 0; r < h.root_count; ++r)
     at<Affine>(out, l.roots)[r] = reader.take<std::uint8_t>() != 0 ? take_map(reader) : kIdentity;
 
-  const std::int32_t exponent = reader.take<std::int8_t>();
   auto* const rest = at<SoaTransform>(out, l.rest);
   auto* const parents = at<std::uint16_t>(out, l.parents);
   std::uint32_t known = h.root_count;  // joints whose parents are
@@ -236,7 +244,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
     if (j >= known || children > h.joint_count - known) return "joints that hang together wrongly";
     for (; children > 0; --children) parents[known++] = static_cast<std::uint16_t>(j);
     at<std::uint32_t>(out, l.names)[j] = (flags & packed::kJointNameIsOld) != 0 ? reader.take_varint() : names.next();
-    take_joint(reader, flags, exponent, j % 4, rest[j / 4]);
+    take_joint(reader, flags, j % 4, rest[j / 4]);
   }
   if (reader.failed() || names.failed() || reader.left() != 0) return "a skeleton that is too short or too long";
   bytes = static_cast<std::uint32_t>(l.bytes);

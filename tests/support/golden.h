@@ -30,8 +30,8 @@ extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
 extern const unsigned char shapes_v1[];
 extern const unsigned long long shapes_v1_size;
-extern const unsigned char packed_v2[];
-extern const unsigned long long packed_v2_size;
+extern const unsigned char packed_v3[];
+extern const unsigned long long packed_v3_size;
 }  // namespace marrow::embedded
 
 namespace marrow::test {
@@ -52,7 +52,7 @@ inline AlignedBlock golden_channels_copy() {
 
 // The clip pack as a packed file of version 2.
 inline AlignedBlock golden_packed_copy() {
-  return AlignedBlock(embedded::packed_v2, static_cast<std::size_t>(embedded::packed_v2_size));
+  return AlignedBlock(embedded::packed_v3, static_cast<std::size_t>(embedded::packed_v3_size));
 }
 
 // A clip pack.

@@ -14,7 +14,7 @@
 // The versions of the cooked file and of the packed one: load() and unpack() take these and no others.
 #define MARROW_FILE_FORMAT 1
 // Of the packed file.
-#define MARROW_PACKED_FORMAT 2
+#define MARROW_PACKED_FORMAT 3
 
 namespace marrow {
 

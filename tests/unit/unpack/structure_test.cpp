@@ -9,7 +9,6 @@
 #include "support/aligned.h"
 #include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
-#include "unpack/rest.h"
 #include "unpack/structure.h"
 
 namespace marrow {
@@ -53,14 +52,12 @@ constexpr unsigned kOneChild = 1u << 6, kTwoChildren = 2u << 6;
 // A quarter turn about z above two joints, 2.5 along x and 0.125 down z; the last stands for itself, named "hips"
 // again.
 Bytes skeleton_record() {
-  constexpr std::uint64_t kHalf = 1u << 19, kRoot = (1u << 20) - 1;  // 0, and the root of one half
   Bytes b;
-  b.u8(0 + 1).u8(3).u8(1);  // no name of its own: offset 0, plus one
-  b.u8(0);                  // nothing above the root
-  b.u8(0xFD);               // steps of 1/8
-  b.u8(kTwoChildren | packed::kJointRotates).add(kHalf | kHalf << 20 | kRoot << 40 | std::uint64_t{3} << 60);
-  b.u8(packed::kJointTranslates | packed::kJointTranslates << 2).u8(20).u8(0).u8(0).u8(0xFF).u8(0xFF).u8(0xFF);
-  b.u8(packed::kJointScales | packed::kJointNameIsOld).u8(1).add(2.0f).add(3.0f).add(4.0f);
+  b.u8(0 + 1).u8(3).u8(1);                                               // no name of its own: offset 0, plus one
+  b.u8(0);                                                               // nothing above the root
+  b.u8(kTwoChildren | packed::kJointRotates).u8(0x90).add(0.70710678f);  // z, and w is what is left
+  b.u8(packed::kJointTranslates | packed::kJointTranslates << 2).add(2.5f).add(-0.125f);
+  b.u8(packed::kJointScales | packed::kJointNameIsOld).u8(1).u8(0x15).add(2.0f).add(3.0f).add(4.0f);
   return b;
 }
 
@@ -171,23 +168,33 @@ TEST_F(Structure, SkeletonByHand) {
   EXPECT_EQ(std::memcmp(file_.data() + kSection + l.parents, parents, sizeof parents), 0);
 }
 
-TEST(Rest, RotationsByHand) {
-  constexpr std::uint64_t kZero = 1u << 19;
-  const auto code = [](std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t largest, std::uint64_t sign) {
-    return a | b << 20 | c << 40 | largest << 60 | sign << 62;
+// (0.5, -0.5, 0.5, -w) with w what is left of 1; a length that no rotation has leaves 0.
+TEST_F(Structure, RotationsByHand) {
+  const auto rotation = [&](unsigned codes, const std::vector<float>& given) {
+    Bytes b;
+    b.u8(0 + 1).u8(1).u8(1).u8(0).u8(packed::kJointRotates).u8(codes);
+    for (const float x : given) b.add(x);
+    EXPECT_STREQ(skeleton(b.span()), nullptr);
+    const format::SkeletonLayout l = layout(format::SkeletonHeader{0, 1, 1, 0});
+    const SoaTransform& rest = *reinterpret_cast<const SoaTransform*>(file_.data() + kSection + l.rest);
+    return std::vector<float>{rest.rotation[0][0], rest.rotation[1][0], rest.rotation[2][0], rest.rotation[3][0]};
   };
-  float q[4];
-  decode_rotation(code(kZero, kZero, kZero, 3, 0), q);
-  EXPECT_EQ((std::vector<float>(q, q + 4)), (std::vector<float>{0, 0, 0, 1}));
-  decode_rotation(code(kZero, kZero, kZero, 0, 1), q);
-  EXPECT_EQ((std::vector<float>(q, q + 4)), (std::vector<float>{-1, 0, 0, 0}));
-  // (0.5, -0.5, 0.5, 0.5) but for rounding, y left out: 0.5 is 370727.03 steps of 0.70710678 / 524287.
-  decode_rotation(code(kZero + 370727, kZero + 370727, kZero + 370727, 1, 1), q);
-  const float want[4] = {0.5f, -0.5f, 0.5f, 0.5f};
-  for (int i = 0; i < 4; ++i) EXPECT_NEAR(q[i], want[i], 2e-6) << i;
-  // Numbers that no rotation has: still finite.
-  decode_rotation(~std::uint64_t{0}, q);
-  for (const float x : q) EXPECT_LE(std::abs(x), 1.0f);
+  EXPECT_EQ(rotation(0b11'01'01'01, {0.5f, -0.5f, 0.5f}), (std::vector<float>{0.5f, -0.5f, 0.5f, -0.5f}));
+  EXPECT_EQ(rotation(0b00'00'00'11, {}), (std::vector<float>{-1, 0, 0, 0}));
+  EXPECT_EQ(rotation(0b01'01'01'01, {0.5f, 0.5f, 0.5f, 0.25f}), (std::vector<float>{0.5f, 0.5f, 0.5f, 0.25f}));
+  EXPECT_EQ(rotation(0b01'00'10'00, {2.0f}), (std::vector<float>{0, 0, 0, 2.0f}));
+}
+
+// The floats next to 1 are half a step of 2^-23 below and a whole one above.
+TEST_F(Structure, ScalesByHand) {
+  Bytes b;
+  b.u8(0 + 1).u8(1).u8(1).u8(0).u8(packed::kJointScales).u8(0b10'00'10).u8(0xFF).u8(3);
+  ASSERT_STREQ(skeleton(b.span()), nullptr);
+  const format::SkeletonLayout l = layout(format::SkeletonHeader{0, 1, 1, 0});
+  const SoaTransform& rest = *reinterpret_cast<const SoaTransform*>(file_.data() + kSection + l.rest);
+  EXPECT_EQ(rest.scale[0][0], 1 - 0x1p-24f);
+  EXPECT_EQ(rest.scale[1][0], 1.0f);
+  EXPECT_EQ(rest.scale[2][0], 1 + 0x1.8p-22f);
 }
 
 TEST_F(Structure, MeshByHand) {
@@ -414,8 +421,8 @@ TEST_F(Structure, Refused) {
   const Case skeletons[] = {{"no joints", 1, 0},
                             {"no roots", 2, 0},
                             {"more roots than joints", 2, 4},
-                            {"joints without a parent", 5, kOneChild | packed::kJointRotates},
-                            {"more children than joints", 5, 3u << 6 | packed::kJointRotates}};
+                            {"joints without a parent", 4, kOneChild | packed::kJointRotates},
+                            {"more children than joints", 4, 3u << 6 | packed::kJointRotates}};
   for (const Case& c : skeletons) {
     Bytes record = skeleton_record();
     record.all[c.byte] = static_cast<std::byte>(c.now);

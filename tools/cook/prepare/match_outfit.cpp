@@ -8,7 +8,6 @@
 #include "cook/prepare/check_bind_pose.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/skeleton/group_trees.h"
-#include "cook/skeleton/round_rest.h"
 #include "text/nearest.h"
 
 namespace marrow::cook {
@@ -269,7 +268,6 @@ BuiltSkeleton Dressing::build_skeleton(const BuiltSkeleton& from, const std::vec
     to.parents.push_back(parent == kNone ? kNoParent : static_cast<std::uint16_t>(parent));
     to.node_of_joint.push_back(joints[j].node);
   }
-  round_rest(to);
   return to;
 }
 

@@ -38,9 +38,6 @@ struct BuiltSkeleton {
   std::vector<int> node_of_joint;  // the way back to the source; kNone: of an outfit, a joint of its body
   std::vector<JointLimit> limits;  // ascending by joint
   BuiltSprings springs;
-  // The rest pose as packed files hold it, see unpack/rest.h.
-  std::int32_t translation_exponent = 0;
-  std::vector<std::uint64_t> rotation_codes;
 };
 
 // A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.

@@ -23,7 +23,7 @@ std::int32_t exponent_for(float longest, std::int32_t most) {
 
 float whole_steps(float number, std::int32_t exponent) {
   const double steps = std::ldexp(static_cast<double>(number), -exponent);
-  return decode_translation(static_cast<std::int32_t>(std::round(steps)), exponent);
+  return decode_centre(static_cast<std::int32_t>(std::round(steps)), exponent);
 }
 
 }  // namespace marrow::cook

@@ -1,4 +1,4 @@
-// Places as packed files hold them: whole numbers times a power of two (runtime/unpack/rest.h).
+// Centres of helpers as packed files hold them: whole numbers times a power of two (runtime/unpack/rest.h).
 #pragma once
 
 #include <cstdint>

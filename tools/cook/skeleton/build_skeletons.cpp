@@ -5,7 +5,6 @@
 #include "common/failure.h"
 #include "cook/scene/matrices.h"
 #include "cook/skeleton/group_trees.h"
-#include "cook/skeleton/round_rest.h"
 
 namespace marrow::cook {
 namespace {
@@ -91,7 +90,6 @@ BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, con
     if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
     set_rest(node, j, out);
   }
-  round_rest(out);
   out.node_of_joint = std::move(joints);
   out.name = out.joint_names.front();
   return out;
@@ -130,16 +128,17 @@ void place_below_parent(const RawScene& scene, std::size_t node, std::vector<Nea
   nearest[node].joint_from_node = nearest[node].joint_from_node * local_matrix(raw);
 }
 
+// As the source has it; +0 for -0, which packed files have no bytes for.
 void set_rest(const RawNode& node, std::size_t joint, BuiltSkeleton& skeleton) {
   SoaTransform& four = skeleton.rest[joint / 4];
   const std::size_t lane = joint % 4;
   for (int axis = 0; axis < 3; ++axis) {
-    four.translation[axis][lane] = static_cast<float>(node.translation[axis]);
+    four.translation[axis][lane] = static_cast<float>(node.translation[axis]) + 0.0f;
     four.scale[axis][lane] = static_cast<float>(node.scale[axis]);
   }
   const glm::dquat& q = node.rotation;
   const double xyzw[4] = {q.x, q.y, q.z, q.w};
-  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]);
+  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]) + 0.0f;
 }
 
 BuiltScene build_skeletons(const RawScene& scene) {

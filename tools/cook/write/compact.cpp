@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "cook/geometry/record.h"
 #include "cook/scene/matrices.h"
+#include "unpack/rest.h"
 #include "unpack/structure.h"
 
 namespace marrow::cook {
@@ -31,8 +33,29 @@ void add_map(const Affine& map, std::vector<std::byte>& out) {
   for (std::size_t i = 0; i < 3; ++i) out[at + i] = static_cast<std::byte>(codes >> 8 * i);
 }
 
-void add_24_bits(std::int32_t value, std::vector<std::byte>& out) {
-  for (int shift = 0; shift < 24; shift += 8) out.push_back(static_cast<std::byte>(value >> shift & 0xFF));
+bool same_bits(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+// The largest component takes no bytes if the others give it to the bit, as they mostly do.
+void add_rotation(const float (&q)[4], std::vector<std::byte>& out) {
+  std::size_t largest = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+    if (std::abs(q[i]) > std::abs(q[largest])) largest = i;
+  double squared = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (i != largest) squared += static_cast<double>(q[i]) * static_cast<double>(q[i]);
+  const float left = left_of_rotation(squared);
+  std::uint32_t codes = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::uint32_t code = same_bits(q[i], 0) ? kCodeZero : kCodeGiven;
+    if (i == largest && same_bits(q[i], left)) code = kCodeLeft;
+    if (i == largest && same_bits(q[i], -left)) code = kCodeMinusLeft;
+    codes |= code << 2 * i;
+  }
+  add_value(static_cast<std::uint8_t>(codes), out);
+  for (std::size_t i = 0; i < 4; ++i)
+    if ((codes >> 2 * i & 3) == kCodeGiven) add_value(q[i], out);
 }
 
 // 0, -1, 1, -2 … as 0, 1, 2, 3 …
@@ -43,6 +66,23 @@ void add_signed(std::int32_t value, std::vector<std::byte>& out) {
 
 bool shares_are_bytes(const BuiltMesh& mesh) {
   return std::ranges::all_of(mesh.helpers, [](const Helper& h) { return h.share * 256 == std::floor(h.share * 256); });
+}
+
+void add_scale(const float (&scale)[3], std::vector<std::byte>& out) {
+  constexpr auto kOne = std::bit_cast<std::int32_t>(1.0f);
+  std::uint32_t codes = 0;
+  std::int32_t last_bits[3];
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const auto bits = std::bit_cast<std::int32_t>(scale[i]);
+    last_bits[i] = bits > 0 ? bits - kOne : INT32_MAX;
+    const bool near = last_bits[i] >= INT8_MIN && last_bits[i] <= INT8_MAX;
+    codes |= (bits == kOne ? kCodeOne : near ? kCodeNearOne : kCodeScale) << 2 * i;
+  }
+  add_value(static_cast<std::uint8_t>(codes), out);
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    if ((codes >> 2 * i & 3) == kCodeScale) add_value(scale[i], out);
+    if ((codes >> 2 * i & 3) == kCodeNearOne) add_value(static_cast<std::int8_t>(last_bits[i]), out);
+  }
 }
 
 void add_helpers(const BuiltMesh& mesh, std::vector<std::byte>& out) {
@@ -80,7 +120,6 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
     add_value(static_cast<std::uint8_t>(is_identity(above) ? 0 : 1), out);
     if (!is_identity(above)) add_map(above, out);
   }
-  add_value(static_cast<std::int8_t>(s.translation_exponent), out);
   std::vector<std::uint32_t> children(joints, 0);
   for (std::size_t j = roots; j < joints; ++j) ++children[s.parents[j]];
   for (std::size_t j = 0; j < joints; ++j) {
@@ -91,11 +130,11 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
     bool scales = false;
     for (std::uint32_t i = 0; i < 3; ++i) {
       t[i] = four.translation[i][lane];
-      if (t[i] != 0) flags |= packed::kJointTranslates << i;
+      if (!same_bits(t[i], 0)) flags |= packed::kJointTranslates << i;
       scales = scales || four.scale[i][lane] != 1;
     }
     for (int i = 0; i < 4; ++i) q[i] = four.rotation[i][lane];
-    if (q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 1) flags |= packed::kJointRotates;
+    if (!(same_bits(q[0], 0) && same_bits(q[1], 0) && same_bits(q[2], 0) && q[3] == 1)) flags |= packed::kJointRotates;
     if (scales) flags |= packed::kJointScales;
     if (joint_names[j] != 0) flags |= packed::kJointNameIsOld;
     const bool many = children[j] >= packed::kJointManyChildren;
@@ -104,10 +143,9 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
     if (many) add_varint(children[j], out);
     if (joint_names[j] != 0) add_varint(joint_names[j] - 1, out);
     for (const float x : t)
-      if (x != 0) add_24_bits(static_cast<std::int32_t>(std::ldexp(x, -s.translation_exponent)), out);
-    if ((flags & packed::kJointRotates) != 0) add_value(s.rotation_codes[j], out);
-    if (scales)
-      for (const auto& axis : four.scale) add_value(axis[lane], out);
+      if (!same_bits(x, 0)) add_value(x, out);
+    if ((flags & packed::kJointRotates) != 0) add_rotation(q, out);
+    if (scales) add_scale({four.scale[0][lane], four.scale[1][lane], four.scale[2][lane]}, out);
   }
   return out;
 }

@@ -100,7 +100,6 @@ struct CookedDeformers {
       for (auto& axis : rest.scale) axis[lane] = 1;
     }
     skeleton.rest = {rest};
-    skeleton.rotation_codes = {0, 0};
     scene.skeletons = {skeleton};
     BuiltMesh mesh;
     mesh.joints = {0, 1};
