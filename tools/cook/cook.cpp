@@ -14,6 +14,7 @@
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
+#include "cook/prepare/idle_motion.h"
 #include "cook/prepare/match_outfit.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/prepare_scene.h"
@@ -50,10 +51,11 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
   BuiltScene out;
   if (options.onto) {
     Matched matched = scene.is_capture ? retarget(*options.onto, std::move(scene), notes)
-                                       : match_skeletons(*options.onto, std::move(scene), notes);
+                                       : match_skeletons(*options.onto, std::move(scene), options.keep, notes);
     scene = std::move(matched.scene);
     out = std::move(matched.built);
   } else {
+    scene = without_idle_motion(std::move(scene), options.keep, notes);
     out = build_skeletons(scene);
   }
   if (scene.clips.empty() || out.skeletons.empty())

@@ -18,22 +18,47 @@ namespace {
 
 constexpr double kPerson = 2.0;  // metres
 
-// What a person of 2 m would get, scaled where the unit is clearly not the metre: `largest` skeleton of the file is
-// over 20 or under 0.2 across.
-Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double largest, const CookOptions& options) {
-  const double scale = largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
-  const double size = rig.diagonal_m > 0 ? rig.diagonal_m : largest;  // one joint has no extent
+// The joints that meshes of a skeleton follow; without any all: what draws nothing does not measure a character.
+std::vector<char> drawn_joints(std::uint32_t skeleton, std::size_t joints, const Carried& carried) {
+  std::vector<char> out(joints, 0);
+  for (const Mesh& mesh : carried.meshes)
+    for (std::uint32_t j = 0; j < mesh.joint_count && mesh.skeleton == skeleton; ++j) out[mesh.joints[j]] = 1;
+  if (std::ranges::count(out, 1) == 0) out.assign(joints, 1);
+  return out;
+}
+
+// Of the box around some joints at rest, scene units.
+double diagonal_of(const Rig& rig, const std::vector<char>& joints) {
+  glm::dvec3 low(1e300), high(-1e300);
+  for (std::size_t j = 0; j < rig.size(); ++j) {
+    if (joints[j] == 0) continue;
+    low = glm::min(low, rig.world[j].origin);
+    high = glm::max(high, rig.world[j].origin);
+  }
+  return glm::length(high - low);
+}
+
+// By what lengths for a person of 2 m are multiplied where the unit is clearly not the metre: `largest` character of
+// the file is over 20 or under 0.2 across.
+double scale_of_person(double largest) {
+  return largest < 0.2 || largest > 20 ? largest / kPerson : 1.0;
+}
+
+Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double diagonal, double largest,
+                     const CookOptions& options) {
+  const double scale = scale_of_person(largest);
+  const double size = diagonal > 0 ? diagonal : largest;  // one joint has no extent
   Promise promise;
   if (options.clip_shell) promise.shell = *options.clip_shell;
+  promise.shell *= scale;  // where the error is looked at, not how large it may be
   promise.of_vertices = !options.clip_shell;
-  promise.shell *= scale;
   promise.error.resize(rig.size());
   promise.points.resize(rig.size());
   promise.reach.assign(rig.size(), promise.shell);
   for (const ClipErrorRule& rule : options.clip_error)
     for (std::size_t j = 0; j < rig.size(); ++j)
       if (rule.joints.empty() || tools::fits(rule.joints, skeleton.joint_names[j]))
-        promise.error[j] = rule.error * (rule.is_share ? size : scale);
+        promise.error[j] = rule.error * (rule.is_share ? size : rule.is_for_a_person ? scale : 1);
   return promise;
 }
 
@@ -63,6 +88,7 @@ void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const C
 // Everything that the clips of one skeleton are compressed for.
 struct Rigged {
   Rig rig;
+  double diagonal_m = 0;
   Promise promise;
   Hung hung;
 };
@@ -84,12 +110,16 @@ void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
 std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltSkeleton>& skeletons,
                                   const Carried& carried, const CookOptions& options) {
   std::map<std::uint32_t, Rigged> rigged;
-  for (const BuiltClip& clip : clips) rigged.try_emplace(clip.skeleton, Rigged{Rig(skeletons[clip.skeleton]), {}, {}});
+  for (const BuiltClip& clip : clips)
+    rigged.try_emplace(clip.skeleton, Rigged{Rig(skeletons[clip.skeleton]), 0, {}, {}});
   double largest = 0;
-  for (const auto& [skeleton, of] : rigged) largest = std::max(largest, of.rig.diagonal_m);
+  for (auto& [skeleton, of] : rigged) {
+    of.diagonal_m = diagonal_of(of.rig, drawn_joints(skeleton, of.rig.size(), carried));
+    largest = std::max(largest, of.diagonal_m);
+  }
   if (!(largest > 0)) largest = kPerson;
   for (auto& [skeleton, of] : rigged) {
-    of.promise = make_promise(skeletons[skeleton], of.rig, largest, options);
+    of.promise = make_promise(skeletons[skeleton], of.rig, of.diagonal_m, largest, options);
     hang_all(skeleton, carried, of);
   }
   deform::Steps steps(options.clip_progress, clips.size());

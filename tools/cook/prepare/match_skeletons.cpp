@@ -5,9 +5,15 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include "common/distinct.h"
 #include "common/failure.h"
 #include "cook/gltf/read.h"
+#include "cook/prepare/idle_motion.h"
+#include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "text/nearest.h"
@@ -16,6 +22,7 @@
 namespace marrow::cook {
 namespace {
 
+constexpr double kSameScale = 1e-5;
 constexpr float kAlike = 1e-5f;  // of 1 and of the value: exporters print few digits
 
 bool alike(const glm::vec4& a, const glm::vec4& b) {
@@ -44,14 +51,39 @@ bool same_rest(const Transform& a, const Transform& b, RawPath path) {
   return alike(x, y) || (path == RawPath::rotation && alike(x, -y));
 }
 
+// How long each axis of a map's space is.
+glm::dvec3 scale_of(const glm::dmat4& map) {
+  return {glm::length(glm::dvec3(map[0])), glm::length(glm::dvec3(map[1])), glm::length(glm::dvec3(map[2]))};
+}
+
+std::string words_of(const glm::dvec3& scale) {
+  const bool even = glm::all(glm::lessThan(glm::abs(scale - scale.x), glm::dvec3(kSameScale * scale.x)));
+  return even ? fmt::format("{:.4g}", scale.x) : fmt::format("{:.4g} x {:.4g} x {:.4g}", scale.x, scale.y, scale.z);
+}
+
+// Of what stands above each joint at rest.
+std::vector<glm::dvec3> scales_above(const BuiltSkeleton& skeleton) {
+  const std::vector<Transform> rest = rest_transforms(skeleton);
+  std::vector<glm::dmat4> scene_from_joint;
+  std::vector<glm::dvec3> out;
+  for (std::size_t j = 0; j < rest.size(); ++j) {
+    const glm::dmat4 above = skeleton.parents[j] == kNoParent ? to_matrix(skeleton.scene_from_root[j])
+                                                              : scene_from_joint[skeleton.parents[j]];
+    out.push_back(scale_of(above));
+    scene_from_joint.push_back(above * matrix_of(rest[j]));
+  }
+  return out;
+}
+
 class Matching {
  public:
-  Matching(const Character& character, RawScene scene, Notes& notes)
-      : character_(character), notes_(notes), scene_(std::move(scene)) {}
+  Matching(const Character& character, RawScene scene, const std::vector<std::string>& keep, Notes& notes)
+      : character_(character), notes_(notes), scene_(std::move(scene)), carries_(carrying_nodes(scene_, keep)) {}
 
   void match_names();
   void check_moved();
   void drop_strangers();
+  void bring_to_scale();
   void hold_others();
   Matched take() { return {std::move(scene_), std::move(out_)}; }
 
@@ -65,11 +97,15 @@ class Matching {
     throw tools::Failure(tools::Exit::invalid, scene_.source, "/nodes/" + std::to_string(node), rule, advice);
   }
   void check_place(int node) const;
+  std::vector<double> factors() const;
+  double factor_at(int node, const glm::dvec3& here, const glm::dvec3& there) const;
+  void check_unit() const;
   void hold_others(RawClip& clip, int skeleton);
 
   const Character& character_;
   Notes& notes_;
   RawScene scene_;
+  std::vector<char> carries_;  // a node
   BuiltScene out_;
   std::map<std::pair<int, int>, int> node_of_;  // a skeleton's joint
   std::set<int> others_;                        // nodes that stand otherwise
@@ -116,7 +152,7 @@ void Matching::check_moved() {
       if (!scene_.nodes[static_cast<std::size_t>(channel.node)].in_scene) continue;
       if (is_joint(channel.node)) {
         check_place(channel.node);
-      } else if (!holds_still(channel)) {
+      } else if (!holds_still(channel) && carries_[static_cast<std::size_t>(channel.node)] != 0) {
         strangers.push_back(channel.node);
       }
     }
@@ -147,7 +183,8 @@ void Matching::drop_strangers() {
     });
   for (const int node : still)
     notes_.warnings.push_back({"/nodes/" + std::to_string(node), "no-such-joint",
-                               name_of(node) + " is no joint of " + character_.file + "; it does not move, left out"});
+                               name_of(node) + " is no joint of " + character_.file +
+                                   "; it does not move, or carries nothing, and is left out"});
   std::erase_if(scene_.clips, [&](const RawClip& clip) {
     const bool empty = clip.channels.empty() && clip.scalars.empty();
     if (empty)
@@ -155,6 +192,76 @@ void Matching::drop_strangers() {
           {"/animations", "clip-dropped", '"' + clip.name + "\" moves no joint of the character"});
     return empty;
   });
+}
+
+// What a translation here is times, to go as far in the scene below the character's scale.
+double Matching::factor_at(int node, const glm::dvec3& here, const glm::dvec3& there) const {
+  const glm::dvec3 ratio = here / there;
+  if (glm::any(glm::greaterThan(glm::abs(ratio - ratio.x), glm::dvec3(kSameScale * ratio.x))))
+    fail(node, "another scale above the joints",
+         name_of(node) + " stands below a scale of " + words_of(here) + " here and of " + words_of(there) + " in " +
+             character_.file + "; apply the scale of the armature before export");
+  return std::fabs(ratio.x - 1) <= kSameScale ? 1.0 : ratio.x;
+}
+
+// Of each node, decided where its joints begin.
+std::vector<double> Matching::factors() const {
+  std::vector<std::vector<glm::dvec3>> there;
+  for (const BuiltSkeleton& skeleton : character_.skeletons) there.push_back(scales_above(skeleton));
+  std::vector<glm::dmat4> scene_from_node(scene_.nodes.size());
+  std::vector<double> out(scene_.nodes.size(), 1);
+  for (const std::size_t n : parents_first(scene_)) {
+    const int parent = scene_.nodes[n].parent;
+    const glm::dmat4 above = parent == kNone ? glm::dmat4(1.0) : scene_from_node[to_index(parent)];
+    scene_from_node[n] = above * local_matrix(scene_.nodes[n]);
+    const NearestJoint& at = out_.nearest[n];
+    if (at.joint == kNone || node_of_.at({at.skeleton, at.joint}) != static_cast<int>(n)) continue;
+    const bool begins = parent == kNone || out_.nearest[to_index(parent)].skeleton != at.skeleton;
+    out[n] = begins ? factor_at(static_cast<int>(n), scale_of(above), there[to_index(at.skeleton)][to_index(at.joint)])
+                    : out[to_index(parent)];
+  }
+  return out;
+}
+
+// Where no scale above the joints says so, their distances do.
+void Matching::check_unit() const {
+  constexpr double kMost = 10;
+  std::vector<double> ratios;
+  int first = kNone;
+  for (const auto& [joint, node] : node_of_) {
+    const BuiltSkeleton& skeleton = character_.skeletons[to_index(joint.first)];
+    const auto j = static_cast<std::size_t>(joint.second);
+    if (skeleton.parents[j] == kNoParent) continue;
+    const auto& t = skeleton.rest[j / 4].translation;
+    const double there = glm::length(glm::dvec3(t[0][j % 4], t[1][j % 4], t[2][j % 4]));
+    const double here = glm::length(scene_.nodes[to_index(node)].translation);
+    if (!(there > 0) || !(here > 0)) continue;
+    if (first == kNone) first = node;
+    ratios.push_back(here / there);
+  }
+  if (ratios.empty()) return;
+  std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2), ratios.end());
+  const double median = ratios[ratios.size() / 2];
+  if (median > kMost || median < 1 / kMost)
+    fail(first, "another unit",
+         fmt::format("joints are {:.3g} times as far from their parents as in {}; export both in one unit", median,
+                     character_.file));
+}
+
+void Matching::bring_to_scale() {
+  const std::vector<double> factor = factors();
+  for (std::size_t n = 0; n < factor.size(); ++n) scene_.nodes[n].translation *= factor[n];
+  for (RawClip& clip : scene_.clips)
+    for (RawChannel& channel : clip.channels)
+      if (channel.path == RawPath::translation && factor[to_index(channel.node)] != 1)
+        for (glm::vec4& value : channel.values) value = glm::vec4(glm::dvec4(value) * factor[to_index(channel.node)]);
+  const auto other = std::ranges::find_if(factor, [](double f) { return f != 1; });
+  if (other != factor.end())
+    notes_.warnings.push_back({"/nodes/" + std::to_string(other - factor.begin()), "unit-differs",
+                               fmt::format("joints stand below {:.4g} times the scale of {}; translations are brought "
+                                           "to the character's",
+                                           *other, character_.file)});
+  check_unit();
 }
 
 void Matching::hold_others(RawClip& clip, int skeleton) {
@@ -221,12 +328,14 @@ std::map<std::string, NearestJoint> joints_by_name(const Character& character) {
   return out;
 }
 
-Matched match_skeletons(const Character& character, RawScene scene, Notes& notes) {
+Matched match_skeletons(const Character& character, RawScene scene, const std::vector<std::string>& keep,
+                        Notes& notes) {
   expect_skeletons(character);
-  Matching matching(character, std::move(scene), notes);
+  Matching matching(character, std::move(scene), keep, notes);
   matching.match_names();
   matching.check_moved();
   matching.drop_strangers();
+  matching.bring_to_scale();
   matching.hold_others();
   return matching.take();
 }

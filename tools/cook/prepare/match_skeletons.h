@@ -25,9 +25,10 @@ struct Matched {
 };
 
 // A node is the joint of the first skeleton that has one of its name. What a clip moves must be such a joint, below the
-// same parent or a root; what it holds still and is none is left out, with a warning. Where a joint that a clip leaves
-// alone stands otherwise than in the character, the clip gets a key for it, so that it looks as in its own file. Throws
-// tools::Failure (invalid) with the nodes that are no joints.
-Matched match_skeletons(const Character& character, RawScene scene, Notes& notes);
+// same parent or a root; what is none is left out, with a warning, if clips hold it still or it carries nothing, see
+// carrying_nodes(). Where the scale above the roots is another one, translations are brought to the character's. Where
+// a joint that a clip leaves alone stands otherwise than in the character, the clip gets a key for it, so that it looks
+// as in its own file. Throws tools::Failure (invalid) with the nodes that are no joints, or with both scales.
+Matched match_skeletons(const Character& character, RawScene scene, const std::vector<std::string>& keep, Notes& notes);
 
 }  // namespace marrow::cook

@@ -8,6 +8,7 @@
 #include "common/failure.h"
 #include "cook/prepare/add_skeleton.h"
 #include "cook/prepare/bind_weights.h"
+#include "cook/prepare/idle_motion.h"
 #include "cook/prepare/weights_over_time.h"
 #include "cook/skeleton/group_trees.h"
 
@@ -96,6 +97,7 @@ RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes)
     scene = bind_weights(std::move(scene), options.weights, notes);
   }
   if (!options.weights_over_time.empty()) scene = weights_over_time(std::move(scene), options.weights_over_time, notes);
+  scene = without_idle_motion(std::move(scene), options.keep, notes);
   check_something_to_cook(scene, notes);
   if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
   return scene;

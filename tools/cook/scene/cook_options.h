@@ -39,8 +39,9 @@ struct AdditiveRule {
 // How far clips may stray at some joints.
 struct ClipErrorRule {
   std::string joints;   // a name with wildcards as above; empty: all
-  double error = 1e-4;  // metres on the shell; or, if is_share, of the skeleton's diagonal
+  double error = 1e-4;  // metres; or, if is_share, of the skeleton's diagonal
   bool is_share = false;
+  bool is_for_a_person = false;  // of 2 m: as large a part of characters whose unit is clearly not the metre
   RuleOrigin origin = {"--clip-error", ""};
 };
 
@@ -144,16 +145,17 @@ struct CookOptions {
   bool position_error_is_share = false;
   MeshPrecision precision;
   LearnOptions learn;
-  std::vector<LodRule> lod;                      // ever coarser, at most kMostLods
-  std::size_t most_entries = 341;                // palette entries of a mesh; primitives with more are split
-  std::vector<AdditiveRule> additive;            // the last that fits a clip counts
-  bool raw_clips = false;                        // keep clips' keys as they are
-  std::vector<ClipErrorRule> clip_error = {{}};  // the last that fits a joint counts; the first fits all
-  std::optional<double> clip_shell;              // metres: clips keep their promise there; none: at the vertices too
-  bool clips_only = false;                       // a clip pack
-  std::string skeleton_file;                     // the file of `onto`, for whoever reads it
-  std::shared_ptr<const Character> onto;         // that a pack or an outfit is for; null: own skeletons
-  bool keep_vertex_order = false;                // remember where every vertex of the source went
+  std::vector<LodRule> lod;            // ever coarser, at most kMostLods
+  std::size_t most_entries = 341;      // palette entries of a mesh; primitives with more are split
+  std::vector<AdditiveRule> additive;  // the last that fits a clip counts
+  bool raw_clips = false;              // keep clips' keys as they are
+  // The last that fits a joint counts; the first fits all.
+  std::vector<ClipErrorRule> clip_error = {{"", 1e-4, false, true}};
+  std::optional<double> clip_shell;       // metres: clips keep their promise there; none: at the vertices too
+  bool clips_only = false;                // a clip pack
+  std::string skeleton_file;              // the file of `onto`, for whoever reads it
+  std::shared_ptr<const Character> onto;  // that a pack or an outfit is for; null: own skeletons
+  bool keep_vertex_order = false;         // remember where every vertex of the source went
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;

@@ -56,6 +56,7 @@ struct RawNode {
   std::optional<RawLimit> limit;
   bool moved_by_game = false;  // springs or a game move it: a joint, though no skin names it and no clip moves it
   bool kept = false;           // without --keep, too
+  bool is_view = false;        // a camera or a light stands there
 };
 
 struct RawInfluence {

@@ -140,6 +140,18 @@ TEST(Packs, NodesThatMoveAreToldWhatJointsAreCalled) {
   }
 }
 
+TEST(Packs, CamerasMayMoveBesideThem) {
+  Apart a;
+  const int camera = a.d.node("camera");
+  a.d.b.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+  a.d.b.root["nodes"][static_cast<std::size_t>(camera)]["camera"] = 0;
+  a.d.clip("wave");
+  a.d.turn(a.arm, {0, 1});
+  a.d.carry(camera, {0, 1});
+  EXPECT_EQ(a.build().clips.size(), 1u);
+  EXPECT_TRUE(warns(a.notes, "no-such-joint", "/nodes/" + std::to_string(camera)));
+}
+
 TEST(Packs, ParentsMustBeTheSame) {
   Apart a;
   const int arm = a.d.node("head", a.hips);

@@ -104,11 +104,35 @@ TEST(Skeletons, TargetsAndWeaponsGoWithTheirCharacter) {
   d.turn(b[3], {0, 1});
   d.carry(target, {0, 1});
   d.carry(ball, {0, 1});  // is neither's
-  const BuiltScene built = build(d);
+  CookOptions options;
+  options.keep = {"target"};
+  const BuiltScene built = build(d, options);
   EXPECT_EQ(skeleton_names(built), (Names{"Ada", "Bob", "ball"}));
   EXPECT_EQ(built.skeletons[0].joint_names, (Names{"hips", "sword", "spine", "head", "arm"}));
   EXPECT_EQ(built.skeletons[1].joint_names, (Names{"hips", "target", "spine", "head", "arm"}));
   EXPECT_EQ(clip_names(built), (Names{"strike/0", "fight/0", "fight/1", "fight/2"}));
+}
+
+// Cameras, empties and what hangs on nothing else are no joints, unless they are kept or carry something.
+TEST(Skeletons, WhatCarriesNothingIsNoJoint) {
+  SceneDocument d;
+  const std::vector<int> a = d.character("Ada", 0);
+  const int rig = d.node("rig"), camera = d.node("camera", rig, {60, 0, 0}), socket = d.node("socket", a[3]);
+  const int cart = d.node("cart"), box = d.node("box", cart);
+  d.prop(box);
+  d.clip("fly");
+  for (const int node : {a[3], rig, camera, socket, cart}) d.carry(node, {0, 1});
+  Notes notes;
+  const BuiltScene built = build_scene(d.read(), {}, notes);
+  EXPECT_EQ(built.skeletons.at(0).joint_names, (Names{"hips", "cart", "spine", "head", "arm"}));
+  EXPECT_EQ(built.skeletons.size(), 1u);
+  EXPECT_TRUE(warns(notes, "motion-of-nothing", "/nodes/" + std::to_string(rig)));
+  CookOptions options;
+  options.keep = {"cam*", "socket"};
+  Notes none;
+  EXPECT_EQ(build_scene(d.read(), options, none).skeletons.at(0).joint_names,
+            (Names{"hips", "rig", "cart", "spine", "camera", "head", "arm", "socket"}));
+  EXPECT_FALSE(warns(none, "motion-of-nothing"));
 }
 
 TEST(Skeletons, WhatOneClipMovesBelowOneRootIsAMachine) {

@@ -22,7 +22,6 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
   above.resize(count);
   subtrees.resize(count);
   world.resize(count);
-  glm::dvec3 low(1e300), high(-1e300);
   for (std::size_t j = 0; j < count; ++j) {
     const bool root = skeleton.parents[j] == kNoParent;
     parents.push_back(root ? kNone : skeleton.parents[j]);
@@ -36,10 +35,7 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
     const glm::dmat3& linear = root ? above[j].linear : world[skeleton.parents[j]].linear;
     scale_above.push_back(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
     world[j] = place(j, root ? nullptr : &world[skeleton.parents[j]], rest[j]);
-    low = glm::min(low, world[j].origin);
-    high = glm::max(high, world[j].origin);
   }
-  diagonal_m = count > 0 ? glm::length(high - low) : 0;
   for (std::size_t j = count; j-- > 0;) {
     subtrees[j].push_back(j);
     std::sort(subtrees[j].begin(), subtrees[j].end());

@@ -34,7 +34,6 @@ struct Rig {
   std::vector<std::vector<std::size_t>> subtrees;  // a joint and everything below it, ascending
   std::vector<World> world;                        // scene_from_joint at rest
   std::vector<double> scale_above;                 // scene units a unit of a joint's translation, at rest
-  double diagonal_m = 0;                           // of the box around the joints at rest, scene units
 };
 
 // What is promised about a clip: how far points on a shell round each joint, and what hangs on it, may stray, in scene

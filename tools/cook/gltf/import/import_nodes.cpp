@@ -115,6 +115,7 @@ RawNode import_node(const tinygltf::Node& node, std::size_t index, Report& repor
     raw.scale = vec3_or(node.scale, raw.scale);
   }
   keep_invertible(raw, where, report);
+  raw.is_view = node.camera >= 0 || node.extensions.contains("KHR_lights_punctual");
   return raw;
 }
 
