@@ -81,7 +81,7 @@ marrow_warnings(marrow_reference)
 marrow_test(marrow_road_tests road
   road/bounds_test.cpp road/channels_test.cpp road/characters_test.cpp road/clip_test.cpp road/codec_test.cpp
   road/cooked.cpp road/export_test.cpp road/feet_test.cpp road/outfits_test.cpp road/reference_test.cpp
-  road/road_test.cpp road/sample_test.cpp road/split_test.cpp)
+  road/road_test.cpp road/sample_test.cpp road/split_test.cpp road/stated_errors_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli

@@ -20,6 +20,7 @@
 #include "cook/prepare/prepare_scene.h"
 #include "cook/prepare/retarget.h"
 #include "cook/read_source.h"
+#include "cook/scene/morphed_meshes.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_nodes.h"
@@ -64,7 +65,10 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
   out.is_pack = true;
   out.packs_clips = options.mesh_codec != MeshCodec::none;
   Carried carried;
-  if (options.onto) carried.meshes = options.onto->meshes;
+  if (options.onto) {
+    carried.meshes = options.onto->meshes;
+    carried.morphed = options.onto->morphed;
+  }
   out.clips = build_clips(scene, out, carried, options, notes);
   return without_unmoved(std::move(out));
 }
@@ -109,7 +113,8 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
-  out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes}, options, notes);
+  out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
+                          options, notes);
   out.packs_clips = options.mesh_codec != MeshCodec::none;
   out.geometries = std::move(meshes.geometries);
   out.learnt = std::move(meshes.learnt);

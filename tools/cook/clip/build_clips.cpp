@@ -9,6 +9,7 @@
 #include "cook/clip/build_channels.h"
 #include "cook/clip/build_tracks.h"
 #include "cook/clip/compress/compress_clip.h"
+#include "cook/clip/morph_errors.h"
 #include "cook/clip/split_clips.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
@@ -154,6 +155,8 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
     clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
     clips[i].reference = references[i].pose;
+    clips[i].error.vertex_error_m +=
+        morph_error_m(parts[i].clip, clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
   }
   return clips;
 }

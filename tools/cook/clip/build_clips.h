@@ -13,6 +13,7 @@ namespace marrow::cook {
 struct Carried {
   std::vector<Mesh> meshes;  // every level of detail of each
   std::vector<BuiltNode> nodes;
+  std::vector<MorphedMesh> morphed;
 };
 
 // Clip by clip of the source, in each skeleton by skeleton. built: its skeletons. Throws tools::Failure (usage) if an

@@ -71,7 +71,7 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
                           MeshError& error) {
   OwnedStreams out = is_packed(options)
                          ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, error)
-                         : verbatim_streams(primitive, bindings, joint_count);
+                         : verbatim_streams(primitive, bindings, joint_count, error);
   add_deformers(primitive, bindings, deformers, is_packed(options) ? grid : MeshGrid{}, out, error);
   return out;
 }
@@ -107,6 +107,17 @@ void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& opti
 }
 
 }  // namespace
+
+MeshError worst_of(const MeshError& a, const MeshError& b) {
+  MeshError out = a;
+  out.targets.resize(std::max(a.targets.size(), b.targets.size()), 0);
+  for (std::size_t t = 0; t < b.targets.size(); ++t) out.targets[t] = std::max(out.targets[t], b.targets[t]);
+  for (double MeshError::*const field :
+       {&MeshError::position, &MeshError::normal_deg, &MeshError::uv, &MeshError::weight, &MeshError::bind,
+        &MeshError::rest_m, &MeshError::multi_weight, &MeshError::pose_space})
+    out.*field = std::max(a.*field, b.*field);
+  return out;
+}
 
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                              std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,

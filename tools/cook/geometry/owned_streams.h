@@ -71,11 +71,12 @@ struct MeshGrid {
   double residual_step = 0;
   double residual_weight_step = 0;
   ResidualSource residual_source = {};
+  std::vector<glm::dmat4> rest = {};  // scene_from_mesh of each palette entry at rest; none: not measured
 };
 
-// Every vertex of the source as it is, bits of floats.
+// Every vertex of the source as it is, bits of floats; but morph targets, which are 16 bits even in memory.
 OwnedStreams verbatim_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                              std::size_t joint_count);
+                              std::size_t joint_count, MeshError& error);
 // Rounded to the grid and to as few bits as keep the precision.
 OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                                std::size_t joint_count, const MeshGrid& grid, const MeshPrecision& precision,

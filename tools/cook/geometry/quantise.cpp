@@ -250,6 +250,33 @@ double weight_error(const Binding& b, const RoundedBinding& r, std::int32_t one)
   return worst;
 }
 
+// The farthest that a vertex is from where the source has it when all joints rest. What is rounded stands in `out`
+// already, but for the weights.
+double rest_error(const RawPrimitive& p, const std::vector<Binding>& bindings,
+                  const std::vector<RoundedBinding>& vertices, std::int32_t one, const MeshGrid& grid,
+                  OwnedStreams& out) {
+  if (grid.rest.empty()) return 0;
+  const Stream& s = *out.find(StreamKind::position);
+  const std::vector<std::int32_t>& steps = *out.values_of(StreamKind::position);
+  double worst = 0;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    glm::dvec3 rounded_at;
+    for (int c = 0; c < 3; ++c)
+      rounded_at[c] = double{s.origin[c] + static_cast<float>(steps[3 * v + static_cast<std::size_t>(c)]) * s.step};
+    const auto place = [&](std::uint16_t entry, const glm::dvec3& at) {
+      return glm::dvec3(grid.rest[entry] * glm::dvec4(at, 1));
+    };
+    glm::dvec3 off(0);
+    for (std::size_t j = 0; j < bindings[v].set.size(); ++j)
+      off -= bindings[v].weights[j] * place(bindings[v].set[j], p.positions[v]);
+    const RoundedBinding& r = vertices[v];
+    for (std::size_t j = 0; j < r.weights.size(); ++j)
+      off += static_cast<double>(r.weights[j]) / one * place(r.kept.set[j], rounded_at);
+    worst = std::max(worst, glm::length(off));
+  }
+  return worst;
+}
+
 void add_residuals(const std::vector<RoundedBinding>& vertices, const MeshGrid& grid, OwnedStreams& out) {
   std::int32_t most = 0;
   for (const RoundedBinding& r : vertices)
@@ -288,6 +315,7 @@ void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings,
     out.mesh.influences = std::max(out.mesh.influences, static_cast<std::uint32_t>(kept.back().set.size()));
     error.weight = std::max(error.weight, weight_error(bindings[v], vertices.back(), one));
   }
+  error.rest_m = rest_error(p, bindings, vertices, one, grid, out);
   add_joints(kept, out);
   if (out.mesh.influences > 1) {
     out.add(StreamKind::weights, out.mesh.influences - 1, bits).step = weight_step(bits);
@@ -299,14 +327,18 @@ void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings,
 }
 
 // One attribute of a morph target, on steps no finer than 16 bits allow. False if nothing moves by half a step.
+// worst: gets how far a change is off at most.
 bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, std::uint8_t attribute, double finest,
-                 OwnedStreams& out, MeshError& error) {
+                 OwnedStreams& out, double& worst) {
   constexpr double kMost = (1 << (packed::kMaxTargetBits - 1)) - 1;
   double most = 0;
   for (const glm::vec3& d : changes)
     for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double{d[c]}));
   const double step = double{static_cast<float>(std::max(most / kMost, finest))};
-  if (!(step > 0) || most * 2 < step) return false;
+  if (!(step > 0) || most * 2 < step) {
+    for (const glm::vec3& d : changes) worst = std::max(worst, glm::length(glm::dvec3(d)));
+    return false;
+  }
   const auto largest = static_cast<std::int32_t>(std::lround(std::min(most / step, kMost)));
   Stream& s = out.add(StreamKind::target, 3, bits_for(largest) + 1);
   s.target = target;
@@ -320,7 +352,7 @@ bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, st
       out.values.back().push_back(nothing + static_cast<std::int32_t>(steps));
       miss[c] = steps * step - double{d[c]};
     }
-    if (attribute == 0) error.target = std::max(error.target, glm::length(miss));
+    worst = std::max(worst, glm::length(miss));
   }
   return true;
 }
@@ -329,12 +361,14 @@ bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, st
 void add_targets(const RawPrimitive& p, double position_step, double direction_step, OwnedStreams& out,
                  MeshError& error) {
   bool moves = false;
+  double of_directions = 0;  // which nobody asks for
+  error.targets.resize(p.targets.size(), 0);
   for (std::size_t t = 0; t < p.targets.size(); ++t) {
     const RawTarget& target = p.targets[t];
     const auto number = static_cast<std::uint32_t>(t);
-    moves |= add_changes(target.positions, number, 0, position_step, out, error);
-    if (!p.normals.empty()) moves |= add_changes(target.normals, number, 1, direction_step, out, error);
-    if (!p.tangents.empty()) moves |= add_changes(target.tangents, number, 2, direction_step, out, error);
+    moves |= add_changes(target.positions, number, 0, position_step, out, error.targets[t]);
+    if (!p.normals.empty()) moves |= add_changes(target.normals, number, 1, direction_step, out, of_directions);
+    if (!p.tangents.empty()) moves |= add_changes(target.tangents, number, 2, direction_step, out, of_directions);
   }
   if (!moves) return;
   out.mesh.target_count = static_cast<std::uint32_t>(p.targets.size());
@@ -363,7 +397,8 @@ void add_verbatim_residuals(const std::vector<Binding>& bindings, OwnedStreams& 
 
 }  // namespace
 
-OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count) {
+OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count,
+                              MeshError& error) {
   OwnedStreams out = begin_streams(p, bindings, joint_count);
   add_floats(StreamKind::position, p.positions, 3, out);
   add_floats(StreamKind::normal, p.normals, 3, out);
@@ -381,8 +416,7 @@ OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>&
   }
   add_verbatim_residuals(bindings, out);
   constexpr double kNoise = 0x1p-15;  // of a unit vector, two thousandths of a degree
-  MeshError ignored;
-  add_targets(p, 0, kNoise, out, ignored);
+  add_targets(p, 0, kNoise, out, error);
   return out;
 }
 

@@ -107,11 +107,12 @@ Bound hang_primitive(const RawPrimitive& primitive, std::size_t number, const st
 
 // Adds what is to be built of one primitive, in full and at each level.
 Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const RawSkin& skin, const SkinBinding& binding,
-                     const std::vector<MeshLevel>& levels, const std::vector<int>& joint_of_node, Task task,
+                     const std::vector<MeshLevel>& levels, const BuiltScene& built, const SceneScale& scale, Task task,
                      std::vector<Task>& tasks) {
   Bound bound;
   std::vector<std::uint16_t> entry_of;
-  const Palette palette = make_palette(skin, binding, binding.primitives[number], joint_of_node, entry_of);
+  const Palette palette = make_palette(skin, binding, binding.primitives[number], built.joint_of_node, entry_of);
+  task.grid.rest = scale.places(built.nearest[to_index(skin.joints.front())].skeleton, palette);
   std::vector<std::vector<std::uint16_t>> entries;
   if (binding.part_of[number].empty()) {
     bound.palettes.push_back(palette);
@@ -161,9 +162,11 @@ class Geometries {
     const std::string_view bytes(reinterpret_cast<const char*>(geometry.section.data()), geometry.section.size());
     const auto [first, end] = by_hash_.equal_range(std::hash<std::string_view>()(bytes));
     for (auto i = first; i != end; ++i) {
-      const BuiltGeometry& other = all_[i->second];
-      if (other.section.size() == bytes.size() && std::memcmp(other.section.data(), bytes.data(), bytes.size()) == 0)
-        return i->second;
+      BuiltGeometry& other = all_[i->second];
+      if (other.section.size() != bytes.size() || std::memcmp(other.section.data(), bytes.data(), bytes.size()) != 0)
+        continue;
+      other.error = worst_of(other.error, geometry.error);  // it may stand otherwise, or be rounded to the same
+      return i->second;
     }
     const auto number = static_cast<std::uint32_t>(all_.size());
     by_hash_.emplace(std::hash<std::string_view>()(bytes), number);
@@ -279,10 +282,9 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
         const SkinBinding* const binding = skin == kNone ? nullptr : &bound_meshes.bindings.at({instance.mesh, skin});
         const std::vector<MeshLevel>& lods =
             levels_of(scene, source, instance.mesh, skin, binding, options, built, out.levels, notes);
-        found->second = binding == nullptr
-                            ? hang_primitive(primitive, i, lods, std::move(task), out.tasks)
-                            : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)], *binding, lods,
-                                             built.joint_of_node, std::move(task), out.tasks);
+        found->second = binding == nullptr ? hang_primitive(primitive, i, lods, std::move(task), out.tasks)
+                                           : bind_primitive(primitive, i, scene.skins[static_cast<std::size_t>(skin)],
+                                                            *binding, lods, built, scale, std::move(task), out.tasks);
         found->second.learnt = binding == nullptr ? kNone : binding->report;
       }
       const std::size_t parts = std::max<std::size_t>(1, found->second.palettes.size());

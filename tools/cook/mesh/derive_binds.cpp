@@ -133,7 +133,7 @@ BuiltMeshes derive_inverse_binds(const std::vector<BuiltSkeleton>& skeletons, Bu
   std::vector<BuiltMesh>& all = meshes.meshes;
   for (std::size_t m = 0; m < all.size(); m += all[m].parts)
     derive_parts(models[all[m].skeleton], std::span(all).subspan(m, all[m].parts), meshes.geometries, moved_m);
-  for (std::size_t i = 0; i < moved_m.size(); ++i) meshes.geometries[i].error.position += moved_m[i];
+  for (std::size_t i = 0; i < moved_m.size(); ++i) meshes.geometries[i].error.bind = moved_m[i];
   return meshes;
 }
 

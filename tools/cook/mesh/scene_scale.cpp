@@ -24,6 +24,17 @@ double SceneScale::of(std::uint32_t skeleton, const std::vector<std::uint16_t>& 
   return out;
 }
 
+std::vector<glm::dmat4> SceneScale::places(int skeleton, const Palette& palette) const {
+  std::vector<glm::dmat4> out;
+  for (std::size_t i = 0; i < palette.joints.size(); ++i)
+    out.push_back(to_matrix(rest_[to_index(skeleton)][palette.joints[i]]) * to_matrix(palette.inverse_bind[i]));
+  for (const Helper& helper : palette.helpers) {
+    const auto share = static_cast<double>(helper.share);
+    out.push_back(out[helper.first] * (1 - share) + out[helper.second] * share);
+  }
+  return out;
+}
+
 double SceneScale::of(const RawScene& scene, const BuiltScene& built, int mesh) const {
   double out = 0;
   const auto add = [&](int node, const glm::dmat4& node_from_mesh) {

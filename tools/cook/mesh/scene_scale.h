@@ -5,6 +5,7 @@
 
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"
+#include "cook/skin/primitive_palette.h"
 
 namespace marrow::cook {
 
@@ -16,6 +17,8 @@ class SceneScale {
   // Of what is drawn through a palette.
   double of(std::uint32_t skeleton, const std::vector<std::uint16_t>& joints,
             const std::vector<Affine>& inverse_bind) const;
+  // scene_from_mesh of each palette entry; helpers blend those of their joints.
+  std::vector<glm::dmat4> places(int skeleton, const Palette& palette) const;
   // Of a mesh wherever the scene has it; built: skeletons, and which joint a node is.
   double of(const RawScene& scene, const BuiltScene& built, int mesh) const;
 

@@ -14,6 +14,7 @@
 #include "cook/gltf/read.h"
 #include "cook/prepare/idle_motion.h"
 #include "cook/scene/matrices.h"
+#include "cook/scene/morphed_meshes.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "text/nearest.h"
@@ -310,6 +311,7 @@ Character view_character(const std::string& path, const File& file) {
   }
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i)
     for (std::uint32_t level = 0; level <= file.mesh(i).lods.size; ++level) out.meshes.push_back(file.mesh(i, level));
+  out.morphed = morphed_meshes(file);
   return out;
 }
 

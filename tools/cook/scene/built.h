@@ -82,11 +82,16 @@ struct MeshError {
   double normal_deg = 0;
   double uv = 0;
   double weight = 0;
-  double target = 0;  // of a morph target's positions, at weight 1
+  std::vector<double> targets;  // of each morph target's positions, at weight 1; none: the same as the source's
+  double bind = 0;              // by inverse binds that follow from the rest pose
+  double rest_m = 0;            // of vertices with several joints at rest, their weights rounded too; scene units
   // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
   // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
   double multi_weight = 0, pose_space = 0;
 };
+
+// What both have done at worst.
+MeshError worst_of(const MeshError& a, const MeshError& b);
 
 struct BuiltGeometry {
   format::GeometryHeader header{};
@@ -181,11 +186,24 @@ struct Kept {
   std::vector<std::string> nodes;
 };
 
+// A mesh of which clips may weigh morph targets, and how far these take a vertex at weight 1, in the mesh's units.
+struct MorphedMesh {
+  struct Target {
+    std::string channel;  // as RawTargetWeight's
+    double rest = 0;
+    double reach = 0;
+    double error = 0;  // as MeshError's
+  };
+  Mesh mesh;
+  std::vector<Target> targets;
+};
+
 // A character that is cooked already, or will be, for clip packs and outfits.
 struct Character {
   std::string file;
   std::vector<BuiltSkeleton> skeletons = {};
   std::vector<Mesh> meshes = {};           // of every level of detail
+  std::vector<MorphedMesh> morphed = {};   // those with targets
   std::shared_ptr<const void> holds = {};  // what they point into
   std::string hash = {};                   // of all of it
 };

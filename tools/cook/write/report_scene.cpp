@@ -1,5 +1,8 @@
 #include "cook/write/report_scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/check_status.h"
 #include "common/section_names.h"
 #include "text/words.h"
@@ -60,6 +63,19 @@ void report_learning(const LearnReport& learnt, const MeshError& error, double s
   mesh["pose_space"]["examples"] = learnt.pose_space.examples;
 }
 
+// Where the mesh stands at rest, its morph targets weighed as then.
+double rest_error_m(const BuiltMesh& mesh, const MeshError& error) {
+  double more = error.bind;
+  for (std::size_t t = 0; t < std::min(mesh.targets.size(), error.targets.size()); ++t)
+    more += std::fabs(static_cast<double>(mesh.targets[t].rest)) * error.targets[t];
+  return std::max(error.position * mesh.scene_scale, error.rest_m) + more * mesh.scene_scale;
+}
+
+// Of any target at weight 1.
+double target_error(const MeshError& error) {
+  return error.targets.empty() ? 0.0 : *std::ranges::max_element(error.targets);
+}
+
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
 ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) {
   ordered_json out = ordered_json::array();
@@ -78,11 +94,11 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"joints", mesh.joints.size()},
                    {"codec", tools::mesh_codec_name(geometry.codec)},
                    {"bytes", bytes},
-                   {"max_position_error_m", geometry.error.position * mesh.scene_scale},
+                   {"max_position_error_m", rest_error_m(mesh, geometry.error)},
                    {"max_normal_error_deg", geometry.error.normal_deg},
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
-                   {"max_target_error_m", geometry.error.target * mesh.scene_scale}});
+                   {"max_target_error_m", target_error(geometry.error) * mesh.scene_scale}});
     if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
     if (mesh.parts > 1)
       out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};
