@@ -81,6 +81,9 @@ void set_aside(Json& root, Document& document) {
     const auto extras = node.find("extras");
     document.node_extras.push_back(extras == node.end() ? Json() : std::move(*extras));
     document.node_limits.push_back(take_limits(document.node_extras.back()));
+    const auto extensions = node.find("extensions");
+    document.node_is_view.push_back(node.contains("camera") ||
+                                    (extensions != node.end() && extensions->contains("KHR_lights_punctual")));
   }
 }
 

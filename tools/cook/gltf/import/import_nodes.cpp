@@ -115,7 +115,6 @@ RawNode import_node(const tinygltf::Node& node, std::size_t index, Report& repor
     raw.scale = vec3_or(node.scale, raw.scale);
   }
   keep_invertible(raw, where, report);
-  raw.is_view = node.camera >= 0 || node.extensions.contains("KHR_lights_punctual");
   return raw;
 }
 
@@ -240,6 +239,7 @@ std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& gra
   for (std::size_t i = 0; i < document.model.nodes.size(); ++i) {
     nodes.push_back(import_node(document.model.nodes[i], i, report));
     nodes.back().parent = graph.parent[i];
+    nodes.back().is_view = document.node_is_view[i];
     nodes.back().in_scene = graph.in_scene[i];
   }
   refuse_huge(nodes, report);
