@@ -126,7 +126,7 @@ inline std::vector<std::byte> packed_fan(std::vector<std::byte> geometry = fan_r
   for (const std::size_t bytes : {skeleton.all.size(), std::size_t{section_bytes}, mesh.all.size(), names.all.size()})
     end = format::align16(end) + bytes;
   Bytes file;
-  file.u32(packed::kMagic).u32(2).u32(static_cast<std::uint32_t>(32 + records.all.size()));
+  file.u32(packed::kMagic).u32(packed::kVersion).u32(static_cast<std::uint32_t>(32 + records.all.size()));
   const std::uint32_t file_bytes = static_cast<std::uint32_t>(end) + extra_file_bytes;
   const auto memory = static_cast<std::uint32_t>(format::align16(file_bytes)) + scratch_bytes_of(geometry);
   file.u32(file_bytes).u32(memory + extra_memory).u32(4);
