@@ -114,17 +114,17 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   const std::vector<AdditiveReference> references =
       additive_references(built.skeletons, clips, options.additive, notes);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
+    clips[i].reference = references[i].pose;
+  }
   if (options.raw_clips)
     for (BuiltClip& clip : clips) clip.raw_because = "--clip-codec raw";
   if (!options.raw_clips) {
     check_clip_error_rules(built.skeletons, options, notes);
     clips = compressed(std::move(clips), built.skeletons, carried, options);
   }
-  for (std::size_t i = 0; i < clips.size(); ++i) {
-    add_channels(parts[i].clip, options.raw_clips, clips[i]);
-    clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
-    clips[i].reference = references[i].pose;
-  }
+  for (std::size_t i = 0; i < clips.size(); ++i) add_channels(parts[i].clip, options.raw_clips, clips[i]);
   return clips;
 }
 
