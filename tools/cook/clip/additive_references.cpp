@@ -54,11 +54,12 @@ void check_scales(const BuiltSkeleton& skeleton, const BuiltClip& clip, const st
     const std::uint32_t numbers = track.key_count * format::floats_per_key(track.path, track.interpolation);
     for (std::uint32_t i = 0; i < numbers; ++i) {
       if (!is_none(four.scale[i % 3][track.joint % 4]) || is_none(clip.values[track.first_value + i])) continue;
-      throw tools::Failure(tools::Exit::usage, rule.origin.file, rule.origin.where,
-                           "clip \"" + clip.name + "\" scales joint \"" + skeleton.joint_names[track.joint] +
-                               "\", which has no scale in the reference \"" + rule.reference + "\"",
-                           "additive clips multiply scales, and nothing times 0 is more than 0; take another reference, "
-                           "such as \"rest\"");
+      throw tools::Failure(
+          tools::Exit::usage, rule.origin.file, rule.origin.where,
+          "clip \"" + clip.name + "\" scales joint \"" + skeleton.joint_names[track.joint] +
+              "\", which has no scale in the reference \"" + rule.reference + "\"",
+          "additive clips multiply scales, and nothing times 0 is more than 0; take another reference, "
+          "such as \"rest\"");
     }
   }
 }

@@ -70,7 +70,8 @@ TEST(GltfClips, KeysAtOneTimeAreAJump) {
   b.channel(times, b.numbers<float>(kF32, "VEC3", 3, values), "translation", "STEP");
   const RawScene scene = read(b);
   const RawChannel& channel = scene.clips[0].channels[0];
-  EXPECT_EQ(channel.times_s, (std::vector<float>{std::nextafter(0.5F, 0.0F), 0.5F, std::nextafter(1.0F, 0.0F), 1, near, 2}));
+  EXPECT_EQ(channel.times_s,
+            (std::vector<float>{std::nextafter(0.5F, 0.0F), 0.5F, std::nextafter(1.0F, 0.0F), 1, near, 2}));
   std::vector<float> kept;
   for (const glm::vec4& value : channel.values) kept.push_back(value.x);
   EXPECT_EQ(kept, (std::vector<float>{0, 1, 2, 4, 5, 6}));

@@ -193,7 +193,8 @@ void Compressor::sort_tracks(const Promise& promise) {
   for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
 }
 
-// Moments, rounded as the runtime's argument is, so that both are on the same side of a jump; and keys that are not there.
+// Moments, rounded as the runtime's argument is, so that both are on the same side of a jump; and keys that are not
+// there.
 void Compressor::list_measured() {
   for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
     measured_s_.push_back(static_cast<float>(grid_.exact_time_of(e)));

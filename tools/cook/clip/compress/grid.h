@@ -24,8 +24,9 @@ bool jumps(const BuiltClip& clip, const Track& track);
 // The times of the keys that are to be coded.
 std::set<float> key_times(const BuiltClip& clip);
 
-// Grids worth trying: of LINEAR tracks the keys' own, on even steps but for the rounding of their times, then where they
-// are, which loses nothing; of curves even steps that come close enough, coarse to fine. None if nothing is to be coded.
+// Grids worth trying: of LINEAR tracks the keys' own, on even steps but for the rounding of their times, then where
+// they are, which loses nothing; of curves even steps that come close enough, coarse to fine. None if nothing is to be
+// coded.
 std::vector<Grid> grids(const BuiltClip& clip);
 
 }  // namespace marrow::cook
