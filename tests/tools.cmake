@@ -13,15 +13,16 @@ marrow_test(marrow_input_tests input
 target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook
-  golden/golden_cook_test.cpp unit/cook/clip/bounds_packer_test.cpp unit/cook/clip/channels_test.cpp
-  unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
+  golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
+  unit/cook/clip/channels_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
   unit/cook/clip/retarget_test.cpp unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
   unit/cook/learn/learn_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
   unit/cook/mesh/merge_runs_test.cpp unit/cook/mesh/residual_apart_test.cpp unit/cook/mesh/shapes_test.cpp
   unit/cook/mesh/skin_apart_test.cpp unit/cook/mesh/split_test.cpp unit/cook/mesh/subdivide_mesh_test.cpp
   unit/cook/mesh/subdivide_test.cpp unit/cook/prepare/add_skeleton_test.cpp unit/cook/prepare/bind_weights_test.cpp
-  unit/cook/prepare/limits_test.cpp unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
+  unit/cook/prepare/limits_test.cpp unit/cook/prepare/mirrors_test.cpp
+  unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
   unit/cook/prepare/paint_file_test.cpp unit/cook/prepare/skeletons_test.cpp
   unit/cook/prepare/weights_over_time_test.cpp)
 # To cook twice, and the newt with a fit, takes minutes under a sanitizer, which sees the same code in all the others. Two halves, as it takes as

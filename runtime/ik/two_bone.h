@@ -199,9 +199,10 @@ MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F>
   return true;
 }
 
-// Bones of no length, and a target at the start joint: something that has directions in their place.
+// Bones of no length, and a target at the start joint: something that has directions in their place. Returns what the
+// way to the target is to be multiplied by: 0 at the start joint.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline void give_lengths(LimbProblem<F>& in) {
+MARROW_CALLED_WHERE_SMALL inline F give_lengths(LimbProblem<F>& in) {
   const F tiny = number<F>(kNumbers.tiny);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
   set_where(no_upper, in.upper, in.lower);
@@ -215,7 +216,9 @@ MARROW_CALLED_WHERE_SMALL inline void give_lengths(LimbProblem<F>& in) {
   }
   Vector<F> now = in.upper + in.lower;
   set_where(dot(now, now) < tiny, now, in.upper);
-  set_where(dot(in.way, in.way) < tiny, in.way, now);
+  const auto at_start = dot(in.way, in.way) < tiny;
+  set_where(at_start, in.way, now);
+  return select(at_start, all_lanes<F>(0), number<F>(kNumbers.one));
 }
 
 // False if the numbers are not finite. If `plain`, what only few limbs need is left out; false also if this one needs
@@ -224,16 +227,18 @@ template <bool plain, class F>
 inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   Vector<F> squares = squared_lengths(in.upper, in.lower, in.way);
+  [[maybe_unused]] F far = one;
   if (plain && in.twisted) return false;
   if (any_below(squares, tiny)) {
     if constexpr (plain) return false;
-    give_lengths(in);
+    far = give_lengths(in);
     squares = squared_lengths(in.upper, in.lower, in.way);
   }
   Triangle<F> t;
   const Vector<F> lengths = roots(squares);
   const auto inverses = inverses_of(lengths);
   t.upper = x_of(lengths), t.lower = y_of(lengths), t.way = z_of(lengths);
+  if constexpr (!plain) t.way = t.way * far;
   const F inverse_upper = x_of(inverses), inverse_lower = plain ? y_of(inverses) : inverse_root(y_of(squares));
   shape_triangle(in, inverse_upper, t);
   Bend<F> bend;

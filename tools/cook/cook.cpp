@@ -17,6 +17,7 @@
 #include "cook/prepare/idle_motion.h"
 #include "cook/prepare/match_outfit.h"
 #include "cook/prepare/match_skeletons.h"
+#include "cook/prepare/mirrors.h"
 #include "cook/prepare/prepare_scene.h"
 #include "cook/prepare/retarget.h"
 #include "cook/read_source.h"
@@ -130,6 +131,7 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
 }  // namespace
 
 BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes) {
+  scene = with_one_form_of_mirrors(std::move(scene));
   // What has no meshes and is for a character, as motion capture, can be nothing else.
   if (options.clips_only || (options.onto && scene.meshes.empty())) return build_pack(std::move(scene), options, notes);
   scene = prepare_scene(std::move(scene), options, notes);

@@ -59,8 +59,14 @@ class ClipExport {
     return at->second;
   }
 
-  void add_channel(Json target, const std::vector<float>& seconds, const std::vector<float>& values, AccessorType type,
+  // A spline of one key, which glTF does not allow, is that key's value.
+  void add_channel(Json target, const std::vector<float>& seconds, std::vector<float> values, AccessorType type,
                    Interpolation interpolation) {
+    if (interpolation == Interpolation::cubic_spline && seconds.size() == 1) {
+      const auto each = static_cast<std::ptrdiff_t>(values.size() / 3);
+      values = {values.begin() + each, values.begin() + 2 * each};
+      interpolation = Interpolation::step;
+    }
     const std::size_t input = times(seconds);
     const std::size_t output = scene_.glb.add_accessor(values, Component::f32, type, Target::none);
     samplers_.push_back({{"input", input},

@@ -89,6 +89,15 @@ class SceneDocument {
     channel(node, "translation", b.times(seconds), b.numbers<float>(kF32, "VEC3", 3, places));
   }
 
+  // The last clip moves a node's path by these numbers, as many a key as it has.
+  void keys(int node, const std::string& path, const std::vector<float>& seconds, const std::vector<float>& numbers,
+            const char* interpolation = "LINEAR") {
+    const bool turns = path == "rotation";
+    channel(node, path.c_str(), b.times(seconds),
+            b.numbers<float>(kF32, turns ? "VEC4" : "VEC3", turns ? 4 : 3, numbers));
+    b.root["animations"].back()["samplers"].back()["interpolation"] = interpolation;
+  }
+
   std::string text() { return b.text(); }
   RawScene read() { return cook::read(b); }
 

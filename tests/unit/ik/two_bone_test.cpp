@@ -239,6 +239,32 @@ TEST(TwoBone, CollinearAndFoldedLimbsReach) {
   EXPECT_EQ(cases, 256);
 }
 
+// No nearer than the difference of the bones' lengths, whatever the limb was like; and no way leads there.
+TEST(TwoBone, ATargetAtTheStartJointFolds) {
+  int cases = 0;
+  for (const double lower : {0.5, 0.45, 0.3, 0.7})
+    for (const double bend : {0.0, 1e-4, 0.4, 1.5707963, 3.1}) {
+      for (const Vec3& axis : {Vec3{0, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+        for (const double away : {0.0, 1e-20, 1e-6}) {
+          std::vector<test::TestJoint> joints = plain_arm().test.joints;
+          joints[2].rotation = test::axis_angle({0, 0, 1}, bend);
+          joints[3].translation[0] = lower;
+          Chain c(joints);
+          TwoBone goal;
+          put(goal.target, {0, away, 0});
+          put(goal.bend_axis, axis);
+          bool reached = lower != 0.5;
+          ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+          EXPECT_EQ(reached, lower == 0.5) << cases;
+          const Places now(c);
+          EXPECT_NEAR(length(minus(now.end, now.start)), std::fabs(0.5 - lower), 3e-6) << cases;
+          ++cases;
+        }
+      }
+    }
+  EXPECT_EQ(cases, 4 * 5 * 3 * 3);
+}
+
 TEST(TwoBone, PreferredBend) {
   int cases = 0;
   for (const double angle : {-60.0, -3.0, -0.001, 0.0, 0.001, 3.0, 60.0}) {

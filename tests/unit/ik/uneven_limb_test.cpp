@@ -58,6 +58,30 @@ TEST(UnevenLimb, IsMet) {
               mean / cases, worst[0], worst[1], worst[2], off, cases);
 }
 
+// Folded as for a target beside it, and `reached` says whether that is enough.
+TEST(UnevenLimb, ATargetAtTheStartJointFolds) {
+  test::Random random(9);
+  int cases = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Chain before = uneven_limb(random, 1.25, i % 3);
+    const Places was(before);
+    double miss[2];
+    for (int k = 0; k < 2; ++k) {
+      Chain c = before;
+      c.skeleton = c.test.view();
+      TwoBone goal;
+      put(goal.target, plus(was.start, times(normalised(minus(was.end, was.start)), k * 1e-3 * was.limb)));
+      bool reached = false;
+      ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+      miss[k] = length(minus(Places(c).end, test::vec3(goal.target))) / was.limb;
+      EXPECT_EQ(reached, miss[k] < 1e-4) << i;
+    }
+    EXPECT_LT(miss[0], 1.25 * 1.25 * miss[1] + 2e-3) << i << ": by how much the way there may be stretched";
+    ++cases;
+  }
+  EXPECT_EQ(cases, 600);
+}
+
 // However unevenly it is scaled, and where what is above is flat.
 TEST(UnevenLimb, SaysWhetherItIsMet) {
   test::Random random(8);

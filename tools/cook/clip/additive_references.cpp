@@ -1,6 +1,7 @@
 #include "cook/clip/additive_references.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "common/failure.h"
@@ -43,6 +44,26 @@ std::vector<SoaTransform> reference_pose(const BuiltSkeleton& skeleton, const st
   return pose;
 }
 
+// Scale is changed by a factor, and what has none cannot get one by it. As the runtime divides: see pose/additive.cpp.
+void check_scales(const BuiltSkeleton& skeleton, const BuiltClip& clip, const std::vector<SoaTransform>& reference,
+                  const AdditiveRule& rule) {
+  const auto is_none = [](float scale) { return std::fabs(scale) <= 1e-20f; };
+  for (const Track& track : clip.tracks) {
+    if (track.path != TrackPath::scale) continue;
+    const SoaTransform& four = (reference.empty() ? skeleton.rest : reference)[track.joint / 4];
+    const std::uint32_t numbers = track.key_count * format::floats_per_key(track.path, track.interpolation);
+    for (std::uint32_t i = 0; i < numbers; ++i) {
+      if (!is_none(four.scale[i % 3][track.joint % 4]) || is_none(clip.values[track.first_value + i])) continue;
+      throw tools::Failure(
+          tools::Exit::usage, rule.origin.file, rule.origin.where,
+          "clip \"" + clip.name + "\" scales joint \"" + skeleton.joint_names[track.joint] +
+              "\", which has no scale in the reference \"" + rule.reference + "\"",
+          "additive clips multiply scales, and nothing times 0 is more than 0; take another reference, "
+          "such as \"rest\"");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<AdditiveReference> additive_references(const std::vector<BuiltSkeleton>& skeletons,
@@ -53,7 +74,9 @@ std::vector<AdditiveReference> additive_references(const std::vector<BuiltSkelet
     std::size_t found = 0;
     for (std::size_t i = 0; i < clips.size(); ++i) {
       if (rule.clips != clips[i].name && !tools::fits(rule.clips, clips[i].name)) continue;
-      out[i] = {rule.reference, reference_pose(skeletons[clips[i].skeleton], clips, clips[i], rule)};
+      const BuiltSkeleton& skeleton = skeletons[clips[i].skeleton];
+      out[i] = {rule.reference, reference_pose(skeleton, clips, clips[i], rule)};
+      check_scales(skeleton, clips[i], out[i].pose, rule);
       ++found;
     }
     if (found == 0 && rule.origin.must_fit) no_such_clip(rule.clips, clips, rule.origin);

@@ -16,7 +16,8 @@ struct AdditiveReference {
 };
 
 // For each clip its reference, or none; of clips not yet compressed. Throws tools::Failure (usage) if a rule's
-// reference is no clip, or if it fits no clip and must; a warning if it need not.
+// reference is no clip or has no scale where the clip has some, or if it fits no clip and must; a warning if it need
+// not.
 std::vector<AdditiveReference> additive_references(const std::vector<BuiltSkeleton>& skeletons,
                                                    const std::vector<BuiltClip>& clips,
                                                    const std::vector<AdditiveRule>& rules, Notes& notes);

@@ -145,6 +145,10 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   const std::vector<AdditiveReference> references =
       additive_references(built.skeletons, clips, options.additive, notes);
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
+    clips[i].reference = references[i].pose;
+  }
   if (options.raw_clips)
     for (BuiltClip& clip : clips) clip.raw_because = "--clip-codec raw";
   if (!options.raw_clips) {
@@ -153,8 +157,6 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
-    clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
-    clips[i].reference = references[i].pose;
     clips[i].error.vertex_error_m +=
         morph_error_m(parts[i].clip, clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
   }

@@ -4661,7 +4661,7 @@ export class Marrow {
   /**
    * Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
    * difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
-   * Of a bone of no length, or a target at the start joint, the rest is still done; nothing becomes infinite.
+   * Of a bone of no length the rest is still done; nothing becomes infinite. A target at the start joint folds the limb.
    * The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
    * one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
    * Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too

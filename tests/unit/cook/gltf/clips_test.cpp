@@ -1,6 +1,7 @@
 // Reading glTF: animations of joints and of numbers.
 #include "cook/gltf/read.h"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -49,11 +50,32 @@ TEST(GltfClips, KeysThatCannotBePlayedAreDropped) {
   b.channel(times, b.numbers<float>(kF32, "VEC3", 3, values), "translation");
   const RawScene scene = read(b);
   const RawChannel& channel = scene.clips[0].channels[0];
-  EXPECT_EQ(channel.times_s, (std::vector<float>{0, 1, 2}));
-  EXPECT_EQ(channel.values[1].x, 2);
-  EXPECT_EQ(channel.values[2].x, 4);
+  EXPECT_EQ(channel.times_s, (std::vector<float>{0, std::nextafter(1.0F, 0.0F), 1, 2})) << "nobody sees before 0";
+  EXPECT_EQ(channel.values[0].x, 1);
+  EXPECT_EQ(channel.values[1].x, 2) << "where it ends before the jump";
+  EXPECT_EQ(channel.values[2].x, 3);
+  EXPECT_EQ(channel.values[3].x, 4);
+  EXPECT_TRUE(warns(scene, "keys-at-one-time", "/animations/0/samplers/0/input"));
   EXPECT_TRUE(warns(scene, "keys-too-close", "/animations/0/samplers/0/input"));
   EXPECT_TRUE(warns(scene, "keys-too-late", "/animations/0/samplers/0/input"));
+}
+
+// Of several keys at one time the first and the last count; near each other, they stay where they are.
+TEST(GltfClips, KeysAtOneTimeAreAJump) {
+  Builder b;
+  const float near = std::nextafter(2.0F, 0.0F);
+  const int times = b.times({0.5F, 0.5F, 1, 1, 1, near, 2});
+  std::vector<float> values;
+  for (int i = 0; i < 7; ++i) values.insert(values.end(), {static_cast<float>(i), 0, 0});
+  b.channel(times, b.numbers<float>(kF32, "VEC3", 3, values), "translation", "STEP");
+  const RawScene scene = read(b);
+  const RawChannel& channel = scene.clips[0].channels[0];
+  EXPECT_EQ(channel.times_s,
+            (std::vector<float>{std::nextafter(0.5F, 0.0F), 0.5F, std::nextafter(1.0F, 0.0F), 1, near, 2}));
+  std::vector<float> kept;
+  for (const glm::vec4& value : channel.values) kept.push_back(value.x);
+  EXPECT_EQ(kept, (std::vector<float>{0, 1, 2, 4, 5, 6}));
+  EXPECT_TRUE(warns(scene, "keys-too-close")) << "key 3 lies between";
 }
 
 TEST(GltfClips, OddRotationsAreNormalised) {

@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "common/check_status.h"
 #include "cook/clip/compress/choose_steps.h"
 #include "cook/clip/compress/constant.h"
 #include "cook/clip/compress/grid.h"
 #include "cook/clip/compress/pack_tracks.h"
 #include "cook/clip/compress/round_keys.h"
+#include "marrow/blend.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 
@@ -39,6 +41,8 @@ BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
   out.skeleton = clip.skeleton;
   out.duration_s = clip.duration_s;
   out.most_keys = clip.most_keys;
+  out.additive = clip.additive;
+  out.reference = clip.reference;
   std::uint32_t list = UINT32_MAX, moved = 0;
   for (const Track& track : clip.tracks) {
     if (!is_among(raw, track)) continue;
@@ -74,8 +78,10 @@ class Compressor {
         intervals_(grid.intervals) {
     for (std::size_t j = 0; j < rig.size(); ++j) {
       source_.emplace_back().reserve(intervals_ * kMoments + 1);
-      for (std::size_t e = 0; e <= intervals_ * kMoments; ++e) source_[j].push_back(curves_.at(j, time_of(e)));
+      for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
+        source_[j].push_back(curves_.at(j, grid_.exact_time_of(e)));
     }
+    list_measured();
     sort_tracks(promise);
   }
 
@@ -84,16 +90,14 @@ class Compressor {
   BuiltClip keep_keys(const Promise& promise) const;
 
  private:
-  double time_of(std::size_t moment) const {
-    // Rounded as the runtime's argument is, so that both are on the same side of a jump.
-    return static_cast<double>(static_cast<float>(grid_.exact_time_of(moment)));
-  }
+  void list_measured();
   bool stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const;
   Transform middle(std::size_t joint) const;
   std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, const Promise& promise) const;
   void sort_tracks(const Promise& promise);
   std::optional<BuiltCoded> code(const Promise& promise) const;
   BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
+  void pose(const Clip& clip, float time_s, std::vector<SoaTransform>& local) const;
   ClipError measure(const BuiltClip& out, const Promise& promise) const;
 
   const BuiltClip& clip_;
@@ -105,6 +109,7 @@ class Compressor {
   Grid grid_;
   std::size_t intervals_;
   std::vector<std::vector<Transform>> source_;  // a joint and moment
+  std::vector<float> measured_s_;
   std::vector<TrackId> exact_, moving_;
   std::vector<ConstantTrack> constant_;
   std::vector<Transform> still_;  // a joint: the rest pose with the constants
@@ -188,19 +193,47 @@ void Compressor::sort_tracks(const Promise& promise) {
   for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
 }
 
+// Moments, rounded as the runtime's argument is, so that both are on the same side of a jump; and keys that are not
+// there.
+void Compressor::list_measured() {
+  for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
+    measured_s_.push_back(static_cast<float>(grid_.exact_time_of(e)));
+  const auto moments = static_cast<std::ptrdiff_t>(measured_s_.size());
+  for (const float key_s : key_times(clip_)) {
+    const auto end = measured_s_.begin() + moments, after = std::lower_bound(measured_s_.begin(), end, key_s);
+    const float near = key_s * 0x1p-22f;
+    const bool is_there =
+        (after != end && *after - key_s <= near) || (after != measured_s_.begin() && key_s - after[-1] <= near);
+    if (!is_there) measured_s_.push_back(key_s);
+  }
+}
+
+// As a game plays it: an additive clip's change is added to the pose that it was taken from.
+void Compressor::pose(const Clip& clip, float time_s, std::vector<SoaTransform>& local) const {
+  const Skeleton skeleton = view(skeleton_);
+  tools::check(sample(skeleton, clip, time_s, local));
+  if (clip_.additive.empty()) return;
+  const std::vector<SoaTransform>& reference = clip_.reference.empty() ? skeleton_.rest : clip_.reference;
+  std::vector<AdditiveTransform> change(local.size());
+  tools::check(make_additive(skeleton, local, reference, change));
+  local = reference;
+  tools::check(add(skeleton, {change}, local));
+}
+
 // Of the joints at every moment; of the vertices too, or at every few where that would be too many, as long as the
 // joints keep the promise.
 ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
   const Skeleton skeleton = view(skeleton_);
   const Clip clip = view(out, skeleton);
-  const std::size_t moments = intervals_ * kMoments + 1, stride = 1 + hung_.slots * moments / kMostSkinned;
+  const std::size_t moments = measured_s_.size(), stride = 1 + hung_.slots * moments / kMostSkinned;
   std::vector<SoaTransform> local(skeleton.soa_size());
   std::vector<World> source(rig_.size()), decoded(rig_.size());
   VertexErrors vertices(hung_);
   VertexError vertex;
   ClipError worst;
   for (std::size_t e = 0; e < moments; ++e) {
-    if (sample(skeleton, clip, static_cast<float>(time_of(e)), local) != Status::ok) return {INFINITY, INFINITY};
+    const double time_s = static_cast<double>(measured_s_[e]);
+    pose(clip, measured_s_[e], local);
     BuiltSkeleton posed;
     posed.rest = local;
     posed.parents = skeleton_.parents;
@@ -208,11 +241,11 @@ ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) cons
     for (std::size_t j = 0; j < rig_.size(); ++j) {
       const bool root = rig_.parents[j] == kNone;
       const auto up = static_cast<std::size_t>(rig_.parents[j]);
-      source[j] = rig_.place(j, root ? nullptr : &source[up], source_[j][e]);
+      source[j] = rig_.place(j, root ? nullptr : &source[up], curves_.at(j, time_s));
       decoded[j] = rig_.place(j, root ? nullptr : &decoded[up], transforms[j]);
       const double error = shell_error(source[j], decoded[j], promise.shell);
       const double share = error / promise.error[j];
-      if (!(share <= worst.share)) worst = {error, share, j, time_of(e)};
+      if (!(share <= worst.share)) worst = {error, share, j, time_s};
     }
     if (e % stride == 0 && worst.share <= 1) vertices.add(source, decoded, vertex);
   }
@@ -327,12 +360,12 @@ std::string why_it_strays(const Strayed& strayed) {
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
                    const Hung& hung, Effort effort) {
   if (clip.tracks.empty()) return;
-  std::string why = "its curves are STEP, or all at one time";
+  std::string why = "its curves jump, or are all at one time";
   std::optional<Compressor> compressor;
   Strayed strayed;
   for (const Grid& grid : grids(clip)) {
     why = "it has more than a million joints times moments";
-    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) break;
+    if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) continue;
     compressor.emplace(clip, skeleton, rig, grid, promise, hung, effort);
     std::optional<BuiltClip> made = compress_on(*compressor, clip, promise, strayed);
     if (made && bytes_of(*made) < bytes_of(clip)) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
 #include "asset/format.h"
 #include "cook/clip/compress/choose_steps.h"
@@ -11,20 +10,17 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kGridSlack = 1e-3;  // of a frame
+constexpr double kGridSlack = 1e-3;      // of a frame
+constexpr double kMostRounding = 0.125;  // of a frame
 constexpr std::size_t kMostIntervals = 20000;
 constexpr double kMostRefined = 8;     // frames between two keys of the shortest distance
 constexpr std::size_t kMostEmpty = 2;  // even steps for a key
 constexpr float kLeastStep = 1e-4f;    // seconds between uneven frames
 
-// The times of the keys that are to be coded.
-std::set<float> key_times(const BuiltClip& clip) {
-  std::set<float> times;
-  for (const Track& track : clip.tracks) {
-    const auto first = clip.times_s.begin() + track.first_time;
-    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
-  }
-  return times;
+// How far apart two times may be that are one but for rounding in single precision: half a last place each, and as much
+// for whoever computed them in such numbers.
+double rounding_at(float time_s) {
+  return std::max(1e-6, static_cast<double>(time_s) * 0x1p-22);
 }
 
 // Without those that are others but for rounding.
@@ -37,20 +33,27 @@ std::vector<float> distinct(const std::set<float>& times) {
   return out;
 }
 
-// The coarsest steps that every key falls on; nullopt if there are none.
+// The coarsest steps that every key falls on but for rounding, no two keys on one; nullopt if there are none.
 std::optional<Grid> find_grid(const std::set<float>& times) {
   const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
+  const double rounding = rounding_at(*times.rbegin());
   double least = length;
   for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
-    least = std::min(least, static_cast<double>(*b) - static_cast<double>(*a));
-  const double fewest = std::round(length / least);
+    if (const double gap = static_cast<double>(*b) - static_cast<double>(*a); gap > rounding)
+      least = std::min(least, gap);
+  const double fewest = std::max(1.0, std::ceil(length / (least + rounding)));
   const auto on_grid = [&](double intervals) {
+    const double slack = std::max(kGridSlack, std::min(kMostRounding, rounding / length * intervals));
+    double last_s = -1, last = -1;
     return std::all_of(times.begin(), times.end(), [&](float t) {
-      const double at = (static_cast<double>(t) - start) / length * intervals;
-      return std::fabs(at - std::round(at)) <= kGridSlack;
+      const double time_s = static_cast<double>(t), at = (time_s - start) / length * intervals, near = std::round(at);
+      const bool is_next = near > last || time_s - last_s <= rounding;
+      last_s = time_s, last = near;
+      return is_next && std::fabs(at - near) <= slack;
     });
   };
-  for (double n = fewest; n <= std::min(kMostRefined * fewest, static_cast<double>(kMostIntervals)); ++n)
+  const double most = std::min(kMostRefined * std::round(length / least), static_cast<double>(kMostIntervals));
+  for (double n = fewest; n <= most; ++n)
     if (on_grid(n)) return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(n), {}};
   return std::nullopt;
 }
@@ -62,18 +65,32 @@ bool has_cubic(const BuiltClip& clip) {
 
 }  // namespace
 
-// A STEP track that changes cannot be blended between frames. Exporters write STEP for what is constant but for the
-// rounding of floats.
 bool jumps(const BuiltClip& clip, const Track& track) {
   constexpr float kRounding = 1e-6f;
-  if (track.interpolation != Interpolation::step) return false;
-  const std::size_t width = format::floats_per_key(track.path, track.interpolation);
-  const float* const first = clip.values.data() + track.first_value;
+  const bool is_step = track.interpolation == Interpolation::step;
+  const std::size_t width = format::floats_per_key(track.path, track.interpolation), part = width / 3;
+  const bool is_cubic = track.interpolation == Interpolation::cubic_spline;
+  const std::size_t from = is_cubic ? part : 0, to = is_cubic ? 2 * part : width;  // the key's value
+  const float* const times = clip.times_s.data() + track.first_time;
+  const float* const values = clip.values.data() + track.first_value;
   float largest = track.path == TrackPath::translation ? 0.0f : 1.0f;
-  for (std::size_t i = 0; i < width; ++i) largest = std::max(largest, std::fabs(first[i]));
-  for (std::size_t i = width; i < track.key_count * width; ++i)
-    if (!(std::fabs(first[i] - first[i % width]) <= kRounding * largest)) return true;
+  for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::fabs(values[i]));
+  for (std::size_t k = 1; k < track.key_count; ++k) {
+    if (!is_step && static_cast<double>(times[k]) - static_cast<double>(times[k - 1]) > rounding_at(times[k])) continue;
+    const float *key = values + k * width, *other = is_step ? values : key - width;
+    for (std::size_t i = from; i < to; ++i)
+      if (!(std::fabs(key[i] - other[i]) <= kRounding * largest)) return true;
+  }
   return false;
+}
+
+std::set<float> key_times(const BuiltClip& clip) {
+  std::set<float> times;
+  for (const Track& track : clip.tracks) {
+    const auto first = clip.times_s.begin() + track.first_time;
+    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
+  }
+  return times;
 }
 
 double Grid::exact_time_of(std::size_t moment) const {
@@ -94,9 +111,10 @@ std::vector<Grid> grids(const BuiltClip& clip) {
   const std::optional<Grid> own = find_grid(times);
   if (!has_cubic(clip)) {
     // Steps that are even cost no times, and frames of them that have no keys few bits.
-    if (own && own->intervals <= times.size() * kMostEmpty) return {*own};
+    if (own && own->intervals <= times.size() * kMostEmpty) out.push_back(*own);
     std::vector<float> uneven = distinct(times);
-    if (uneven.size() > 1) return {{uneven.front(), uneven.back(), uneven.size() - 1, uneven}};
+    if (uneven.size() > 1) out.push_back({uneven.front(), uneven.back(), uneven.size() - 1, uneven});
+    if (!out.empty()) return out;
   }
   const double length = static_cast<double>(*times.rbegin()) - static_cast<double>(*times.begin());
   const double coarsest = own ? static_cast<double>(own->intervals) : std::ceil(length * 30);

@@ -1,6 +1,7 @@
 // When the frames of a coded clip are.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "cook/scene/built.h"
@@ -16,12 +17,16 @@ struct Grid {
   double exact_time_of(std::size_t moment) const;
 };
 
-// A STEP track that changes cannot be blended between frames. Exporters write STEP for what is constant but for the
-// rounding of floats.
+// A STEP track that changes cannot be blended between frames, nor can one with different keys at one time, but for the
+// rounding of floats. Exporters write STEP for what is constant but for that.
 bool jumps(const BuiltClip& clip, const Track& track);
 
-// Grids worth trying, coarse to fine: the keys' own, on even steps or not, which lose nothing of LINEAR tracks; or even
-// steps that come close enough to curves. None if nothing is to be coded.
+// The times of the keys that are to be coded.
+std::set<float> key_times(const BuiltClip& clip);
+
+// Grids worth trying: of LINEAR tracks the keys' own, on even steps but for the rounding of their times, then where
+// they are, which loses nothing; of curves even steps that come close enough, coarse to fine. None if nothing is to be
+// coded.
 std::vector<Grid> grids(const BuiltClip& clip);
 
 }  // namespace marrow::cook

@@ -10,7 +10,8 @@ namespace marrow::cook::gltf {
 namespace {
 
 constexpr float kLongestClip_s = 86'400;  // a day; longer ones are mistakes that cost gigabytes when resampled
-constexpr float kShortestStep_s = 1e-6F;  // slopes across shorter steps overflow
+constexpr float kShortestStep_s = 1e-6F;  // keys nearer to one another are the two sides of a jump
+constexpr float kLeastApart_s = 1e-9F;    // of the sides, where floats are finer: slopes stay far from infinite
 constexpr double kKeySlack = 0.02;        // an 8-bit quaternion is off by about one part in 127
 constexpr double kSmallestKey = 1e-6;
 
@@ -90,29 +91,38 @@ class ChannelImporter {
     return values;
   }
 
+  // The last moment before a time that a key can have.
+  static float before(float time_s) { return std::min(std::nextafter(time_s, -1.0F), time_s - kLeastApart_s); }
+
+  // Keys at one time, or nearly, are a jump: the first is where the curve ends before it, the last where it goes on.
   std::vector<Key> usable_keys(const Accessor& input) {
     const std::string where = under(sampler_where_, "input");
     const std::vector<float> times = read(input, where);
+    const auto count = static_cast<std::size_t>(
+        std::find_if(times.begin(), times.end(), [](float t) { return t > kLongestClip_s; }) - times.begin());
     std::vector<Key> keys;
-    std::size_t late = 0;
-    std::size_t close = 0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      if (times[i] > kLongestClip_s) {
-        ++late;
-      } else if (!keys.empty() && times[i] - keys.back().time_s < kShortestStep_s) {
-        ++close;
-      } else {
-        keys.push_back({i, times[i]});
-      }
+    std::size_t at_one_time = 0;
+    for (std::size_t first = 0, last = 0; first < count; first = ++last) {
+      while (last + 1 < count && times[last + 1] - times[first] < kShortestStep_s) ++last;
+      const bool one_time = last > first && times[last] - times[first] < kLeastApart_s;
+      const float time_s = one_time ? times[first] : times[last], side_s = one_time ? before(time_s) : times[first];
+      const bool has_side = last > first && side_s >= 0 && (keys.empty() || keys.back().time_s < side_s);
+      if (has_side) keys.push_back({first, side_s});
+      keys.push_back({last, time_s});
+      at_one_time += has_side && one_time;
     }
-    if (late > 0) {
+    if (count < times.size()) {
       report_.mend(where, "keys-too-late",
-                   std::to_string(late) + " keys are more than a day after the start; left out");
+                   std::to_string(times.size() - count) + " keys are more than a day after the start; left out");
     }
-    // Zeros stand for a buffer that is not there, and are no finding about the times.
-    if (close > 0 && input.has_data()) {
+    if (!input.has_data()) return keys;  // zeros stand for a buffer that is not there, and are no finding
+    if (at_one_time > 0) {
+      report_.mend(where, "keys-at-one-time",
+                   std::to_string(at_one_time) + " keys are at the time of the next; both sides of the jump are kept");
+    }
+    if (keys.size() < count) {
       report_.mend(where, "keys-too-close",
-                   std::to_string(close) + " keys are not a microsecond after the one before; left out");
+                   std::to_string(count - keys.size()) + " keys are less than a microsecond from others; left out");
     }
     return keys;
   }
