@@ -80,8 +80,9 @@ struct MeshStreams {
   Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
 
+  // Of a kind that stands before those of morph targets, which may be many.
   const Stream* find(StreamKind kind) const {
-    for (std::uint32_t i = 0; i < stream_count; ++i)
+    for (std::uint32_t i = 0; i < stream_count && streams[i].kind < StreamKind::target; ++i)
       if (streams[i].kind == kind) return &streams[i];
     return nullptr;
   }
