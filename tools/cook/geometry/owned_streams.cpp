@@ -37,8 +37,8 @@ MeshStreams OwnedStreams::view() {
 
 const Stream* OwnedStreams::find(StreamKind kind) const {
   for (const Stream& s : streams) {
-    if (s.kind >= StreamKind::target) break;
     if (s.kind == kind) return &s;
+    if (is_past(kind, s.kind)) break;
   }
   return nullptr;
 }
