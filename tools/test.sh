@@ -99,6 +99,7 @@ case "${1:-}" in
     where_possible "Rust, C# and JavaScript" tools/check/bindings.sh $marrow
     where_possible "same bytes everywhere" tools/same_bytes.sh
     where_possible "same bits everywhere" tools/same_bits.sh
+    [ $form = ci ] || timed "growth" tools/check/growth.py $marrow
     where_possible "FBX, by Blender" tools/check/fbx.sh $marrow
     where_possible "WebGL 2, in Chromium" tools/check/web.sh $marrow
     timed "what phones' compilers say" tools/gpu_cost.sh --if-changed

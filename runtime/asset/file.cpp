@@ -280,9 +280,7 @@ Span<const SpringCollider> File::spring_colliders(std::uint32_t of_skeleton) con
   return {at<SpringCollider>(base, layout(header).colliders), header.collider_count};
 }
 
-namespace {
-
-Bounds decoded(const format::BoundsCodes& codes) {
+Bounds decode_bounds(const format::BoundsCodes& codes) {
   const float step = bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
   Bounds out;
   for (int c = 0; c < 3; ++c) {
@@ -292,8 +290,6 @@ Bounds decoded(const format::BoundsCodes& codes) {
   out.radius_m = static_cast<float>(codes.radius) * step;
   return out;
 }
-
-}  // namespace
 
 Bounds File::bounds(std::uint32_t clip, std::uint32_t mesh) const {
   if (clip >= clip_count() || mesh >= mesh_count()) return {};
@@ -314,7 +310,7 @@ Bounds File::bounds(std::uint32_t clip, std::uint32_t mesh) const {
     for (std::uint32_t m = 0; m < mesh; ++m) column += skeleton_of_mesh(m) == skeleton;
     if (row >= header.clip_count || column >= header.mesh_count) return {};
     const auto* codes = at<format::BoundsCodes>(base, format::layout(header).codes);
-    return decoded(codes[std::uint64_t{row} * header.mesh_count + column]);
+    return decode_bounds(codes[std::uint64_t{row} * header.mesh_count + column]);
   }
   return {};
 }

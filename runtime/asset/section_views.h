@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "asset/format.h"
 #include "marrow/file.h"
 
 namespace marrow {
@@ -10,5 +11,8 @@ namespace marrow {
 // section: a whole GEOM section, accepted by load() or made by the cooker, on a 16-byte boundary; the view points into
 // it.
 Geometry view_geometry(const std::byte* section);
+
+// What codes of a BNDS section stand for.
+Bounds decode_bounds(const format::BoundsCodes& codes);
 
 }  // namespace marrow

@@ -49,7 +49,7 @@ std::uint32_t skeleton_of_reference(const File& file, const File& pack, std::uin
   return first;
 }
 
-// The clip that goes with `clip` for another owner: a skeleton, or in a pack a reference.
+// The clip of a pack that goes with `clip` for a reference.
 std::uint32_t companion(const File& clips, std::uint32_t clip, std::uint32_t owner) {
   const Clip played = clips.clip(clip);
   if (played.skeleton == owner) return clip;
@@ -58,14 +58,23 @@ std::uint32_t companion(const File& clips, std::uint32_t clip, std::uint32_t own
   return found < clips.clip_count() ? found : kNoClip;
 }
 
+// Of a file's own clips, in one pass however many skeletons there are.
+void choose_own_clips(const File& file, std::uint32_t clip, Span<std::uint32_t> out) {
+  const Clip played = file.clip(clip);
+  out[played.skeleton] = clip;
+  for (std::uint32_t i = 0; out.size > 1 && *played.name != '\0' && i < file.clip_count(); ++i) {
+    const Clip other = file.clip(i);
+    if (is_free(other.skeleton, out) && std::strcmp(other.name, played.name) == 0) out[other.skeleton] = i;
+  }
+}
+
 void choose_clips(const File& file, const File& clips, std::uint32_t clip, Span<std::uint32_t> out) {
   for (std::uint32_t& chosen : out) chosen = kNoClip;
-  const bool pack = clips.reference_count() > 0;
-  const std::uint32_t owners = pack ? clips.reference_count() : file.skeleton_count();
-  for (std::uint32_t owner = 0; owner < owners; ++owner) {
-    const std::uint32_t chosen = companion(clips, clip, owner);
+  if (clips.reference_count() == 0) return choose_own_clips(file, clip, out);
+  for (std::uint32_t reference = 0; reference < clips.reference_count(); ++reference) {
+    const std::uint32_t chosen = companion(clips, clip, reference);
     if (chosen == kNoClip) continue;
-    const std::uint32_t skeleton = pack ? skeleton_of_reference(file, clips, owner, out) : owner;
+    const std::uint32_t skeleton = skeleton_of_reference(file, clips, reference, out);
     if (skeleton < out.size) out[skeleton] = chosen;
   }
 }

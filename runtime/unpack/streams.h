@@ -25,6 +25,12 @@ enum class StreamKind : std::uint8_t {
 };
 inline constexpr std::uint32_t kBindStreams = 8 + 2 * kMaxInfluences;  // at most, before those of morph targets
 
+// Whether a stream of this kind does not come any more: all but those of deformers stand before morph targets', which
+// may be many.
+inline bool is_past(StreamKind wanted, StreamKind seen) {
+  return seen == StreamKind::target && wanted < StreamKind::residual;
+}
+
 struct Stream {
   StreamKind kind = StreamKind::position;
   std::uint8_t components = 0;
@@ -81,8 +87,10 @@ struct MeshStreams {
   std::uint32_t stream_count = 0;
 
   const Stream* find(StreamKind kind) const {
-    for (std::uint32_t i = 0; i < stream_count; ++i)
+    for (std::uint32_t i = 0; i < stream_count; ++i) {
       if (streams[i].kind == kind) return &streams[i];
+      if (is_past(kind, streams[i].kind)) break;
+    }
     return nullptr;
   }
 };

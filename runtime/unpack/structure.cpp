@@ -264,8 +264,8 @@ Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) 
   return out;
 }
 
-const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
-                        Span<std::byte> out, std::uint32_t& bytes) {
+const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, std::uint32_t& modelled,
+                        Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes) {
   ByteReader reader(record.data, record.size);
   const std::uint32_t flags = reader.take_varint();
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
@@ -279,7 +279,9 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   Memory memory{scratch.data, 0, scratch.size};
   Affine* const model = memory.take<Affine>(skeleton.joint_count).data;
   if (model == nullptr) return "memory_bytes too small";
-  (void)local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, {model, skeleton.joint_count});
+  if (modelled != h.skeleton)
+    (void)local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, {model, skeleton.joint_count});
+  modelled = h.skeleton;
 
   std::memcpy(out.data, &h, sizeof h);
   const Span<std::uint16_t> joints{at<std::uint16_t>(out, l.joints), h.joint_count};

@@ -51,8 +51,15 @@ struct UnpackedSkeletons {
 Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index);
 // Of a skeleton or of a reference; 0 past the last.
 std::uint32_t joint_count_at(UnpackedSkeletons skeletons, std::uint32_t index);
-const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
-                        Span<std::byte> out, std::uint32_t& bytes);
+// modelled: the skeleton whose rest pose in model space the scratch holds already, and then holds; kNoneModelled: none.
+inline constexpr std::uint32_t kNoneModelled = 0xFFFFFFFF;
+const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, std::uint32_t& modelled,
+                        Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes);
+inline const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, Span<std::byte> scratch,
+                               Span<std::byte> out, std::uint32_t& bytes) {
+  std::uint32_t modelled = kNoneModelled;
+  return unpack_mesh(record, skeletons, modelled, scratch, out, bytes);
+}
 
 // Inverse binds that follow from the rest pose: joint_from_mesh = (scene_from_joint)⁻¹ · scene_from_mesh. `model` is
 // the rest pose in model space.

@@ -189,6 +189,7 @@ class Unpacker {
     if (record_.kind == format::kReferences && record_.codec == format::kCodecRaw && references_ == index_)
       ++references_;
     has_models_ = has_models_ && record_.kind == format::kClips && record_.codec == packed::kCompact;
+    if (record_.kind != format::kMeshes) modelled_ = kNoneModelled;  // others use the scratch, too
     std::memcpy(memory_.data + sizeof(format::Header) + index_ * sizeof section_, &section_, sizeof section_);
     end_ = offset + section_.bytes;
     ++index_;
@@ -226,7 +227,7 @@ class Unpacker {
       rule =
           unpack_clip(record_.bytes, skeletons, has_models_, scratch(), work_.clip, out, bytes, section_.codec, done);
     } else if (record_.kind == format::kMeshes) {
-      rule = unpack_mesh(record_.bytes, skeletons, scratch(), out, bytes);
+      rule = unpack_mesh(record_.bytes, skeletons, modelled_, scratch(), out, bytes);
     } else if (record_.kind == format::kNames) {
       rule = unpack_names(work_.names, out, bytes, done);
     } else if (record_.kind == format::kBounds) {
@@ -280,6 +281,7 @@ class Unpacker {
   Work work_;
   std::uint32_t offset_ = 0, index_ = 0;          // of the record in work
   std::uint32_t skeletons_ = 0, references_ = 0;  // compact ones, or references, at the front of the table
+  std::uint32_t modelled_ = kNoneModelled;        // a mesh's skeleton, at the front of the scratch memory, likewise
   bool has_models_ = false;                       // a clip's, at the front of the scratch memory, for the next one
   bool is_going_on_ = false;                      // with a record, or with the file's checksum
   MeshStage stage_ = MeshStage::decoding;

@@ -39,9 +39,12 @@ std::vector<std::size_t> match(const std::vector<std::string>& a, const std::vec
 }
 
 std::vector<std::size_t> unmatched(const std::vector<std::size_t>& partners, std::size_t count) {
+  std::vector<char> has_partner(count, 0);
+  for (const std::size_t partner : partners)
+    if (partner != kNone) has_partner[partner] = 1;
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < count; ++i)
-    if (std::find(partners.begin(), partners.end(), i) == partners.end()) out.push_back(i);
+    if (has_partner[i] == 0) out.push_back(i);
   return out;
 }
 
@@ -204,6 +207,8 @@ class Comparison {
     for (const JointList& joints : b_.joints) b.push_back(joints.owner);
     joints_.resize(a.size());
     skeleton_.assign(a.size(), kNone);
+    if (a_.character) a_.character->pose({}, 0);  // all skeletons
+    if (b_.character) b_.character->pose({}, 0);
     for (const auto& [i, k] : pairs("skeleton", a, b)) {
       skeleton_[i] = k;
       const std::string in = fmt::format("skeleton \"{}\"", a[i]);
@@ -225,8 +230,8 @@ class Comparison {
     for (std::size_t j = 0; j < partners.size(); ++j) {
       if (partners[j] != kNone) continue;
       // The same place under the same parent: another name for the same joint.
-      const auto same = std::find(fresh.begin(), fresh.end(), j);
-      if (same != fresh.end() && parent_of(j) == b.parents[j]) {
+      const auto same = std::lower_bound(fresh.begin(), fresh.end(), j);
+      if (same != fresh.end() && *same == j && parent_of(j) == b.parents[j]) {
         say("joint-renamed", in, fmt::format("joint \"{}\" is now \"{}\"", a.names[j], b.names[j]));
         partners[j] = j;
         fresh.erase(same);
@@ -273,8 +278,6 @@ class Comparison {
   }
 
   void compare_rest(const std::string& in, std::size_t i, std::size_t k) {
-    a_.character->pose({}, 0);
-    b_.character->pose({}, 0);
     Farthest worst;
     farthest(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(k), joints_[i], 0, worst);
     if (worst.distance == 0) return;

@@ -261,6 +261,7 @@ ordered_json describe_clips(const LoadedFile& loaded) {
   Character character(file);
   const std::vector<Play> plays = plays_of(file, file);
   const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
+  std::vector<ordered_json> bounds = cook::report_bounds(file, loaded.bytes);
   ordered_json out = ordered_json::array();
   for (std::uint32_t i = 0; i < file.clip_count(); ++i) {
     const Clip c = file.clip(i);
@@ -279,7 +280,7 @@ ordered_json describe_clips(const LoadedFile& loaded) {
                    {"additive", c.additive},
                    {"reference", c.reference != nullptr ? "own" : "rest"},
                    {"channels", channels},
-                   {"bounds", cook::report_bounds(file, i)}});
+                   {"bounds", std::move(bounds[i])}});
   }
   return out;
 }

@@ -61,6 +61,17 @@ tools::AlignedBytes unpack_record(const BuiltGeometry& g, const MeshDecoder& dec
   return section;
 }
 
+// Whether Draco takes time and memory in proportion to the mesh. It looks for a triangle's neighbours among all that
+// meet it in a place, and has a table with 8 bytes for each number that a stream may hold: a UV of 30 000 alone makes
+// it 128 MB.
+bool suits_draco(const OwnedStreams& s) {
+  constexpr unsigned kFewBits = 22;
+  constexpr std::uint64_t kNumbersAVertex = 16;
+  for (const Stream& stream : s.streams)
+    if (stream.bits > kFewBits && std::uint64_t{1} << stream.bits > kNumbersAVertex * s.mesh.vertex_count) return false;
+  return s.streams.size() <= kMostDracoStreams && !meets_too_often(s, Meeting::place);
+}
+
 bool is_packed(const CookOptions& options) {
   return options.mesh_codec != MeshCodec::none;
 }
@@ -82,7 +93,7 @@ void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& opti
   if (!grid.residual_source.is_all) merge_runs(streams);
   optimise_order(streams);
   if (is_packed(options)) {
-    const bool draco = options.mesh_codec != MeshCodec::meshopt && streams.streams.size() <= kMostDracoStreams &&
+    const bool draco = options.mesh_codec != MeshCodec::meshopt && suits_draco(streams) &&
                        !streams.has_collapsed;  // Draco drops triangles that name a vertex twice
     const DracoAim aim = options.mesh_codec == MeshCodec::draco_smallest ? DracoAim::smallest : DracoAim::quick;
     const auto encode = [&](OwnedStreams& s) { return draco ? encode_draco(s, aim) : encode_meshopt(s); };

@@ -99,6 +99,11 @@ void add_deformers(const RawPrimitive& primitive, const std::vector<Binding>& bi
 // is none its triangle stays; a vertex that no triangle uses gets kNoSlot.
 void weld(OwnedStreams& streams, bool keep_map);
 
+// Whether so many triangles meet in vertices, or in places, that what looks at all of them for each takes too long:
+// more than 20 million pairs, and 64 times the corners.
+enum class Meeting { vertex, place };
+bool meets_too_often(const OwnedStreams& streams, Meeting in);
+
 // Orders triangles for the GPU's vertex cache and for little overdraw.
 void optimise_order(OwnedStreams& streams);
 

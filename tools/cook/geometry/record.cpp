@@ -18,6 +18,22 @@ void add_pose_space(const OwnedStreams& s, std::vector<std::byte>& out) {
   }
 }
 
+void add_targets(const OwnedStreams& s, std::vector<std::byte>& out) {
+  std::vector<std::vector<const Stream*>> streams(s.mesh.target_count);
+  for (const Stream& stream : s.streams)
+    if (stream.kind == StreamKind::target) streams[stream.target].push_back(&stream);
+  for (const std::vector<const Stream*>& of_target : streams) {
+    std::uint8_t attributes = 0;
+    for (const Stream* const stream : of_target)
+      attributes = static_cast<std::uint8_t>(attributes | 1u << stream->attribute);
+    add_value(attributes, out);
+    for (const Stream* const stream : of_target) {
+      add_value(stream->bits, out);
+      add_value(stream->step, out);
+    }
+  }
+}
+
 void add_residual_apart(const ResidualApart& apart, const std::vector<std::byte>& bits, std::vector<std::byte>& out) {
   add_varint(apart.iterations, out);
   add_value(static_cast<std::uint16_t>(apart.share), out);
@@ -72,18 +88,7 @@ std::vector<std::byte> geometry_record(const OwnedStreams& s, const std::vector<
     add_value(weights->step, out);
     add_varint(s.mesh.mwe_root, out);
   }
-  for (std::uint32_t t = 0; t < s.mesh.target_count; ++t) {
-    std::uint8_t attributes = 0;
-    for (const Stream& stream : s.streams)
-      if (stream.kind == StreamKind::target && stream.target == t)
-        attributes = static_cast<std::uint8_t>(attributes | 1u << stream.attribute);
-    add_value(attributes, out);
-    for (const Stream& stream : s.streams) {
-      if (stream.kind != StreamKind::target || stream.target != t) continue;
-      add_value(stream.bits, out);
-      add_value(stream.step, out);
-    }
-  }
+  add_targets(s, out);
   if (s.mesh.example_count > 0) add_pose_space(s, out);
   for (const std::uint32_t vertex : s.source_map) add_varint(vertex, out);
   out.insert(out.end(), encoded.begin(), encoded.end());

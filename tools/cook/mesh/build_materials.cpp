@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <string_view>
+#include <unordered_map>
 
 #include "text/quantity.h"
 
@@ -25,10 +28,47 @@ bool same(const RawImage& a, const RawImage& b) {
   return !a.uri.empty() && a.uri == b.uri;
 }
 
+// Values that are the same() have one.
+std::size_t hash_of(const BuiltMaterial& m) {
+  const std::string_view textures(reinterpret_cast<const char*>(m.textures.data()),
+                                  m.textures.size() * sizeof(Texture));
+  return std::hash<std::string_view>()(textures) ^ std::hash<std::string>()(m.name);
+}
+
+std::size_t hash_of(const RawImage& image) {
+  if (image.bytes.empty()) return std::hash<std::string>()(image.uri);
+  return std::hash<std::string_view>()({reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size()});
+}
+
+// Values of which each is there once.
+template <class T>
+class Distinct {
+ public:
+  explicit Distinct(std::vector<T>& all) : all_(all) {}
+  std::size_t number_of(T value) {
+    const std::size_t hash = hash_of(value);
+    const auto [first, end] = by_hash_.equal_range(hash);
+    const auto twin = std::find_if(first, end, [&](const auto& known) { return same(all_[known.second], value); });
+    if (twin != end) return twin->second;
+    // What is not even the same as itself is never found.
+    if (same(value, value)) by_hash_.emplace(hash, all_.size());
+    all_.push_back(std::move(value));
+    return all_.size() - 1;
+  }
+
+ private:
+  std::vector<T>& all_;
+  std::unordered_multimap<std::size_t, std::size_t> by_hash_;
+};
+
 class Shared {
  public:
   Shared(const RawScene& scene, Images images, BuiltLooks& out)
-      : scene_(scene), images_(images), out_(out), image_of_(scene.images.size(), kNone) {}
+      : scene_(scene),
+        images_(images),
+        known_materials_(out.materials),
+        known_images_(out.images),
+        image_of_(scene.images.size(), kNone) {}
 
   std::uint32_t section_of(int raw_index) {
     if (raw_index == kNone) return 0;
@@ -40,11 +80,7 @@ class Shared {
     }
     const bool is_plain = material.alpha == AlphaMode::opaque && !material.unlit && material.emissive == glm::vec3(0);
     if (is_plain && material.textures.empty()) return 0;
-    std::vector<BuiltMaterial>& all = out_.materials;
-    const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& m) { return same(m, material); });
-    const auto index = static_cast<std::uint32_t>(twin - all.begin());
-    if (twin == all.end()) all.push_back(std::move(material));
-    return index + 1;
+    return static_cast<std::uint32_t>(known_materials_.number_of(std::move(material)) + 1);
   }
 
  private:
@@ -52,16 +88,14 @@ class Shared {
     if (image_of_[raw_index] != kNone) return image_of_[raw_index];
     RawImage image = scene_.images[raw_index];
     if (image.fallback != kNone) image.fallback = image_of(static_cast<std::size_t>(image.fallback));
-    std::vector<RawImage>& all = out_.images;
-    const auto twin = std::find_if(all.begin(), all.end(), [&](const auto& i) { return same(i, image); });
-    image_of_[raw_index] = static_cast<int>(twin - all.begin());
-    if (twin == all.end()) all.push_back(image);
+    image_of_[raw_index] = static_cast<int>(known_images_.number_of(std::move(image)));
     return image_of_[raw_index];
   }
 
   const RawScene& scene_;
   Images images_;
-  BuiltLooks& out_;
+  Distinct<BuiltMaterial> known_materials_;
+  Distinct<RawImage> known_images_;
   std::vector<int> image_of_;
 };
 

@@ -266,7 +266,7 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
                   const CookOptions& options, Notes& notes) {
   Drawn out;
   BoundPrimitives bound;
-  const SceneScale scale(built.skeletons);
+  const SceneScale scale(built.skeletons, scene);
   std::map<int, MeshGrid> grids;
   for (const RawInstance& instance : scene.instances) {
     const RawMesh& source = bound_meshes.mesh(scene, instance.mesh);

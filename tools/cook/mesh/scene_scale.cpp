@@ -7,8 +7,11 @@
 
 namespace marrow::cook {
 
-SceneScale::SceneScale(const std::vector<BuiltSkeleton>& skeletons) {
+SceneScale::SceneScale(const std::vector<BuiltSkeleton>& skeletons, const RawScene& scene)
+    : instances_(scene.meshes.size()) {
   for (const BuiltSkeleton& skeleton : skeletons) rest_.push_back(model_pose(skeleton, skeleton.rest));
+  for (std::size_t i = 0; i < scene.instances.size(); ++i)
+    instances_[static_cast<std::size_t>(scene.instances[i].mesh)].push_back(i);
 }
 
 double SceneScale::of_joint(int skeleton, int joint, const glm::dmat4& joint_from_mesh) const {
@@ -41,8 +44,8 @@ double SceneScale::of(const RawScene& scene, const BuiltScene& built, int mesh) 
     const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(node)];
     out = std::max(out, of_joint(nearest.skeleton, nearest.joint, nearest.joint_from_node * node_from_mesh));
   };
-  for (const RawInstance& instance : scene.instances) {
-    if (instance.mesh != mesh) continue;
+  for (const std::size_t i : instances_[static_cast<std::size_t>(mesh)]) {
+    const RawInstance& instance = scene.instances[i];
     if (instance.skin == kNone) {
       add(instance.node, glm::dmat4(1.0));
       continue;

@@ -12,7 +12,7 @@ namespace marrow::cook {
 // In the rest pose; the largest of all directions, joints and places where a mesh stands.
 class SceneScale {
  public:
-  explicit SceneScale(const std::vector<BuiltSkeleton>& skeletons);
+  SceneScale(const std::vector<BuiltSkeleton>& skeletons, const RawScene& scene);
 
   // Of what is drawn through a palette.
   double of(std::uint32_t skeleton, const std::vector<std::uint16_t>& joints,
@@ -25,7 +25,8 @@ class SceneScale {
  private:
   double of_joint(int skeleton, int joint, const glm::dmat4& joint_from_mesh) const;
 
-  std::vector<std::vector<Affine>> rest_;  // scene_from_joint, a skeleton
+  std::vector<std::vector<Affine>> rest_;            // scene_from_joint, a skeleton
+  std::vector<std::vector<std::size_t>> instances_;  // a mesh
 };
 
 }  // namespace marrow::cook

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <string_view>
+#include <unordered_map>
 
 #include "common/check_status.h"
 #include "common/parallel.h"
@@ -40,10 +45,17 @@ struct Extent {
   }
 };
 
+// What one skeleton of a file moves.
+struct Cast {
+  std::vector<std::uint32_t> clips, meshes;
+};
+
 // Characters that play a file's clips, one a level of detail.
 class Stage {
  public:
-  explicit Stage(const File& file) : file_(file), examples_(file) {
+  // whole: null, or all animations of the file. Then its skeletons play together, which spaces of example shapes look
+  // at; else each for itself, which takes no longer however many others there are.
+  Stage(const File& file, const Animations* whole) : file_(file), examples_(file), whole_(whole) {
     std::size_t levels = 0;
     bool in_as = false;
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
@@ -51,8 +63,6 @@ class Stage {
       levels = std::max(levels, mesh.lods.size);
       in_as = in_as || mesh.geometry.as_residual != nullptr;
     }
-    animation_memory_ = tools::AlignedBytes(animations_bytes(file, file));
-    tools::check(make_animations(file, file, {animation_memory_.data(), animation_memory_.size()}, animations_));
     for (std::uint32_t level = 0; level <= levels; ++level) {
       const CharacterOptions options{1, level, true, in_as};
       Level& made = levels_.emplace_back();
@@ -61,25 +71,64 @@ class Stage {
     }
   }
 
-  // Calls visit(mesh, positions) for every mesh that `wanted` has, as often as there are ways to skin it.
+  void choose(const Cast& cast, std::uint32_t clip) {
+    cast_ = &cast;
+    if (whole_ != nullptr) {
+      animation_ = whole_->all[clip];
+      for (Level& level : levels_) level.shown = level.character;
+      return;
+    }
+    const Clip played = file_.clip(clip);
+    channels_.clear();
+    std::unordered_map<std::string_view, std::uint32_t> channel_of;
+    for (std::uint32_t c = 0; c < played.channels.size; ++c) channel_of.emplace(file_.text(played.channels[c].name), c);
+    for (const std::uint32_t m : cast.meshes)
+      for (const MeshTarget& target : file_.mesh(m).targets) {
+        const auto found = channel_of.find(file_.text(target.channel));
+        channels_.push_back(found != channel_of.end() ? found->second : kNoChannel);
+      }
+    clip_ = clip;
+    animation_ = {file_, played.duration_s, {&clip_, 1}, {channels_.data(), channels_.size()}};
+    for (Level& level : levels_) show_alone(cast, played.skeleton, level);
+  }
+
+  // Calls visit(i, positions) for the cast's meshes that `wanted` has, as often as there are ways to skin them.
   template <class Visit>
-  void show(std::uint32_t clip, float time_s, const std::vector<std::uint32_t>& wanted, const Visit& visit) {
+  void show(float time_s, const std::vector<std::size_t>& wanted, const Visit& visit) {
     for (std::uint32_t level = 0; level < levels_.size(); ++level) {
-      marrow::Character& c = levels_[level].character;
-      const AnimationLayer layer{&animations_.all[clip], time_s};
+      marrow::Character& c = levels_[level].shown;
+      const AnimationLayer layer{&animation_, time_s};
       tools::check(pose_character(c, {&layer, 1}));
       examples_.write({&layer, 1}, c);
       tools::check(finish_character(c));
-      for (const std::uint32_t m : wanted)
-        if (level <= file_.mesh(m).lods.size) skin(c.meshes[m], [&] { visit(m, positions_); });
+      for (const std::size_t i : wanted) {
+        const std::uint32_t m = cast_->meshes[i];
+        if (level <= file_.mesh(m).lods.size) skin(c.meshes[whole_ != nullptr ? m : i], [&] { visit(i, positions_); });
+      }
     }
   }
 
  private:
   struct Level {
     tools::AlignedBytes memory;
-    marrow::Character character;
+    marrow::Character character, shown;  // all of it, and what is posed
+    std::vector<CharacterMesh> meshes;   // of `shown`, if it is not all
   };
+
+  // One skeleton and what follows it, as if there were no others.
+  static void show_alone(const Cast& cast, std::uint32_t skeleton, Level& level) {
+    level.meshes.clear();
+    level.shown = level.character;
+    level.shown.skeletons = {&level.character.skeletons[skeleton], 1};
+    level.shown.target_count = 0;
+    for (const std::uint32_t m : cast.meshes) {
+      CharacterMesh& mesh = level.meshes.emplace_back(level.character.meshes[m]);
+      mesh.mesh.skeleton = 0;
+      mesh.first_target = level.shown.target_count;
+      level.shown.target_count += static_cast<std::uint32_t>(mesh.weights.size);
+    }
+    level.shown.meshes = {level.meshes.data(), level.meshes.size()};
+  }
 
   template <class Visit>
   void skin(const CharacterMesh& m, const Visit& visit) {
@@ -106,8 +155,11 @@ class Stage {
 
   const File& file_;
   tools::ShapeWeights examples_;
-  tools::AlignedBytes animation_memory_;
-  Animations animations_;
+  const Animations* whole_;
+  const Cast* cast_ = nullptr;
+  std::uint32_t clip_ = 0;
+  std::vector<std::uint32_t> channels_;
+  Animation animation_;
   std::vector<Level> levels_;
   std::vector<float> positions_, distances_;
 };
@@ -178,16 +230,14 @@ void centre_of(const format::BoundsCodes& codes, double (&out)[3]) {
 // The radii of the meshes' spheres, each about the centre of its decoded box. Every moment is posed twice at most,
 // however many meshes there are: first for those that may reach furthest in it, then for those that may go beyond what
 // was found.
-std::vector<double> measure_radii(Stage& stage, std::uint32_t clip, const std::vector<std::uint32_t>& meshes,
-                                  const std::vector<std::size_t>& place, const Moments& moments,
-                                  const std::vector<Motion>& motions) {
+std::vector<double> measure_radii(Stage& stage, const Moments& moments, const std::vector<Motion>& motions) {
   struct Centre {
     double at[3];
   };
-  std::vector<Centre> centres(meshes.size());
-  std::vector<std::size_t> first(meshes.size(), 0);
-  std::vector<double> radii(meshes.size(), 0);
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
+  std::vector<Centre> centres(motions.size());
+  std::vector<std::size_t> first(motions.size(), 0);
+  std::vector<double> radii(motions.size(), 0);
+  for (std::size_t m = 0; m < motions.size(); ++m) {
     centre_of(motions[m].codes, centres[m].at);
     double furthest = 0;
     for (std::size_t i = 0; i < motions[m].poses.size(); ++i) {
@@ -198,47 +248,72 @@ std::vector<double> measure_radii(Stage& stage, std::uint32_t clip, const std::v
     }
   }
   const auto pose = [&](std::size_t moment, const auto& counts) {
-    std::vector<std::uint32_t> shown;
-    for (std::size_t m = 0; m < meshes.size(); ++m)
-      if (counts(m)) shown.push_back(meshes[m]);
+    std::vector<std::size_t> shown;
+    for (std::size_t m = 0; m < motions.size(); ++m)
+      if (counts(m)) shown.push_back(m);
     if (shown.empty()) return;
-    stage.show(clip, moments.times_s[moment], shown, [&](std::uint32_t mesh, const std::vector<float>& p) {
-      const std::size_t m = place[mesh];
+    stage.show(moments.times_s[moment], shown, [&](std::size_t m, const std::vector<float>& p) {
       radii[m] = std::max(radii[m], farthest(p, centres[m].at));
     });
   };
   for (std::size_t i = 0; i < moments.times_s.size(); ++i) pose(i, [&](std::size_t m) { return first[m] == i; });
   for (std::size_t i = 0; i < moments.times_s.size(); ++i)
     pose(i, [&](std::size_t m) { return motions[m].poses[i].farthest_from(centres[m].at) > radii[m]; });
-  for (std::size_t m = 0; m < meshes.size(); ++m)
+  for (std::size_t m = 0; m < motions.size(); ++m)
     radii[m] = std::min(radii[m] + motions[m].wider, motions[m].all.farthest_from(centres[m].at));
   return radii;
 }
 
-// The moments of a clip at which these meshes are posed.
-Moments moments_for(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
-  std::size_t slots = 1;
-  for (const std::uint32_t m : meshes) slots += file.mesh(m).geometry.slot_count;
-  return moments_of(file.clip(clip), std::max<std::size_t>(16, kMostVertices / slots));
-}
-
-std::vector<Motion> measure_clip(const File& file, std::uint32_t clip, const std::vector<std::uint32_t>& meshes) {
-  Stage stage(file);
-  const Moments moments = moments_for(file, clip, meshes);
-  std::vector<std::size_t> place(file.mesh_count());
-  for (std::size_t i = 0; i < meshes.size(); ++i) place[meshes[i]] = i;
-  std::vector<Motion> out(meshes.size());
+std::vector<Motion> measure_clip(Stage& stage, const Cast& cast, std::uint32_t clip, const Moments& moments) {
+  stage.choose(cast, clip);
+  std::vector<Motion> out(cast.meshes.size());
+  std::vector<std::size_t> all(out.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   for (Motion& motion : out) motion.poses.resize(moments.times_s.size());
   for (std::size_t i = 0; i < moments.times_s.size(); ++i)
-    stage.show(clip, moments.times_s[i], meshes, [&](std::uint32_t m, const std::vector<float>& positions) {
-      add_positions(positions, out[place[m]].poses[i]);
-    });
+    stage.show(moments.times_s[i], all,
+               [&](std::size_t m, const std::vector<float>& positions) { add_positions(positions, out[m].poses[i]); });
   for (Motion& motion : out) {
     motion.take_in(moments);
     motion.codes = encode_box(motion.all.least, motion.all.most);
   }
-  const std::vector<double> radii = measure_radii(stage, clip, meshes, place, moments, out);
+  const std::vector<double> radii = measure_radii(stage, moments, out);
   for (std::size_t m = 0; m < out.size(); ++m) out[m].codes.radius = encode_radius(out[m].codes, radii[m]);
+  return out;
+}
+
+// Stages that threads take and give back.
+class Stages {
+ public:
+  Stages(const File& file, const Animations* whole) : file_(file), whole_(whole) {}
+  std::unique_ptr<Stage> take() {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!free_.empty()) {
+        std::unique_ptr<Stage> out = std::move(free_.back());
+        free_.pop_back();
+        return out;
+      }
+    }
+    return std::make_unique<Stage>(file_, whole_);
+  }
+  void give_back(std::unique_ptr<Stage> stage) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(stage));
+  }
+
+ private:
+  const File& file_;
+  const Animations* whole_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Stage>> free_;
+};
+
+std::vector<Cast> casts_of(const File& file) {
+  std::vector<Cast> out(file.skeleton_count());
+  for (std::uint32_t c = 0; c < file.clip_count(); ++c)
+    if (const std::uint32_t s = file.clip(c).skeleton; s < out.size()) out[s].clips.push_back(c);
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) out[file.mesh(m).skeleton].meshes.push_back(m);
   return out;
 }
 
@@ -311,24 +386,36 @@ std::uint8_t encode_radius(const format::BoundsCodes& box, double radius) {
 std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& bytes) {
   File file;
   tools::check(load({bytes.data(), bytes.size()}, file));
+  tools::AlignedBytes memory;
+  Animations animations;
+  const bool together = file.example_space_count() > 0 && file.clip_count() > 0;
+  if (together) {
+    memory = tools::AlignedBytes(animations_bytes(file, file));
+    tools::check(make_animations(file, file, {memory.data(), memory.size()}, animations));
+  }
+  Stages stages(file, together ? &animations : nullptr);
+  const std::vector<Cast> casts = casts_of(file);
   std::vector<MeasuredBounds> out;
-  for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
-    std::vector<std::uint32_t> clips, meshes;
-    for (std::uint32_t c = 0; c < file.clip_count(); ++c)
-      if (file.clip(c).skeleton == s) clips.push_back(c);
-    for (std::uint32_t m = 0; m < file.mesh_count(); ++m)
-      if (file.mesh(m).skeleton == s) meshes.push_back(m);
-    if (clips.empty() || meshes.empty()) continue;
-    const auto is_too_much = [&](std::uint32_t clip) {
-      return moments_for(file, clip, meshes).times_s.size() > kMostExtents / meshes.size();
+  for (std::uint32_t s = 0; s < casts.size(); ++s) {
+    const Cast& cast = casts[s];
+    if (cast.clips.empty() || cast.meshes.empty()) continue;
+    std::size_t slots = 1;
+    for (const std::uint32_t m : cast.meshes) slots += file.mesh(m).geometry.slot_count;
+    const auto moments_for = [&](std::uint32_t clip) {
+      return moments_of(file.clip(clip), std::max<std::size_t>(16, kMostVertices / slots));
     };
-    if (std::ranges::any_of(clips, is_too_much)) continue;
+    const auto is_too_much = [&](std::uint32_t clip) {
+      return moments_for(clip).times_s.size() > kMostExtents / cast.meshes.size();
+    };
+    if (std::ranges::any_of(cast.clips, is_too_much)) continue;
     MeasuredBounds made;
-    made.header = {s, static_cast<std::uint32_t>(clips.size()), static_cast<std::uint32_t>(meshes.size())};
-    made.codes.resize(clips.size() * meshes.size());
-    tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
-      const std::vector<Motion> motions = measure_clip(file, clips[i], meshes);
-      for (std::size_t m = 0; m < motions.size(); ++m) made.codes[i * meshes.size() + m] = motions[m].codes;
+    made.header = {s, static_cast<std::uint32_t>(cast.clips.size()), static_cast<std::uint32_t>(cast.meshes.size())};
+    made.codes.resize(cast.clips.size() * cast.meshes.size());
+    tools::for_each_in_parallel(cast.clips.size(), [&](std::size_t i) {
+      std::unique_ptr<Stage> stage = stages.take();
+      const std::vector<Motion> motions = measure_clip(*stage, cast, cast.clips[i], moments_for(cast.clips[i]));
+      for (std::size_t m = 0; m < motions.size(); ++m) made.codes[i * motions.size() + m] = motions[m].codes;
+      stages.give_back(std::move(stage));
     });
     out.push_back(std::move(made));
   }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "asset/format.h"
+#include "asset/section_views.h"
 #include "common/check_status.h"
 #include "common/section_names.h"
 #include "text/words.h"
@@ -113,6 +116,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
 ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
   File file;
   tools::check(load({written.plain.data(), written.plain.size()}, file));
+  std::vector<ordered_json> bounds = report_bounds(file, written.plain);
   ordered_json out = ordered_json::array();
   for (std::size_t i = 0; i < built.clips.size(); ++i) {
     const BuiltClip& clip = built.clips[i];
@@ -135,7 +139,7 @@ ordered_json report_clips(const BuiltScene& built, const WrittenFile& written) {
                    {"max_error_joint", skeleton.joint_names[clip.error.joint]},
                    {"max_error_time_s", clip.error.time_s},
                    {"max_vertex_error_m", clip.error.vertex_error_m},
-                   {"bounds", report_bounds(file, static_cast<std::uint32_t>(i))}});
+                   {"bounds", std::move(bounds[i])}});
   }
   return out;
 }
@@ -170,12 +174,25 @@ void report_nodes(const BuiltScene& built, ordered_json& report) {
 
 }  // namespace
 
-ordered_json report_bounds(const File& file, std::uint32_t clip) {
-  ordered_json out = ordered_json::array();
-  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
-    const Bounds b = file.bounds(clip, m);
-    if (!b.is_empty())
-      out.push_back({{"mesh", m}, {"box_min", b.box_min}, {"box_max", b.box_max}, {"radius_m", b.radius_m}});
+std::vector<ordered_json> report_bounds(const File& file, const tools::AlignedBytes& bytes) {
+  std::vector<ordered_json> out(file.clip_count(), ordered_json::array());
+  const std::size_t skeletons = file.skeleton_count();
+  if (skeletons == 0) return out;  // a clip pack's clips are of references
+  std::vector<std::vector<std::uint32_t>> clips(skeletons), meshes(skeletons);
+  for (std::uint32_t c = 0; c < file.clip_count(); ++c) clips[file.clip(c).skeleton].push_back(c);
+  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) meshes[file.mesh(m).skeleton].push_back(m);
+  for (const File::Section& section : file.sections()) {
+    if (section.type != format::kTypes[format::kBounds]) continue;
+    const std::byte* const base = bytes.data() + section.offset;
+    const auto& header = *reinterpret_cast<const format::BoundsHeader*>(base);
+    const auto* const codes = reinterpret_cast<const format::BoundsCodes*>(base + format::layout(header).codes);
+    const std::vector<std::uint32_t>&rows = clips[header.skeleton], &columns = meshes[header.skeleton];
+    for (std::size_t r = 0; r < std::min<std::size_t>(rows.size(), header.clip_count); ++r)
+      for (std::size_t c = 0; c < std::min<std::size_t>(columns.size(), header.mesh_count); ++c) {
+        const Bounds b = decode_bounds(codes[r * header.mesh_count + c]);
+        out[rows[r]].push_back(
+            {{"mesh", columns[c]}, {"box_min", b.box_min}, {"box_max", b.box_max}, {"radius_m", b.radius_m}});
+      }
   }
   return out;
 }

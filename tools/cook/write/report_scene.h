@@ -29,7 +29,8 @@ struct SourceFile {
 nlohmann::ordered_json report_scene(const SourceFile& source, const BuiltScene& built, const WrittenFile& written,
                                     const std::vector<RawWarning>& warnings);
 
-// Of a clip: [{mesh, box_min, box_max, radius_m}] of every mesh that it moves.
-nlohmann::ordered_json report_bounds(const File& file, std::uint32_t clip);
+// One a clip of `file`, whose block is `bytes`: [{mesh, box_min, box_max, radius_m}] of every mesh that it moves. Reads
+// the sections themselves, since File::bounds() looks at every clip and mesh for each.
+std::vector<nlohmann::ordered_json> report_bounds(const File& file, const tools::AlignedBytes& bytes);
 
 }  // namespace marrow::cook

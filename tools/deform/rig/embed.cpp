@@ -22,7 +22,8 @@ constexpr double kTooClose = 4;     // of leaves with less than half the way bet
 constexpr double kTipReach = 0.12;  // heights in which nothing is further out than a tip
 constexpr double kMiddleReach = 0.06, kTipSlack = 0.06;  // heights: what is no candidate any more
 constexpr std::size_t kMostLeafCandidates = 60, kMostCandidates = 160;
-constexpr std::size_t kMostWork = 60'000'000;  // pairs of knots compared; the search then keeps the best that it found
+constexpr std::size_t kMostWork = 60'000'000;   // pairs of knots compared; the search then keeps the best that it found
+constexpr std::size_t kMostInVain = 3'000'000;  // likewise, while it has found nothing: it then gives up
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -208,7 +209,7 @@ class Search {
     }
     std::ranges::stable_sort(all, {}, &Next::bound);
     for (const Next& next : all) {
-      if (!best_.empty() && (next.bound >= least_sum_ || work_ >= kMostWork)) return;
+      if (best_.empty() ? work_ >= kMostInVain : next.bound >= least_sum_ || work_ >= kMostWork) return;
       chosen_[knot] = next.candidate;
       descend(knot + 1, next.so_far, next.open);
     }
@@ -230,7 +231,8 @@ class Search {
 }  // namespace
 
 std::optional<std::vector<std::size_t>> embed(const Embedding& embedding) {
-  if (embedding.room.size() == 0) return std::nullopt;
+  // No two knots share a sphere.
+  if (embedding.room.size() < embedding.knots.size()) return std::nullopt;
   return Search(embedding).best();
 }
 

@@ -359,14 +359,14 @@ TEST(Strays, AreThoseOfPosesInDoublePrecision) {
   };
   for (const std::size_t joint : {std::size_t{0}, std::size_t{2}, std::size_t{12}}) {
     double before = 0, after = 0, worst = 0, change = 0;
-    for (const std::size_t j : rig.subtrees[joint])
+    for (const std::size_t j : rig.subtree(joint))
       for (std::size_t e = 0; e < kMoments; ++e) before += std::pow(share_of(j, e), 4);
     poses.decoded[joint] = stray(1, random).decoded[0];
     for (std::size_t e = 0; e <= kMoments; ++e) {  // near the source again, but elsewhere
       poses.decoded[joint][e] = poses.source[joint][e];
       poses.decoded[joint][e].translation.x += 1e-3 * static_cast<double>(e + 1);
     }
-    for (const std::size_t j : rig.subtrees[joint])
+    for (const std::size_t j : rig.subtree(joint))
       for (std::size_t e = 0; e < kMoments; ++e) {
         after += std::pow(share_of(j, e), 4);
         worst = std::max(worst, share_of(j, e));

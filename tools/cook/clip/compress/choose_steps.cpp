@@ -98,12 +98,15 @@ void StepSearch::find_targets() {
 void StepSearch::find_reach() {
   reach_ = promise_.reach;
   scale_above_.assign(rig_.size(), 1);
-  least_ = promise_.error;
+  least_ = rig_.least_below(promise_.error);
   for (std::size_t j = 0; j < rig_.size(); ++j) {
     const std::size_t parent = static_cast<std::size_t>(rig_.parents[j]);
     scale_above_[j] = rig_.parents[j] == kNone ? largest_axis(rig_.above[j]) : largest_axis(strays_.source(parent, 0));
-    for (const std::size_t below : rig_.subtrees[j]) least_[j] = std::min(least_[j], promise_.error[below]);
-    for (const std::size_t below : rig_.subtrees[j])
+  }
+  for (const TrackId& id : ids_) {
+    const std::size_t j = id.joint;
+    if (id.path == TrackPath::translation) continue;  // its reach is not asked for
+    for (const std::size_t below : strays_.subtree(j))
       for (std::size_t e = 0; e < moment_count(); e += kMoments)
         reach_[j] = std::max(reach_[j], promise_.reach[below] +
                                             glm::length(strays_.source(below, e).origin - strays_.source(j, e).origin));

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,18 +23,16 @@ namespace marrow::cook {
 namespace {
 
 constexpr std::size_t kMostTransforms = 1'000'000;  // a joint and moment: 80 MB; larger clips stay raw
-constexpr std::size_t kStretch = 96;                // intervals that have the same steps, at most
+// What moves on what moves: joints below a joint, a moment. Characters have up to 20 for each joint, and this takes
+// seconds; what hangs deeper stays raw.
+constexpr std::size_t kMostBelow = 128, kMostMovedBelow = 500'000;
+constexpr std::size_t kStretch = 96;  // intervals that have the same steps, at most
 // Lengths of segments that are tried: the fewest bytes in memory win. Each divides a stretch.
 constexpr std::size_t kSegmentIntervals[] = {kStretch, 48, 32, 24, 16};
 constexpr double kStillShare = 0.05;              // of the promise, below which a movement does not count
 constexpr double kShare = 0.97;                   // of the promise, that the search may use up
 constexpr int kMostTries = 6;                     // with ever less of it, until the vertices keep theirs
 constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
-
-bool is_among(const std::vector<TrackId>& ids, const Track& track) {
-  return std::any_of(ids.begin(), ids.end(),
-                     [&](const TrackId& id) { return id.joint == track.joint && id.path == track.path; });
-}
 
 // The tracks that stay raw, with the times and values that they use.
 BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
@@ -43,9 +43,11 @@ BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
   out.most_keys = clip.most_keys;
   out.additive = clip.additive;
   out.reference = clip.reference;
+  std::set<std::pair<std::size_t, TrackPath>> kept_raw;
+  for (const TrackId& id : raw) kept_raw.emplace(id.joint, id.path);
   std::uint32_t list = UINT32_MAX, moved = 0;
   for (const Track& track : clip.tracks) {
-    if (!is_among(raw, track)) continue;
+    if (!kept_raw.contains({track.joint, track.path})) continue;
     if (track.first_time != list) {
       list = track.first_time;
       moved = static_cast<std::uint32_t>(out.times_s.size());
@@ -91,9 +93,9 @@ class Compressor {
 
  private:
   void list_measured();
-  bool stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const;
+  bool stays(std::size_t joint, TrackPath path, const Transform& at, double most) const;
   Transform middle(std::size_t joint) const;
-  std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, const Promise& promise) const;
+  std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, double most_off) const;
   void sort_tracks(const Promise& promise);
   std::optional<BuiltCoded> code(const Promise& promise) const;
   BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
@@ -121,13 +123,8 @@ void set_to(TrackPath path, const format::Constant& numbers, const Transform& re
   if (path == TrackPath::scale) to.scale = rest.scale + decode_offset(numbers);
 }
 
-// Whether a sub-track never leaves `at` by more than a small share of the promise: exporters write every track, and
-// most of them are rounding.
-bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, const Promise& promise) const {
-  double least = promise.error[joint];
-  for (const std::size_t below : rig_.subtrees[joint]) least = std::min(least, promise.error[below]);
-  const double most = kStillShare * least /
-                      (path == TrackPath::translation ? rig_.scale_above[joint] : reach_below(joint, rig_, promise));
+// Whether a sub-track never leaves `at` by more than that.
+bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, double most) const {
   const auto is_near = [&](const Transform& t) {
     if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
     if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
@@ -160,11 +157,10 @@ Transform Compressor::middle(std::size_t joint) const {
 
 // The smallest numbers near which a sub-track stays: they take fewest bits in packed files, and what differs a little
 // from clip to clip often gets the same.
-std::optional<format::Constant> Compressor::constant_of(std::size_t joint, TrackPath path,
-                                                        const Promise& promise) const {
+std::optional<format::Constant> Compressor::constant_of(std::size_t joint, TrackPath path, double most_off) const {
   constexpr int kFewest = 15;  // of ever twice as many
   const Transform &rest = rig_.rest[joint], wanted = middle(joint);
-  if (!stays(joint, path, wanted, promise)) return std::nullopt;  // as of all that moves
+  if (!stays(joint, path, wanted, most_off)) return std::nullopt;  // as of all that moves
   for (int most = kFewest; most <= kMostConstant; most = 2 * most + 1) {
     const format::Constant numbers = path == TrackPath::rotation ? code_rotation(wanted.rotation, most)
                                      : path == TrackPath::translation
@@ -172,20 +168,25 @@ std::optional<format::Constant> Compressor::constant_of(std::size_t joint, Track
                                          : code_offset(wanted.scale - rest.scale, most);
     Transform at = wanted;
     set_to(path, numbers, rest, at);
-    if (stays(joint, path, at, promise)) return numbers;
+    if (stays(joint, path, at, most_off)) return numbers;
   }
   return std::nullopt;
 }
 
-// What rests, what is constant and what moves; in the order in which tracks are stored.
+// What rests, what is constant and what moves; in the order in which tracks are stored. What leaves a place by less
+// than a small share of the promise stays there: exporters write every track, and most of them are rounding.
 void Compressor::sort_tracks(const Promise& promise) {
   still_ = rig_.rest;
+  const std::vector<double> least = rig_.least_below(promise.error);
   for (std::size_t group = 0; group < rig_.size(); group += 4)
     for (const TrackPath path : {TrackPath::rotation, TrackPath::translation, TrackPath::scale})
       for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
         const Track* const track = curves_.track(j, path);
-        if (track == nullptr || stays(j, path, rig_.rest[j], promise)) continue;
-        if (const std::optional<format::Constant> numbers = constant_of(j, path, promise))
+        if (track == nullptr) continue;
+        const double most_off = kStillShare * least[j] /
+                                (path == TrackPath::translation ? rig_.scale_above[j] : reach_below(j, rig_, promise));
+        if (stays(j, path, rig_.rest[j], most_off)) continue;
+        if (const std::optional<format::Constant> numbers = constant_of(j, path, most_off))
           constant_.push_back({{j, path}, *numbers});
         else
           (jumps(clip_, *track) ? exact_ : moving_).push_back({j, path});
@@ -348,6 +349,18 @@ std::optional<BuiltClip> compress_on(const Compressor& compressor, const BuiltCl
   return std::nullopt;
 }
 
+bool hangs_too_deep(const BuiltClip& clip, const Rig& rig, std::size_t moments) {
+  std::vector<char> moves(rig.size(), 0);
+  for (const Track& track : clip.tracks) moves[track.joint] = 1;
+  std::size_t joints = 0, below = 0;
+  for (std::size_t j = 0; j < rig.size(); ++j) {
+    if (moves[j] == 0) continue;
+    ++joints;
+    below += rig.subtree_sizes[j];
+  }
+  return below > kMostBelow * joints && below > kMostMovedBelow / moments;
+}
+
 std::string why_it_strays(const Strayed& strayed) {
   std::string out = "no steps of time and value that are tried keep --clip-error";
   if (strayed.bytes > 0)
@@ -366,6 +379,8 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
   for (const Grid& grid : grids(clip)) {
     why = "it has more than a million joints times moments";
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) continue;
+    why = "its joints hang too deep, one below the other";
+    if (hangs_too_deep(clip, rig, grid.intervals * kMoments + 1)) continue;
     compressor.emplace(clip, skeleton, rig, grid, promise, hung, effort);
     std::optional<BuiltClip> made = compress_on(*compressor, clip, promise, strayed);
     if (made && bytes_of(*made) < bytes_of(clip)) {

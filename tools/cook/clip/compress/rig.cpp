@@ -20,7 +20,7 @@ World to_world(const Transform& t) {
 Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
   const std::size_t count = skeleton.parents.size();
   above.resize(count);
-  subtrees.resize(count);
+  children.resize(count);
   world.resize(count);
   for (std::size_t j = 0; j < count; ++j) {
     const bool root = skeleton.parents[j] == kNoParent;
@@ -36,13 +36,31 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
     scale_above.push_back(std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])}));
     world[j] = place(j, root ? nullptr : &world[skeleton.parents[j]], rest[j]);
   }
-  for (std::size_t j = count; j-- > 0;) {
-    subtrees[j].push_back(j);
-    std::sort(subtrees[j].begin(), subtrees[j].end());
-    if (parents[j] == kNone) continue;
-    std::vector<std::size_t>& up = subtrees[static_cast<std::size_t>(parents[j])];
-    up.insert(up.end(), subtrees[j].begin(), subtrees[j].end());
+  for (std::size_t j = 0; j < count; ++j)
+    if (parents[j] != kNone) children[static_cast<std::size_t>(parents[j])].push_back(j);
+  subtree_sizes.assign(count, 1);
+  for (std::size_t j = count; j-- > 0;)
+    if (parents[j] != kNone) subtree_sizes[static_cast<std::size_t>(parents[j])] += subtree_sizes[j];
+}
+
+std::vector<std::size_t> Rig::subtree(std::size_t joint) const {
+  std::vector<std::size_t> out = {joint};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const std::vector<std::size_t>& below = children[out[i]];
+    out.insert(out.end(), below.begin(), below.end());
   }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<double> Rig::least_below(const std::vector<double>& values) const {
+  std::vector<double> out = values;
+  for (std::size_t j = out.size(); j-- > 0;)
+    if (parents[j] != kNone) {
+      double& up = out[static_cast<std::size_t>(parents[j])];
+      up = std::min(up, out[j]);
+    }
+  return out;
 }
 
 double shell_error(const World& source, const World& other, double shell) {
@@ -67,7 +85,7 @@ void Promise::watch(std::size_t joint, const glm::dvec4& point, const Rig& rig) 
 
 double reach_below(std::size_t joint, const Rig& rig, const Promise& promise) {
   double out = 0;
-  for (const std::size_t below : rig.subtrees[joint])
+  for (const std::size_t below : rig.subtree(joint))
     out = std::max(out, glm::length(rig.world[below].origin - rig.world[joint].origin) + promise.reach[below]);
   return out;
 }

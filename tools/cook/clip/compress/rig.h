@@ -28,10 +28,16 @@ struct Rig {
     return (parent != nullptr ? *parent : above[joint]) * to_world(local);
   }
 
+  // A joint and everything below it, ascending. In a chain all joints together have as many as its length squared.
+  std::vector<std::size_t> subtree(std::size_t joint) const;
+  // Of each joint the least value that it or something below it has.
+  std::vector<double> least_below(const std::vector<double>& values) const;
+
   std::vector<int> parents;                        // kNone for roots
   std::vector<World> above;                        // what stands above a root; the identity for others
   std::vector<Transform> rest;                     // parent_from_joint
-  std::vector<std::vector<std::size_t>> subtrees;  // a joint and everything below it, ascending
+  std::vector<std::vector<std::size_t>> children;  // of a joint
+  std::vector<std::size_t> subtree_sizes;          // of a joint and everything below it
   std::vector<World> world;                        // scene_from_joint at rest
   std::vector<double> scale_above;                 // scene units a unit of a joint's translation, at rest
 };

@@ -6,10 +6,8 @@
 namespace marrow::cook {
 namespace {
 
-// By how much each number of a track may be off.
-double slack_of(const Track& track, const Rig& rig, const Promise& promise) {
-  double least = promise.error[track.joint];
-  for (const std::size_t below : rig.subtrees[track.joint]) least = std::min(least, promise.error[below]);
+// By how much each number of a track may be off. least: promised of what hangs on its joint.
+double slack_of(const Track& track, const Rig& rig, const Promise& promise, double least) {
   // A quaternion's numbers are halves of an angle.
   const double lever = track.path == TrackPath::translation ? rig.scale_above[track.joint]
                        : track.path == TrackPath::rotation  ? 2 * reach_below(track.joint, rig, promise)
@@ -39,10 +37,11 @@ double tangent_lever(std::span<const float> times_s) {
 
 BuiltClip with_rounded_keys(const BuiltClip& clip, const Rig& rig, const Promise& promise, double share) {
   BuiltClip out = clip;
+  const std::vector<double> least = rig.least_below(promise.error);
   for (const Track& track : clip.tracks) {
     const bool is_spline = track.interpolation == Interpolation::cubic_spline;
     if (track.path == TrackPath::rotation && !is_spline) continue;
-    const double slack = share * slack_of(track, rig, promise);
+    const double slack = share * slack_of(track, rig, promise, least[track.joint]);
     const double lever = tangent_lever({clip.times_s.data() + track.first_time, track.key_count});
     const std::uint32_t width = track.path == TrackPath::rotation ? 4 : 3;
     const std::uint32_t count = track.key_count * format::floats_per_key(track.path, track.interpolation);

@@ -20,7 +20,7 @@ struct Lanes {
 }  // namespace
 
 Strays::Strays(const Rig& rig, const Promise& promise, const std::vector<std::span<const Transform>>& source)
-    : rig_(rig), source_(rig.size()), points_(rig.size()) {
+    : rig_(rig), subtrees_(rig.size()), source_(rig.size()), points_(rig.size()) {
   const std::size_t moments = source.empty() ? 0 : source[0].size();
   frame_count_ = (moments + kMoments - 1) / kMoments;
   per_axis_.resize(frame_count_ * rig.size());
@@ -131,10 +131,15 @@ f32x4 Strays::energy_change(std::size_t joint, std::size_t frame, f32x4 share) {
   return energy - now_.placed[at(frame, joint)].energy;
 }
 
+const std::vector<std::size_t>& Strays::subtree(std::size_t joint) {
+  if (subtrees_[joint].empty()) subtrees_[joint] = rig_.subtree(joint);
+  return subtrees_[joint];
+}
+
 bool Strays::attempt(std::size_t joint, std::size_t frame, const Transform* decoded, double& energy) {
   take_local(joint, frame, decoded, trial_);
   f32x4 change = splat(0.0f);
-  for (const std::size_t j : rig_.subtrees[joint]) {
+  for (const std::size_t j : subtree(joint)) {
     const bool first = j == joint;
     const f32x4 share = move(j, frame, first ? trial_ : now_, first ? now_ : trial_);
     if (!all(share < splat(1.0f))) return false;
@@ -150,7 +155,7 @@ bool Strays::attempt(std::size_t joint, std::size_t frame, const Transform* deco
 float Strays::worst(std::size_t joint, std::size_t frame, const Transform* decoded, bool only_first, float most) {
   take_local(joint, frame, decoded, trial_);
   float out = 0;
-  for (const std::size_t j : rig_.subtrees[joint]) {
+  for (const std::size_t j : subtree(joint)) {
     const bool first = j == joint;
     float lanes[4];
     store(lanes, move(j, frame, first ? trial_ : now_, first ? now_ : trial_));
@@ -161,10 +166,11 @@ float Strays::worst(std::size_t joint, std::size_t frame, const Transform* decod
 }
 
 void Strays::commit(std::size_t joint) {
+  const std::vector<std::size_t>& below = subtree(joint);
   for (std::size_t frame = 0; frame < frame_count_; ++frame) {
     now_.local[at(frame, joint)] = trial_.local[at(frame, joint)];
     now_.own[at(frame, joint)] = trial_.own[at(frame, joint)];
-    for (const std::size_t j : rig_.subtrees[joint]) now_.placed[at(frame, j)] = trial_.placed[at(frame, j)];
+    for (const std::size_t j : below) now_.placed[at(frame, j)] = trial_.placed[at(frame, j)];
   }
 }
 

@@ -35,6 +35,8 @@ class Strays {
   // The largest (error / promise)² at decoded moments of one frame, or at the frame itself alone; of what is above
   // `most`, anything above it.
   float worst(std::size_t joint, std::size_t frame, const Transform* decoded, bool only_first, float most);
+  // rig.subtree() of a joint, which is kept.
+  const std::vector<std::size_t>& subtree(std::size_t joint);
   // Takes over the joint's last attempts, which must have been of all frames.
   void commit(std::size_t joint);
 
@@ -62,6 +64,7 @@ class Strays {
   f32x4 squared_error(std::size_t joint, std::size_t frame, const FourMaps& stray) const;
 
   const Rig& rig_;
+  std::vector<std::vector<std::size_t>> subtrees_;  // a joint; empty: not asked for yet
   std::size_t frame_count_ = 0;
   double unit_ = 0;  // scene units
   std::vector<std::vector<World>> source_;
