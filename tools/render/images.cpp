@@ -1,5 +1,6 @@
 #include "render/images.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -60,15 +61,15 @@ Span<const std::byte> ImageFinder::file_bytes(std::uint32_t index) {
 
 Span<const std::byte> ImageFinder::source_bytes(std::uint32_t index) {
   const std::string where = name_of(index), name = file_.image(index).name;
-  const cook::RawImage* found = nullptr;
-  for (const cook::RawImage& image : source_images(where)) {
-    if (image.name != name || image.bytes.empty()) continue;
-    if (found != nullptr && found->bytes != image.bytes)
-      throw Failure(Exit::invalid, path_, where, "several images of " + places_.source + " have this name",
-                    "give them names of their own, or cook with --images embed");
-    found = &image;
-  }
-  if (found == nullptr)
+  // Today's cooker gives each a name of its own.
+  for (std::uint32_t other = 0; other < file_.image_count(); ++other)
+    if (const marrow::Image image = file_.image(other);
+        other != index && image.name == name && *image.uri == '\0' && image.bytes.empty())
+      throw Failure(Exit::invalid, path_, where, "several images of the file have this name", "cook it anew");
+  const std::vector<cook::RawImage>& images = source_images(where);
+  const auto found = std::ranges::find_if(
+      images, [&](const cook::RawImage& image) { return image.name == name && !image.bytes.empty(); });
+  if (found == images.end())
     throw Failure(Exit::invalid, path_, where, places_.source + " has no PNG or JPEG of this name",
                   "give the file's own source with --images-from");
   return {found->bytes.data(), found->bytes.size()};

@@ -200,6 +200,29 @@ TEST(GltfLooks, ImagesInsideTheSourceHaveANameOnly) {
   EXPECT_EQ(named.file.image(0).format, ImageFormat::png);
 }
 
+// Inside the source the name is all that finds an image again.
+TEST(GltfLooks, ImagesOfEqualNamesGetNumbers) {
+  Builder b = painted();
+  const int png = b.view(std::vector<char>(kPng.begin(), kPng.end())),
+            jpeg = b.view(std::vector<char>(kJpeg.begin(), kJpeg.end()));
+  b.root["images"] = {{{"name", "face"}, {"bufferView", png}, {"mimeType", "image/png"}},
+                      {{"name", "face"}, {"bufferView", jpeg}, {"mimeType", "image/jpeg"}},
+                      {{"name", "face.2"}, {"bufferView", png}, {"mimeType", "image/png"}},
+                      {{"name", "face"}, {"uri", "face.png"}}};
+  b.root["textures"] = {{{"source", 0}}, {{"source", 1}}, {{"source", 2}}, {{"source", 3}}};
+  b.root["materials"][0].update(
+      {{"normalTexture", {{"index", 1}}}, {"emissiveTexture", {{"index", 2}}}, {"occlusionTexture", {{"index", 3}}}});
+  const Cooked cooked(read(b));
+  EXPECT_TRUE(cooked.warns("images-numbered"));
+  ASSERT_EQ(cooked.file.image_count(), 4U);
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < 4; ++i) names.emplace_back(cooked.file.image(i).name);
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::string>{"face", "face", "face.2", "face.3"})) << "one is a file of its own";
+  b.root["images"][0]["name"] = "a";
+  EXPECT_FALSE(Cooked(read(b)).warns("images-numbered"));
+}
+
 TEST(GltfLooks, EmbeddedBytesAreTheSourcesOwnAndOnce) {
   Builder b = painted();
   const int view = b.view(std::vector<char>(kPng.begin(), kPng.end()));

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <set>
 #include <string_view>
 
 #include "cook/gltf/document/regular_file.h"
 #include "cook/gltf/document/uri.h"
+#include "text/nearest.h"
 
 namespace marrow::cook::gltf {
 namespace {
@@ -137,6 +140,24 @@ class ImageImporter {
   std::uint64_t image_bytes_ = 0;
 };
 
+// By its name alone an image inside the source is found again, so no two have the same. Files are found by their URIs.
+void number_equal_names(std::vector<RawImage>& images, Report& report) {
+  std::set<std::string> all;
+  std::map<std::string, std::size_t> last;  // the number of each name's last bearer
+  for (const RawImage& image : images) all.insert(image.name);
+  std::vector<std::string> renamed;
+  for (RawImage& image : images) {
+    if (image.name.empty() || !image.uri.empty()) continue;
+    const auto [at, is_first] = last.try_emplace(image.name, 1);
+    if (is_first) continue;
+    while (!all.insert(image.name).second) image.name = at->first + '.' + std::to_string(++at->second);
+    renamed.push_back('"' + image.name + '"');
+  }
+  if (!renamed.empty())
+    report.warn("/images", "images-numbered",
+                std::to_string(renamed.size()) + " images are called as others are; now " + tools::listed(renamed));
+}
+
 }  // namespace
 
 void check_image_uris(const Json& root, Report& report) {
@@ -176,6 +197,7 @@ std::vector<RawImage> import_images(const Document& document, const Materials& m
       report.warn(pointer("images", index), "image-fallback",
                   "what should stand in for it is no PNG or JPEG; left out");
   }
+  number_equal_names(images, report);
   return images;
 }
 
