@@ -175,7 +175,7 @@ Character read_character(const std::string& gltf_path) {
 }
 
 CookResult cook_file(const std::string& path, const CookOptions& options) {
-  return cook_scene(read_source(path, {.image_bytes = options.images == Images::embed}), options);
+  return cook_scene(read_source(path, options), options);
 }
 
 }  // namespace marrow::cook

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "cook/gltf/read.h"
+#include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook {
 
-// read_bvh() of what is called so, else read_gltf(). Throws as they do.
-RawScene read_source(const std::string& path, const ReadOptions& options = {});
+// read_bvh() of what is called so, else read_gltf(), as the options say. Throws as they do.
+RawScene read_source(const std::string& path, const CookOptions& options);
 
 }  // namespace marrow::cook

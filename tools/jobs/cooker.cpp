@@ -123,7 +123,7 @@ Cook::Cooked Cook::cook(const Order& order) {
   if (cache_) result = cache_->find(order.job.in, options_text);
   out.outcome.from_cache = result.has_value();
   if (!result) {
-    cook::RawScene scene = cook::read_source(order.job.in, {.image_bytes = options.images == cook::Images::embed});
+    cook::RawScene scene = cook::read_source(order.job.in, options);
     const MemoryGate::Pass pass(memory_, scene.source_bytes << (2 * options.subdivide));
     result = cook::cook_scene(std::move(scene), options);
     if (cache_) note_trouble(cache_->store(*result, options_text));

@@ -16,6 +16,20 @@ constexpr Option kSceneOptions[] = {
      "reference: materials name their images as the source does; embed: the picture files as they are; none: "
      "neither",
      names_in<kImages>, [](CookOptions& o, const Value& v) { o.images = *value_of(kImages, v.text); }},
+    {"scene",
+     OptionKind::text,
+     "NAME|INDEX",
+     "the scene to cook, by its name or its number in the file; without it the default one, else the first",
+     {},
+     [](CookOptions& options, const Value& value) {
+       options.scene = {value.text, value.origin};
+     }},
+    {"strict",
+     OptionKind::flag,
+     "",
+     "refuse glTF that breaks the specification where it would be mended",
+     {},
+     [](CookOptions& options, const Value&) { options.strict = true; }},
     {"keep",
      OptionKind::list,
      "GLOB",

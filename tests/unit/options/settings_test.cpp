@@ -29,6 +29,8 @@ additive = ["aim*=rest"]
 match = ["chars/hero_low.glb", "props/*"]
 clip-codec = "raw"
 keep-vertex-order = false
+scene = "attic"
+strict = true
 )");
   std::vector<bool> used;
   const CookOptions plain = to_options(settings_for(settings, "/project/foe.glb", used));
@@ -36,7 +38,8 @@ keep-vertex-order = false
   ASSERT_EQ(plain.clip_error.size(), 2u);
   EXPECT_EQ(plain.clip_error[1].error, 0.5e-3);
   EXPECT_TRUE(plain.keep_vertex_order);
-  EXPECT_FALSE(plain.raw_clips);
+  EXPECT_FALSE(plain.raw_clips || plain.strict);
+  EXPECT_EQ(plain.scene.name, "");
 
   const CookOptions hero = to_options(settings_for(settings, "/project/chars/hero_low.glb", used));
   EXPECT_EQ(used, (std::vector<bool>{true, true}));
@@ -49,6 +52,10 @@ keep-vertex-order = false
   EXPECT_EQ(hero.additive[0].origin.where, "8:13");
   EXPECT_TRUE(hero.raw_clips);
   EXPECT_FALSE(hero.keep_vertex_order);
+  EXPECT_EQ(hero.scene.name, "attic");
+  EXPECT_EQ(hero.scene.origin.where, "14:9");
+  EXPECT_FALSE(hero.scene.origin.must_fit);
+  EXPECT_TRUE(hero.strict);
 }
 
 TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {

@@ -123,6 +123,7 @@ Document read_document(const Container& container, const std::optional<std::stri
 
 RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
                     const ReadOptions& options, Report& report) {
+  if (options.strict) report.mend_nothing("as --strict asks");
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);
   const NodeGraph graph = check_nodes(document, report);

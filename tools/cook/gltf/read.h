@@ -5,12 +5,15 @@
 #include <span>
 #include <string>
 
+#include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
 
 namespace marrow::cook {
 
 struct ReadOptions {
   bool image_bytes = false;  // also read the images that materials use
+  SceneChoice scene = {};
+  bool strict = false;  // refuse what would be mended
 };
 
 // Reads a .gltf or .glb file and everything that it refers to, images if asked for.

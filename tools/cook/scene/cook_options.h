@@ -29,6 +29,12 @@ struct RuleOrigin {
   bool must_fit = true;
 };
 
+// Which scene of the source is cooked.
+struct SceneChoice {
+  std::string name;  // or its number; empty: the default one, else the first
+  RuleOrigin origin = {"--scene", ""};
+};
+
 // Which clips become additive, and over what.
 struct AdditiveRule {
   std::string clips;                // a name; * stands for any characters, ? for one
@@ -156,6 +162,8 @@ struct CookOptions {
   std::string skeleton_file;              // the file of `onto`, for whoever reads it
   std::shared_ptr<const Character> onto;  // that a pack or an outfit is for; null: own skeletons
   bool keep_vertex_order = false;         // remember where every vertex of the source went
+  bool strict = false;                    // refuse what would be mended of the source
+  SceneChoice scene;
   Images images = Images::reference;
   std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
   WeightOptions weights;

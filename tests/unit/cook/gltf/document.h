@@ -119,12 +119,12 @@ struct Builder {
   }
 };
 
-inline RawScene read_text(const std::string& text) {
-  return read_gltf("test.gltf", std::as_bytes(std::span(text.data(), text.size())));
+inline RawScene read_text(const std::string& text, const ReadOptions& options = {}) {
+  return read_gltf("test.gltf", std::as_bytes(std::span(text.data(), text.size())), options);
 }
 
-inline RawScene read(Builder& builder) {
-  return read_text(builder.text());
+inline RawScene read(Builder& builder, const ReadOptions& options = {}) {
+  return read_text(builder.text(), options);
 }
 
 // said: a scene, or what stages have noted.

@@ -1,5 +1,5 @@
 // Reading glTF: what a scene's faults are mended to or said to be. In a library of parts, which has no scene, what is
-// mended elsewhere is refused.
+// mended elsewhere is refused, and so it is where that is asked for.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -125,6 +125,7 @@ const Fault kFaults[] = {
 TEST(GltfRules, AFurnishedDocumentHasNoFault) {
   Builder b = furnished();
   EXPECT_TRUE(read(b).warnings.empty());
+  EXPECT_TRUE(read(b, {.strict = true}).warnings.empty());
   b.root.erase("scene");
   b.root.erase("scenes");
   EXPECT_TRUE(read(b).warnings.empty());
@@ -146,12 +147,16 @@ TEST(GltfRules, WhatIsMendedIsRefusedInALibrary) {
   for (const Fault& fault : kFaults) {
     SCOPED_TRACE(fault.patch);
     Json root = Json::parse(furnished().text()).patch(Json::parse(fault.patch));
+    const std::string scene = root.dump();
     root.erase("scene");
     root.erase("scenes");
+    const bool in_scene = std::string(fault.where).starts_with("/scenes");
     if (fault.kind == Kind::mended) {
-      expect_failure([&] { read_text(root.dump()); }, Exit::invalid, fault.where, fault.rule);
+      expect_failure([&] { read_text(scene, {.strict = true}); }, Exit::invalid, fault.where, fault.rule);
+      if (!in_scene) expect_failure([&] { read_text(root.dump()); }, Exit::invalid, fault.where, fault.rule);
       ++refused;
     } else {
+      EXPECT_TRUE(warns(read_text(scene, {.strict = true}), fault.rule, fault.where));
       EXPECT_TRUE(warns(read_text(root.dump()), fault.rule, fault.where));
       ++read;
     }
@@ -325,7 +330,12 @@ TEST(GltfRules, NumbersOfVertices) {
   Builder weights = skinned();
   weights.root["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"] =
       weights.numbers<float>(kF32, "VEC4", 4, {1, 0, 0, 0, kNan, 0, 0, 0, 0.25F, 0.75F, 0, 0, 1, 0, 0, 0});
-  expect_failure([&] { read(weights); }, Exit::invalid, ATTRIBUTES "/WEIGHTS_0", "not a finite number");
+  const RawScene mended = read(weights);
+  EXPECT_TRUE(warns(mended, "weights-not-finite", ATTRIBUTES "/WEIGHTS_0"));
+  EXPECT_TRUE(warns(mended, "weights-zero", ATTRIBUTES "/WEIGHTS_0"));
+  ASSERT_EQ(mended.meshes[0].primitives[0].influences[1].size(), 1U);
+  EXPECT_EQ(mended.meshes[0].primitives[0].influences[1][0].joint, 1U) << "the first joint listed";
+  expect_failure([&] { read(weights, {.strict = true}); }, Exit::invalid, "/accessors/7", "not a finite number");
   Builder early = skinned();
   early.root["animations"][0]["samplers"][0]["input"] = early.times({-1, 1});
   expect_failure([&] { read(early); }, Exit::invalid, "/animations/0/samplers/0/input", "negative time");

@@ -59,6 +59,11 @@ TEST(GltfNodes, LibrariesAreHeldToTheLetter) {
   b.root.erase("scenes");
   b.root["nodes"][0]["rotation"] = {5, 5, 5, 5};
   expect_failure([&] { read(b); }, Exit::invalid, "/nodes/0/rotation", "rotation-not-unit");
+  try {
+    read(b);
+  } catch (const Failure& failure) {
+    EXPECT_NE(failure.advice().find("the file has no scene"), std::string::npos) << failure.advice();
+  }
 }
 
 TEST(GltfNodes, ZeroScaleStaysInvertible) {

@@ -40,7 +40,7 @@ SkinJoints skin_joints(const cook::RawScene& scene) {
 
 void cook_in_memory(Source& source) {
   const cook::CookOptions options = options_for(source);
-  cook::RawScene scene = cook::read_source(source.path, {.image_bytes = options.images == cook::Images::embed});
+  cook::RawScene scene = cook::read_source(source.path, options);
   // A skeleton that is made takes the place of skins.
   if (options.auto_skeleton.empty()) source.skins = skin_joints(scene);
   cook::CookResult cooked = cook::cook_scene(std::move(scene), options);

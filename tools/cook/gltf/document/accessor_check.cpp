@@ -257,7 +257,7 @@ class Checker {
       }
     }
     // Elsewhere it depends on the use: a broken normal can be made anew, a broken position cannot.
-    if (!all_finite && report_.library()) report_.invalid(where_, "not a finite number", "export again");
+    if (!all_finite && !report_.mends()) report_.invalid(where_, "not a finite number", "export again");
     check_bounds(lowest.data(), highest.data());
   }
 

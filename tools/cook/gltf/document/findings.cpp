@@ -14,7 +14,7 @@ void Report::warn(const std::string& where, const std::string& rule, const std::
 }
 
 void Report::mend(const std::string& where, const std::string& rule, const std::string& text) {
-  if (library_) invalid(where, rule, text);
+  if (!mends()) invalid(where, rule, "not mended, " + mends_nothing_because_ + ": " + text);
   warn(where, rule, text);
 }
 

@@ -73,12 +73,14 @@ class Report {
   // Legal, but not carried or not as the author may expect.
   void warn(const std::string& where, const std::string& rule, const std::string& text);
 
-  // Wrong, but with one sensible meaning, which the caller goes on with. A file without scenes is a library of parts
-  // (glTF 2.0, section 3.5.1): nobody can look at the result, so nothing is guessed there and the finding is final.
+  // Wrong, but with one sensible meaning, which the caller goes on with. Final where that was asked for, and in a file
+  // without scenes, which is a library of parts (glTF 2.0, section 3.5.1): nobody can look at the result, so nothing is
+  // guessed there.
   void mend(const std::string& where, const std::string& rule, const std::string& text);
 
-  void set_library(bool library) { library_ = library; }
-  bool library() const { return library_; }
+  // From here on, and why.
+  void mend_nothing(std::string because) { mends_nothing_because_ = std::move(because); }
+  bool mends() const { return mends_nothing_because_.empty(); }
 
   // Every file that the scene's meaning depends on, as it was read.
   void note_read(RawRead read) { reads_.push_back(std::move(read)); }
@@ -89,7 +91,7 @@ class Report {
 
  private:
   std::string file_;
-  bool library_ = false;
+  std::string mends_nothing_because_;
   std::vector<RawWarning> warnings_;
   std::vector<RawRead> reads_;
   std::map<std::string, std::size_t> count_of_rule_;

@@ -220,8 +220,7 @@ class Walker {
 }  // namespace
 
 void check_schema(Json& root, Report& report) {
-  const auto scenes = root.find("scenes");
-  report.set_library(scenes == root.end() || !scenes->is_array() || scenes->empty());
+  if (!root.contains("scenes")) report.mend_nothing("as the file has no scene; give it one or export again");
   Walker(root, report).check_object(root, kRootSchema, Path{});
 }
 

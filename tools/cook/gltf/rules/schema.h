@@ -7,7 +7,7 @@ namespace marrow::cook::gltf {
 
 // After this every property that the tables in schema_tables.cpp name is absent or of its kind and in its range,
 // and every index points at an existing element. Integers written as floats are turned into integers, empty
-// collections are dropped, unknown properties are warned of. Sets the report's library mode.
+// lists are dropped where they may be, unknown properties are warned of. In a file without scenes nothing is mended.
 void check_schema(Json& root, Report& report);
 
 // Versions, and the extensions that the document uses or demands.
