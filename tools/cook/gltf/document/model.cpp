@@ -132,6 +132,10 @@ Json slim_document(Json& root, const UserNumbers& user_numbers, Report& report) 
 
 }  // namespace
 
+std::size_t target_count(const tinygltf::Mesh& mesh) {
+  return mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
+}
+
 tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report) {
   std::string text = slim_document(root, user_numbers, report).dump();
   root = nullptr;  // the tree is several times the text's size

@@ -26,6 +26,9 @@ struct Document {
   Buffers buffers;
 };
 
+// As many as its first primitive has; 0 of one without primitives.
+std::size_t target_count(const tinygltf::Mesh& mesh);
+
 // tinygltf believes what it reads, so it gets only those parts of the document that check_schema() has been through
 // and that are carried on: no URIs, no images, no extras, no bytes. Channels that aim at nothing Marrow animates are
 // left out with a warning: they get an empty path. Those of `user_numbers` get the path "pointer". Eats `root`.

@@ -62,7 +62,7 @@ std::vector<RawTargetWeight> mesh_weights(const Document& document, std::size_t 
                                           const std::vector<double>& own, const std::string& where, Report& report) {
   std::vector<RawTargetWeight> out;
   const tinygltf::Mesh& mesh = document.model.meshes[mesh_index];
-  const std::size_t count = mesh.primitives.front().targets.size();
+  const std::size_t count = target_count(mesh);
   const std::vector<std::string>& names = document.target_names[mesh_index];
   std::unordered_set<std::string> taken;
   for (std::size_t i = 0; i < count; ++i) {
@@ -90,8 +90,7 @@ std::vector<std::string> weight_owners(const Document& document, const std::vect
   std::unordered_set<std::string> taken;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const int mesh = document.model.nodes[n].mesh;
-    const bool morphs =
-        mesh >= 0 && !document.model.meshes[static_cast<std::size_t>(mesh)].primitives.front().targets.empty();
+    const bool morphs = mesh >= 0 && target_count(document.model.meshes[static_cast<std::size_t>(mesh)]) > 0;
     const bool own = !nodes[n].name.empty() && (!morphs || taken.insert(nodes[n].name).second);
     owners.push_back(own ? nodes[n].name : "nodes[" + std::to_string(n) + ']');
   }

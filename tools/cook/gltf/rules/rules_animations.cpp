@@ -122,8 +122,7 @@ class AnimationChecker {
   // How many weights a key has.
   std::size_t check_morph_target(const tinygltf::Node& node, const std::string& where) {
     const std::size_t count =
-        node.mesh < 0 ? 0
-                      : document_.model.meshes[static_cast<std::size_t>(node.mesh)].primitives.front().targets.size();
+        node.mesh < 0 ? 0 : target_count(document_.model.meshes[static_cast<std::size_t>(node.mesh)]);
     if (count == 0) report_.mend(where, "no-morph-targets", "the node has no morph targets to animate; left out");
     return count;
   }

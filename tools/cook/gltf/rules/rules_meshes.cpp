@@ -94,7 +94,7 @@ class MeshChecker {
 
   void check_mesh(std::size_t index) {
     const tinygltf::Mesh& mesh = document_.model.meshes[index];
-    const std::size_t targets = mesh.primitives.front().targets.size();
+    const std::size_t targets = target_count(mesh);
     for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
       const std::string where = pointer("meshes", index, "primitives", p);
       if (mesh.primitives[p].targets.size() != targets) {

@@ -75,8 +75,7 @@ void check_node(const Model& model, std::size_t index, Report& report) {
     if (!node.weights.empty()) report.invalid(under(where, "weights"), "weights without mesh", "export again");
     return;
   }
-  const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
-  const std::size_t targets = mesh.primitives.front().targets.size();
+  const std::size_t targets = target_count(model.meshes[static_cast<std::size_t>(node.mesh)]);
   if (!node.weights.empty() && node.weights.size() != targets) {
     report.mend(under(where, "weights"), "morph-weights-wrong", "one a morph target is needed; ignored");
   }

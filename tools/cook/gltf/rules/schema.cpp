@@ -44,11 +44,9 @@ class Walker {
   void check_object(Json& value, const Schema& schema, const Path& path) {
     if (!value.is_object()) wrong_kind(path, "an object");
     for (auto member = value.begin(); member != value.end();) {
-      const bool at_root = path.up == nullptr && member.key() != "extensions" &&  // which is no collection
-                           std::ranges::count(schema.properties, member.key(), &Property::name) > 0;
-      if (at_root && member->is_array() && member->empty()) {
+      if (is_idle(*member, member.key(), schema)) {
         report_.mend(path.step(member.key()).text(), "empty-array",
-                     "left out; a collection like /nodes has elements or is not there");
+                     "left out; a list such as /nodes has elements or is not there");
         member = value.erase(member);
         continue;
       }
@@ -63,6 +61,18 @@ class Walker {
   }
 
  private:
+  // An empty list that says as little as none would: exporters write them, though glTF 2.0 has none.
+  static bool is_idle(const Json& value, const std::string& name, const Schema& schema) {
+    const auto known = std::ranges::find(schema.properties, name, &Property::name);
+    return value.is_array() && value.empty() && known != schema.properties.end() && is_list(known->kind) &&
+           known->shortest == 1 && !known->required;
+  }
+
+  static bool is_list(Kind kind) {
+    return kind == Kind::texts || kind == Kind::numbers || kind == Kind::indices || kind == Kind::index_maps ||
+           kind == Kind::objects;
+  }
+
   void check_member(const std::string& name, Json& value, const Schema& schema, const Path& path) {
     const auto known = std::ranges::find(schema.properties, name, &Property::name);
     if (known != schema.properties.end()) {
@@ -127,6 +137,11 @@ class Walker {
 
   void check_length(const Json& value, const Property& property, const Path& path) {
     if (!value.is_array()) wrong_kind(path, "an array, as /nodes is");
+    // An animation that moves nothing, a mesh that draws nothing.
+    if (value.empty() && property.kind == Kind::objects && property.shortest == 1) {
+      report_.mend(path.text(), "empty-array", "glTF 2.0 demands an element");
+      return;
+    }
     if (value.size() < property.shortest || value.size() > property.longest) {
       report_.invalid(path.text(), "wrong number of items",
                       "it has " + std::to_string(value.size()) + "; export again");
