@@ -351,6 +351,31 @@ TEST(GltfRules, NumbersOfVertices) {
   expect_failure([&] { read(early); }, Exit::invalid, "/animations/0/samplers/0/input", "negative time");
 }
 
+// Vertices 0 and 1 list both joints, 2 lists joint 1 twice, 3 has one weight that is infinite and one below zero.
+TEST(GltfRules, WeightsBeyondAllBoundsAreShares) {
+  Builder b = skinned();
+  const float infinite = std::numeric_limits<float>::infinity();
+  Json& attributes = b.root["meshes"][0]["primitives"][0]["attributes"];
+  attributes["JOINTS_0"] = b.numbers<std::uint8_t>(kU8, "VEC4", 4, {0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0});
+  attributes["WEIGHTS_0"] = b.numbers<float>(
+      kF32, "VEC4", 4, {3e38F, 1e38F, 0, 0, 3e38F, 1, 0, 0, 3e38F, 3e38F, 0, 0, infinite, -3e38F, 0.5F, 0});
+  const RawScene scene = read(b);
+  const auto& vertices = scene.meshes[0].primitives[0].influences;
+  const auto expect_vertex = [&](std::size_t v, const std::vector<std::pair<std::uint32_t, float>>& expected) {
+    ASSERT_EQ(vertices[v].size(), expected.size()) << v;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_EQ(vertices[v][i].joint, expected[i].first) << v;
+      EXPECT_NEAR(vertices[v][i].weight, expected[i].second, 1e-6) << v;
+    }
+  };
+  expect_vertex(0, {{0, 0.75F}, {1, 0.25F}});
+  expect_vertex(1, {{1, 1.0F}});
+  expect_vertex(2, {{1, 1.0F}});
+  expect_vertex(3, {{0, 0.5F}});
+  for (const char* rule : {"weights-not-finite", "weights-negative", "weights-not-normalised", "joints-listed-twice"})
+    EXPECT_TRUE(warns(scene, rule, ATTRIBUTES "/WEIGHTS_0")) << rule;
+}
+
 // A normal that points along x, and damaged ones where triangles have no area.
 TEST(GltfRules, NormalsOfNothing) {
   Builder b;
