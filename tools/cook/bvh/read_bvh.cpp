@@ -42,7 +42,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, g
 
 RawScene read_bvh(const std::string& path) {
   gltf::Report report(path);
-  const std::vector<std::byte> bytes = gltf::read_regular_file(path, gltf::kLargestFile + 1, "line 1", report);
+  const std::vector<std::byte> bytes = gltf::read_regular_file(path, gltf::kLargestFile + 1, "", report);
   return read_scene(path, bytes, report);
 }
 

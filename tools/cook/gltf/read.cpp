@@ -104,6 +104,7 @@ Document read_document(const Container& container, const std::optional<std::stri
   if (const auto all = root.find("extensions"); all != root.end() && all->is_object())
     for (const char* name : kVrmExtensions)
       if (const auto member = all->find(name); member != all->end()) drop_nulls(*member);
+  check_generation(root, report);
   check_schema(root, report);
   check_asset_and_extensions(root, report);
   check_image_uris(root, report);

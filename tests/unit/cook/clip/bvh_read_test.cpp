@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
+#include "cook/read_source.h"
 
 namespace marrow::cook {
 namespace {
@@ -236,6 +237,32 @@ TEST(BvhRead, DepthAndNumberAreLimited) {
   };
   EXPECT_EQ(read(fan(32767)).nodes.size(), 32767u);
   EXPECT_NE(failure_of(fan(32768)).find("line 65536: too many joints"), std::string::npos);
+}
+
+TEST(BvhRead, AFileThatIsNotThereHasNoLines) {
+  try {
+    read_bvh("/nowhere/walk.bvh");
+    ADD_FAILURE() << "read";
+  } catch (const Failure& failure) {
+    EXPECT_EQ(failure.code(), Exit::io);
+    EXPECT_STREQ(failure.what(), "/nowhere/walk.bvh: no such file: check the name");
+  }
+}
+
+TEST(BvhRead, HasNoScenesToChooseFrom) {
+  CookOptions options;
+  options.scene.name = "attic";
+  const auto code_of = [&] {
+    try {
+      read_source("/nowhere/walk.bvh", options);
+    } catch (const Failure& failure) {
+      return failure.code();
+    }
+    return Exit::done;
+  };
+  EXPECT_EQ(code_of(), Exit::usage);
+  options.scene.origin.must_fit = false;
+  EXPECT_EQ(code_of(), Exit::io) << "a rule for many files";
 }
 
 TEST(BvhRead, NamesAreMadeFit) {

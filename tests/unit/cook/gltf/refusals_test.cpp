@@ -24,6 +24,12 @@ struct BadDocument {
 const BadDocument kBadDocuments[] = {
     {R"([{"op":"remove","path":"/asset"}])", Exit::invalid, "/asset", "missing"},
     {R"([{"op":"replace","path":"/asset/version","value":"1.0"}])", Exit::unsupported, "/asset/version", "glTF 1.0"},
+    {R"([{"op":"replace","path":"/asset/version","value":"1.0"},{"op":"replace","path":"/nodes","value":{"n":{}}},
+         {"op":"replace","path":"/scene","value":"s"},{"op":"replace","path":"/scenes","value":{"s":{"nodes":["n"]}}}])",
+     Exit::unsupported, "/asset/version", "glTF 1.0"},
+    {R"([{"op":"remove","path":"/asset"},{"op":"replace","path":"/nodes","value":{"n":{}}}])", Exit::unsupported,
+     "/asset/version", "glTF 1.0"},
+    {R"([{"op":"replace","path":"/asset/version","value":"3.0"}])", Exit::unsupported, "/asset/version", "glTF 3.0"},
     {R"([{"op":"replace","path":"/asset/version","value":"two"}])", Exit::invalid, "/asset/version", "not a version"},
     {R"([{"op":"add","path":"/asset/minVersion","value":"2.9"}])", Exit::invalid, "/asset/minVersion", "greater"},
     {R"([{"op":"replace","path":"/scene","value":4}])", Exit::invalid, "/scene", "reference to nothing"},
@@ -201,12 +207,22 @@ TEST(GltfRefusals, JsonIsStrict) {
   expect_refused(start, Exit::invalid, "@26", "not JSON");
   expect_refused(start + ",\"nodes\":[{\"name\":\"\xC0\x80\"}]}", Exit::invalid, "@45", "not JSON");
   expect_refused(R"({"asset":{"version":"2.0","version":"2.0"}})", Exit::invalid, "@34", "duplicate name");
-  expect_refused("\xEF\xBB\xBF" + start + "}", Exit::invalid, "@0", "not a glTF file");
+  expect_refused("\xEF\xBB\xBF" + start + ",}", Exit::invalid, "@30", "not JSON");
   expect_refused("[]", Exit::invalid, "@0", "not a glTF file");
   expect_refused(start + std::string(1, '\0') + "}", Exit::invalid, "@26", "not JSON");
   std::string deep = start + R"(,"extras":)";
   deep += std::string(100'000, '[') + std::string(100'000, ']') + "}";
   expect_refused(deep, Exit::invalid, "@163", "nested too deeply");
+}
+
+// glTF 2.0, section 2.7: writers must not add one, readers may skip it.
+TEST(GltfRepairs, AByteOrderMarkIsSkipped) {
+  const std::string text = "\xEF\xBB\xBF" + skinned().text();
+  const RawScene scene = read_text(text);
+  EXPECT_EQ(scene.nodes.size(), 3U);
+  EXPECT_TRUE(warns(scene, "byte-order-mark", "@0"));
+  EXPECT_EQ(scene.warnings.size(), 1U);
+  expect_failure([&] { read_text(text, {.strict = true}); }, Exit::invalid, "@0", "byte-order-mark");
 }
 
 TEST(GltfRepairs, WrongBoundsAreIgnored) {

@@ -105,7 +105,8 @@ Container split_container(std::span<const std::byte> file, Report& report) {
   if (file.size() >= 4 && read_u32(file, 0) == kMagic) return split_glb(file, report);
   Container container;
   container.json = text_of(file);
-  const std::size_t start = container.json.find_first_not_of(" \t\r\n");
+  const std::size_t start =
+      container.json.find_first_not_of(" \t\r\n", container.json.starts_with(kByteOrderMark) ? 3 : 0);
   if (start == std::string_view::npos || container.json[start] != '{') {
     if (const tools::LooksLike* const other = tools::looks_like(file))
       report.invalid("@0", "not a glTF file but, as it begins, " + std::string(other->name),

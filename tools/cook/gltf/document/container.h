@@ -9,6 +9,9 @@
 
 namespace marrow::cook::gltf {
 
+// Of UTF-8. Not glTF's, but written by editors; glTF 2.0 lets readers skip it (section 2.7, a note).
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // Views into the file's bytes.
 struct Container {
   bool binary = false;  // a .glb

@@ -116,22 +116,25 @@ std::string_view without_padding(const Container& container, Report& report) {
 }  // namespace
 
 Json parse_json(const Container& container, Report& report) {
-  const std::string_view text = without_padding(container, report);
-  if (text.starts_with("\xEF\xBB\xBF")) {
-    report.invalid(at_offset(container.json_offset), "byte-order mark", "save the JSON as UTF-8 without one");
+  std::string_view text = without_padding(container, report);
+  std::size_t offset = container.json_offset;
+  if (text.starts_with(kByteOrderMark)) {
+    report.mend(at_offset(offset), "byte-order-mark", "glTF's JSON is UTF-8 without one; skipped");
+    text.remove_prefix(kByteOrderMark.size());
+    offset += kByteOrderMark.size();
   }
   // The parser takes a zero for the end of its input and would ignore what follows.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    report.invalid(at_offset(container.json_offset + zero), "not JSON", "a zero byte; export again");
+    report.invalid(at_offset(offset + zero), "not JSON", "a zero byte; export again");
   }
   Json root;
   const char* furthest = text.data();
-  TreeBuilder builder(root, text.data(), container.json_offset, &furthest, report);
+  TreeBuilder builder(root, text.data(), offset, &furthest, report);
   const CountingIterator begin{text.data(), &furthest};
   const CountingIterator end{text.data() + text.size(), &furthest};
   Json::sax_parse(begin, end, &builder);
   if (!root.is_object()) {
-    report.invalid(at_offset(container.json_offset), "not a glTF object", "the JSON root must be an object");
+    report.invalid(at_offset(offset), "not a glTF object", "the JSON root must be an object");
   }
   return root;
 }

@@ -10,9 +10,9 @@ namespace marrow::cook::gltf {
 
 using Json = nlohmann::json;
 
-// Strict RFC 8259 without a byte-order mark, with two rules more: names in an object are unique (glTF 2.0, section
-// 2.7) and nesting has a limit, so that later stages may recurse. The result is an object. Failures carry the byte
-// offset in the file.
+// Strict RFC 8259, with two rules more: names in an object are unique (glTF 2.0, section 2.7) and nesting has a limit,
+// so that later stages may recurse. The result is an object. A byte-order mark is skipped with a warning. Failures
+// carry the byte offset in the file.
 Json parse_json(const Container& container, Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -77,9 +77,6 @@ Version checked_version(const Json& asset, const char* name, Report& report) {
 
 void check_version(const Json& asset, Report& report) {
   const Version version = checked_version(asset, "version", report);
-  if (version.major != 2) {
-    report.unsupported("/asset/version", "glTF " + asset.at("version").get<std::string>(), "export as glTF 2.0");
-  }
   if (version.minor != 0) {
     report.warn("/asset/version", "newer-minor-version", "read as glTF 2.0, which later 2.x versions extend");
   }
@@ -146,7 +143,26 @@ void check_extension_objects(const Json& value, const std::string& where, const 
   }
 }
 
+// glTF 1.0 need not say its version, and keeps meshes and nodes by name.
+bool looks_like_1(const Json& root) {
+  return std::ranges::any_of(std::array{"meshes", "nodes"}, [&](const char* name) {
+    const auto found = root.find(name);
+    return found != root.end() && found->is_object();
+  });
+}
+
 }  // namespace
+
+void check_generation(const Json& root, const Report& report) {
+  const auto asset = root.find("asset");
+  const bool has_asset = asset != root.end() && asset->is_object();
+  const auto text = has_asset ? asset->find("version") : asset;
+  const bool says = has_asset && text != asset->end();
+  const auto version = says && text->is_string() ? parse_version(text->get_ref<const std::string&>()) : std::nullopt;
+  if (version && version->major != 2)
+    report.unsupported("/asset/version", "glTF " + text->get<std::string>(), "export as glTF 2.0");
+  if (!says && looks_like_1(root)) report.unsupported("/asset/version", "glTF 1.0", "export as glTF 2.0");
+}
 
 void check_asset_and_extensions(const Json& root, Report& report) {
   check_version(root.at("asset"), report);

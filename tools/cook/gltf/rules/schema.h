@@ -10,6 +10,9 @@ namespace marrow::cook::gltf {
 // lists are dropped where they may be, unknown properties are warned of. In a file without scenes nothing is mended.
 void check_schema(Json& root, Report& report);
 
+// Refuses glTF 1.0, whose documents have another shape, and what comes after 2.x.
+void check_generation(const Json& root, const Report& report);
+
 // Versions, and the extensions that the document uses or demands.
 void check_asset_and_extensions(const Json& root, Report& report);
 
