@@ -3,7 +3,8 @@
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input
-  unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/clips_test.cpp unit/cook/gltf/draco_test.cpp
+  unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
+  unit/cook/gltf/draco_test.cpp
   unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp unit/cook/gltf/looks_test.cpp
   unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp

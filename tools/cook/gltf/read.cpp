@@ -1,6 +1,8 @@
 // The road from a glTF file to a RawScene, stage by stage.
 #include "cook/gltf/read.h"
 
+#include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -17,6 +19,7 @@
 #include "cook/gltf/rules/rules.h"
 #include "cook/gltf/rules/schema.h"
 #include "cook/gltf/vrm/vrm.h"
+#include "text/nearest.h"
 
 namespace marrow::cook {
 namespace {
@@ -68,6 +71,17 @@ std::vector<std::vector<std::string>> read_target_names(const Json& root) {
   return out;
 }
 
+NodeShown read_shown(const Json& node) {
+  NodeShown out;
+  const auto all = node.find("extensions");
+  if (all == node.end()) return out;
+  if (const auto shown = all->find("KHR_node_visibility"); shown != all->end())
+    out.visible = shown->value("visible", true);
+  if (const auto levels = all->find("MSFT_lod"); levels != all->end())
+    out.lower = levels->value("ids", std::vector<int>());
+  return out;
+}
+
 // What is imported from the JSON itself.
 void set_aside(Json& root, Document& document) {
   for (const char* name : {"materials", "textures", "samplers", "images"})
@@ -78,6 +92,7 @@ void set_aside(Json& root, Document& document) {
   const auto nodes = root.find("nodes");
   if (nodes == root.end()) return;
   for (Json& node : *nodes) {
+    document.node_shown.push_back(read_shown(node));
     const auto extras = node.find("extras");
     document.node_extras.push_back(extras == node.end() ? Json() : std::move(*extras));
     document.node_limits.push_back(take_limits(document.node_extras.back()));
@@ -122,12 +137,38 @@ Document read_document(const Container& container, const std::optional<std::stri
   return document;
 }
 
+// The scene that is chosen by its name or number, else the default one, else the first; kNone without any.
+int find_scene(const tinygltf::Model& model, const SceneChoice& choice, Report& report) {
+  const std::string& wanted = choice.name;
+  const int standard = model.scenes.empty() ? kNone : std::max(model.defaultScene, 0);
+  if (wanted.empty()) return standard;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < model.scenes.size(); ++i) {
+    if (model.scenes[i].name == wanted) return static_cast<int>(i);
+    names.push_back(model.scenes[i].name.empty() ? std::to_string(i) : model.scenes[i].name);
+  }
+  int number = kNone;
+  const char* const end = wanted.data() + wanted.size();
+  const auto [rest, error] = std::from_chars(wanted.data(), end, number);
+  if (error == std::errc() && rest == end && number >= 0 && to_index(number) < names.size()) return number;
+  const std::string why = "no scene is called \"" + tools::printable(wanted) + '"';
+  if (choice.origin.must_fit)
+    throw tools::Failure(tools::Exit::usage, choice.origin.file, choice.origin.where, why,
+                         names.empty() ? "the file has no scenes" : tools::suggestion(wanted, names));
+  report.warn("/scenes", "rule-fits-nothing", "scene: " + why + "; taken is the default one");
+  return standard;
+}
+
+bool draws_meshes(const tinygltf::Model& model) {
+  return std::ranges::any_of(model.nodes, [](const tinygltf::Node& node) { return node.mesh >= 0; });
+}
+
 RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
                     const ReadOptions& options, Report& report) {
   if (options.strict) report.mend_nothing("as --strict asks");
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, folder, report);
-  const NodeGraph graph = check_nodes(document, report);
+  const NodeGraph graph = check_nodes(document, find_scene(document.model, options.scene, report), report);
   check_skins(document, graph, report);
   check_meshes(document, report);
   check_animations(document, report);
@@ -144,8 +185,9 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   scene.images = import_images(document, materials, folder, options.image_bytes, budget, scene.source_bytes, report);
   scene.meshes = import_meshes(document, materials, budget, report);
   scene.materials = std::move(materials.raw);
-  scene.instances = import_instances(document, scene.nodes, scene.meshes, scene.skins, report);
-  scene.clips = import_clips(document, scene.nodes, budget, report);
+  scene.instances = import_instances(document, graph, scene.nodes, scene.meshes, scene.skins, report);
+  scene.draws_elsewhere = scene.instances.empty() && draws_meshes(document.model);
+  scene.clips = import_clips(document, graph, scene.nodes, budget, report);
   import_vrm(document, budget, report, scene);
   scene.warnings = report.take_warnings();
   scene.reads = report.take_reads();

@@ -23,7 +23,7 @@ struct ReadOptions {
 // Marrow does not carry is listed in `RawScene::warnings`; what is wrong but has one sensible meaning is repaired and
 // listed there too.
 // Throws tools::Failure (io: cannot be read; invalid: breaks glTF 2.0; unsupported: needs an extension that Marrow
-// lacks), located by a JSON pointer or a byte offset.
+// lacks), located by a JSON pointer or a byte offset; and (usage) where the scene was chosen if there is none such.
 RawScene read_gltf(const std::string& path, const ReadOptions& options = {});
 
 // The same for a file in memory, which cannot refer to others. `name` stands for the path in failures.

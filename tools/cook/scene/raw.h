@@ -46,7 +46,7 @@ struct RawLimit {
 struct RawNode {
   std::string name;      // may be empty
   int parent = kNone;    // index into RawScene::nodes, any order
-  bool in_scene = true;  // reachable from the default scene (from any root when the file has no scene)
+  bool in_scene = true;  // reachable from the scene that is cooked (from any root when the file has none)
   // parent_from_node = translate · rotate · scale. A `matrix` in the file is decomposed; `rotation` is unit length.
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};
@@ -126,7 +126,7 @@ struct RawImage {
   int fallback = kNone;            // index into RawScene::images: the same picture as PNG or JPEG
 };
 
-// A mesh drawn at a node. Listed in node order.
+// A mesh drawn at a node of the scene. Listed in node order.
 struct RawInstance {
   int node = kNone;
   int mesh = kNone;
@@ -202,6 +202,7 @@ struct RawScene {
   std::string source;              // path as given
   std::uint64_t source_bytes = 0;  // the file and whatever else was read for it
   bool is_capture = false;         // motion of a body of other proportions, see retarget()
+  bool draws_elsewhere = false;    // nodes draw meshes, if not those that are cooked
   std::vector<RawNode> nodes;
   std::vector<RawMesh> meshes;
   std::vector<RawMaterial> materials;

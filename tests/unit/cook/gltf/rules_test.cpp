@@ -138,7 +138,9 @@ TEST(GltfRules, AFurnishedDocumentHasNoFault) {
   EXPECT_TRUE(read(b, {.strict = true}).warnings.empty());
   b.root.erase("scene");
   b.root.erase("scenes");
-  EXPECT_TRUE(read(b).warnings.empty());
+  const RawScene library = read(b);
+  EXPECT_TRUE(warns(library, "no-scenes", "/scenes"));
+  EXPECT_EQ(library.warnings.size(), 1U);
 }
 
 TEST(GltfRules, FaultsAreMendedInAScene) {

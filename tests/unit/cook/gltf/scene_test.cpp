@@ -74,17 +74,6 @@ TEST(GltfNodes, ZeroScaleStaysInvertible) {
   EXPECT_TRUE(warns(scene, "scale-zero"));
 }
 
-TEST(GltfNodes, SceneMembershipIsKnown) {
-  Builder b;
-  b.root["nodes"] = {{{"children", {1}}}, Json::object(), {{"children", {3}}}, Json::object()};
-  b.root["scenes"] = {{{"nodes", {2}}}, {{"nodes", {0}}}};
-  b.root["scene"] = 1;
-  const RawScene scene = read(b);
-  EXPECT_TRUE(scene.nodes[0].in_scene && scene.nodes[1].in_scene);
-  EXPECT_FALSE(scene.nodes[2].in_scene || scene.nodes[3].in_scene);
-  EXPECT_TRUE(warns(scene, "nodes-outside-scene"));
-}
-
 TEST(GltfNodes, LongChainsDoNotRecurse) {
   constexpr int kLength = 100'000;
   Builder b;

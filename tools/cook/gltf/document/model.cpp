@@ -51,6 +51,11 @@ bool is_animated(const Json& channel, const std::string& where, Report& report) 
   const auto& path = target.at("path").get_ref<const std::string&>();
   if (path == "pointer") {
     const std::string* const to = pointer_of(channel);
+    if (to != nullptr && to->ends_with("/extensions/KHR_node_visibility/visible")) {
+      report.warn(under(where, "target", "path"), "visibility-not-animated",
+                  *to + ": a node stays as it rests, shown or hidden; left out");
+      return false;
+    }
     report.warn(under(where, "target", "path"), "channel-dropped",
                 (to == nullptr ? "it points nowhere" : "it points at " + *to) +
                     ": neither a node's transform or weights, nor a number in extras; left out");
@@ -122,7 +127,7 @@ Json slim_document(Json& root, const UserNumbers& user_numbers, Report& report) 
   slim["skins"] = map_items(root, "skins", [](Json& skin, std::size_t) {
     return keep(skin, {"name", "joints", "skeleton", "inverseBindMatrices"});
   });
-  slim["scenes"] = map_items(root, "scenes", [](Json& scene, std::size_t) { return keep(scene, {"nodes"}); });
+  slim["scenes"] = map_items(root, "scenes", [](Json& scene, std::size_t) { return keep(scene, {"name", "nodes"}); });
   slim["animations"] = map_items(root, "animations", [&](Json& animation, std::size_t index) {
     return keep_animation(animation, index, user_numbers, report);
   });

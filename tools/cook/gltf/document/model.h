@@ -11,17 +11,24 @@
 
 namespace marrow::cook::gltf {
 
+// What a node's extensions say of whether it is drawn.
+struct NodeShown {
+  bool visible = true;     // KHR_node_visibility
+  std::vector<int> lower;  // MSFT_lod: nodes that are drawn in its place from afar
+};
+
 // Everything that the rules and the import start from.
 struct Document {
   tinygltf::Model model;  // meshes, nodes, skins, animations and scenes; no bytes
   std::vector<std::string> extensions_used;
   std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
   UserNumbers user_numbers;
-  Json looks;                       // the root's materials, textures, samplers and images
-  Json vrm;                         // the root's extensions VRM, VRMC_vrm and VRMC_springBone, those that there are
-  std::vector<Json> node_extras;    // by node; null where there are none
-  std::vector<Json> node_limits;    // by node: extras.marrow.limits, taken out of the above; null where there are none
-  std::vector<bool> node_is_view;   // by node: a camera or a light
+  Json looks;                      // the root's materials, textures, samplers and images
+  Json vrm;                        // the root's extensions VRM, VRMC_vrm and VRMC_springBone, those that there are
+  std::vector<Json> node_extras;   // by node; null where there are none
+  std::vector<Json> node_limits;   // by node: extras.marrow.limits, taken out of the above; null where there are none
+  std::vector<bool> node_is_view;  // by node: a camera or a light
+  std::vector<NodeShown> node_shown;
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;
 };

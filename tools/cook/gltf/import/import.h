@@ -56,13 +56,14 @@ void import_limits(const Document& document, std::vector<RawNode>& nodes, const 
 std::vector<RawMesh> import_meshes(const Document& document, const Materials& materials, Budget& budget,
                                    Report& report);
 
-// Also checks that every joint that a mesh uses exists in the skins that it is drawn with; influences that no skin
-// makes sense of are dropped.
-std::vector<RawInstance> import_instances(const Document& document, const std::vector<RawNode>& nodes,
-                                          std::vector<RawMesh>& meshes, const std::vector<RawSkin>& skins,
-                                          Report& report);
+// What is drawn of the scene. Also checks that every joint that a mesh uses exists in the skins that it is drawn with;
+// influences that no skin makes sense of are dropped.
+std::vector<RawInstance> import_instances(const Document& document, const NodeGraph& graph,
+                                          const std::vector<RawNode>& nodes, std::vector<RawMesh>& meshes,
+                                          const std::vector<RawSkin>& skins, Report& report);
 
-std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
-                                  Report& report);
+// What moves nodes of the scene, weights of what is drawn, and numbers.
+std::vector<RawClip> import_clips(const Document& document, const NodeGraph& graph, const std::vector<RawNode>& nodes,
+                                  Budget& budget, Report& report);
 
 }  // namespace marrow::cook::gltf

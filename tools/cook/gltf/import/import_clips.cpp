@@ -177,9 +177,10 @@ class ChannelImporter {
 
 }  // namespace
 
-std::vector<RawClip> import_clips(const Document& document, const std::vector<RawNode>& nodes, Budget& budget,
-                                  Report& report) {
+std::vector<RawClip> import_clips(const Document& document, const NodeGraph& graph, const std::vector<RawNode>& nodes,
+                                  Budget& budget, Report& report) {
   const std::vector<std::string> owners = weight_owners(document, nodes);
+  std::size_t left_out = 0;
   std::vector<RawClip> clips;
   for (std::size_t a = 0; a < document.model.animations.size(); ++a) {
     const tinygltf::Animation& animation = document.model.animations[a];
@@ -191,8 +192,14 @@ std::vector<RawClip> import_clips(const Document& document, const std::vector<Ra
       const tinygltf::AnimationChannel& channel = animation.channels[c];
       if (channel.target_path.empty()) continue;
       const auto number = document.user_numbers.find({a, c});
-      if (number != document.user_numbers.end() || channel.target_path == "weights") {
-        const bool is_weights = number == document.user_numbers.end();
+      const bool is_number = number != document.user_numbers.end(),
+                 is_weights = !is_number && channel.target_path == "weights";
+      const auto node = static_cast<std::size_t>(channel.target_node);
+      if (!is_number && !(is_weights ? graph.drawn : graph.in_scene)[node]) {
+        ++left_out;
+        continue;
+      }
+      if (is_number || is_weights) {
         std::vector<RawScalar> scalars = importer.import_scalars(
             channel,
             is_weights ? node_weights(document, owners, channel.target_node, where, report)
@@ -210,6 +217,9 @@ std::vector<RawClip> import_clips(const Document& document, const std::vector<Ra
     }
     clips.push_back(std::move(clip));
   }
+  if (left_out > 0)
+    report.warn("/animations", "channels-left-out",
+                std::to_string(left_out) + " channels move what is left out of the scene");
   return clips;
 }
 

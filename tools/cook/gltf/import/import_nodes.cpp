@@ -253,9 +253,9 @@ std::vector<RawSkin> import_skins(const Document& document, const std::vector<Ra
   return skins;
 }
 
-std::vector<RawInstance> import_instances(const Document& document, const std::vector<RawNode>& nodes,
-                                          std::vector<RawMesh>& meshes, const std::vector<RawSkin>& skins,
-                                          Report& report) {
+std::vector<RawInstance> import_instances(const Document& document, const NodeGraph& graph,
+                                          const std::vector<RawNode>& nodes, std::vector<RawMesh>& meshes,
+                                          const std::vector<RawSkin>& skins, Report& report) {
   std::vector<HighestJoint> highest;
   for (const RawMesh& mesh : meshes) highest.push_back(highest_joint(mesh));
   const std::vector<std::string> owners = weight_owners(document, nodes);
@@ -263,7 +263,7 @@ std::vector<RawInstance> import_instances(const Document& document, const std::v
   std::vector<RawInstance> instances;
   for (std::size_t i = 0; i < document.model.nodes.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[i];
-    if (node.mesh < 0) continue;
+    if (node.mesh < 0 || !graph.drawn[i]) continue;
     const auto mesh = static_cast<std::size_t>(node.mesh);
     RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin, {}, kNone};
     instance.weights = node_weights(document, owners, instance.node, pointer("nodes", i), report);

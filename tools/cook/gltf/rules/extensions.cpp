@@ -11,7 +11,7 @@ namespace marrow::cook::gltf {
 namespace {
 
 // Read in full.
-constexpr std::array<std::string_view, 16> kRead = {"KHR_mesh_quantization",
+constexpr std::array<std::string_view, 18> kRead = {"KHR_mesh_quantization",
                                                     "KHR_draco_mesh_compression",
                                                     "EXT_meshopt_compression",
                                                     "KHR_meshopt_compression",
@@ -26,10 +26,12 @@ constexpr std::array<std::string_view, 16> kRead = {"KHR_mesh_quantization",
                                                     "VRM",
                                                     "VRMC_vrm",
                                                     "VRMC_springBone",
-                                                    "VRMC_node_constraint"};  // says that it is left out
+                                                    "VRMC_node_constraint",  // says that it is left out
+                                                    "KHR_node_visibility",
+                                                    "MSFT_lod"};  // says which levels are left out
 
 // Change looks, lights or names but no vertex and no joint, so a file that demands them is still worth cooking.
-constexpr std::array<std::string_view, 23> kHarmless = {"KHR_materials_anisotropy",
+constexpr std::array<std::string_view, 22> kHarmless = {"KHR_materials_anisotropy",
                                                         "KHR_materials_clearcoat",
                                                         "KHR_materials_diffuse_transmission",
                                                         "KHR_materials_dispersion",
@@ -43,7 +45,6 @@ constexpr std::array<std::string_view, 23> kHarmless = {"KHR_materials_anisotrop
                                                         "KHR_lights_punctual",
                                                         "KHR_xmp_json_ld",
                                                         "KHR_xmp",
-                                                        "KHR_node_visibility",
                                                         "KHR_node_hoverability",
                                                         "KHR_node_selectability",
                                                         "EXT_lights_image_based",

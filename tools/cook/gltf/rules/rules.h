@@ -13,11 +13,15 @@ namespace marrow::cook::gltf {
 struct NodeGraph {
   std::vector<int> parent;     // kNone for a root
   std::vector<int> root;       // of the tree that a node is in
-  std::vector<bool> in_scene;  // reachable from the default scene; all when the document has none
+  std::vector<bool> in_scene;  // reachable from the scene that is cooked; all when the document has none
+  std::vector<bool> drawn;     // of those; neither hidden nor a lower level of detail, nor below such a node
 };
 
-// Nodes form a forest, scenes list roots, skins hang together; transforms are given in one way.
-NodeGraph check_nodes(const Document& document, Report& report);
+// Nodes form a forest, scenes list roots, skins hang together; transforms are given in one way. scene: the one that is
+// cooked, kNone without any.
+NodeGraph check_nodes(const Document& document, int scene, Report& report);
+// Part of the above: scenes list roots, and what stays out is said. Needs parents and roots, gives the rest.
+void choose_nodes(const Document& document, int scene, NodeGraph& graph, Report& report);
 void check_skins(const Document& document, const NodeGraph& graph, Report& report);
 
 // Attribute names, formats, counts, alignment; index formats; morph targets.

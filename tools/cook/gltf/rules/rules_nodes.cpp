@@ -1,6 +1,5 @@
-// Rules about nodes, scenes and skins.
+// Rules about nodes and skins.
 #include <algorithm>
-#include <unordered_set>
 
 #include "cook/gltf/rules/rules.h"
 
@@ -48,23 +47,6 @@ std::vector<int> find_roots(const std::vector<int>& parent, Report& report) {
     for (const std::size_t node : way) root[node] = found;
   }
   return root;
-}
-
-std::vector<bool> find_scene_nodes(const Model& model, const NodeGraph& graph, Report& report) {
-  std::vector<bool> in_scene(model.nodes.size(), model.scenes.empty());
-  for (std::size_t s = 0; s < model.scenes.size(); ++s) {
-    const std::vector<int>& nodes = model.scenes[s].nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (graph.parent[static_cast<std::size_t>(nodes[i])] != kNone) {
-        report.invalid(pointer("scenes", s, "nodes", i), "not a root node", "list its topmost ancestor instead");
-      }
-    }
-  }
-  if (model.scenes.empty()) return in_scene;
-  const std::size_t scene = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
-  const std::unordered_set<int> roots(model.scenes[scene].nodes.begin(), model.scenes[scene].nodes.end());
-  for (std::size_t i = 0; i < in_scene.size(); ++i) in_scene[i] = roots.contains(graph.root[i]);
-  return in_scene;
 }
 
 void check_node(const Model& model, std::size_t index, Report& report) {
@@ -126,13 +108,14 @@ std::size_t first_outside_scene(const std::vector<int>& joints, const NodeGraph&
   return static_cast<std::size_t>(found - joints.begin());
 }
 
-void check_skin(const Document& document, std::size_t index, const NodeGraph& graph, Report& report) {
+// is_used: by a node of the scene.
+void check_skin(const Document& document, std::size_t index, bool is_used, const NodeGraph& graph, Report& report) {
   const tinygltf::Skin& skin = document.model.skins[index];
   const int root = graph.root[static_cast<std::size_t>(skin.joints.front())];
   const std::size_t stray = first_outside_scene(skin.joints, graph);
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     if (graph.root[static_cast<std::size_t>(skin.joints[j])] == root) continue;
-    if (stray < skin.joints.size()) {
+    if (is_used && stray < skin.joints.size()) {
       report.invalid(pointer("skins", index, "joints", stray), "no common root",
                      "a joint is outside the scene; export again");
     }
@@ -149,25 +132,24 @@ void check_skin(const Document& document, std::size_t index, const NodeGraph& gr
 
 }  // namespace
 
-NodeGraph check_nodes(const Document& document, Report& report) {
+NodeGraph check_nodes(const Document& document, int scene, Report& report) {
   const Model& model = document.model;
   NodeGraph graph;
   graph.parent = find_parents(model, report);
   graph.root = find_roots(graph.parent, report);
-  graph.in_scene = find_scene_nodes(model, graph, report);
+  choose_nodes(document, scene, graph, report);
   for (std::size_t i = 0; i < model.nodes.size(); ++i) check_node(model, i, report);
-  const auto outside = std::count(graph.in_scene.begin(), graph.in_scene.end(), false);
-  if (outside > 0) {
-    report.warn("/scenes", "nodes-outside-scene", std::to_string(outside) + " nodes are not in the default scene");
-  }
   return graph;
 }
 
 void check_skins(const Document& document, const NodeGraph& graph, Report& report) {
   const Model& model = document.model;
+  std::vector<bool> is_used(model.skins.size());
+  for (std::size_t i = 0; i < model.nodes.size(); ++i)
+    if (model.nodes[i].skin >= 0 && graph.in_scene[i]) is_used[static_cast<std::size_t>(model.nodes[i].skin)] = true;
   std::vector<bool> in_scene;
   for (std::size_t i = 0; i < model.skins.size(); ++i) {
-    check_skin(document, i, graph, report);
+    check_skin(document, i, is_used[i], graph, report);
     in_scene.push_back(first_outside_scene(model.skins[i].joints, graph) == model.skins[i].joints.size());
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {

@@ -147,12 +147,23 @@ constexpr Schema kPrimitiveSchema{kPrimitive};
 constexpr Property kMesh[] = {objects("primitives", kPrimitiveSchema, true), numbers("weights", 1, kAnyLength)};
 constexpr Schema kMeshSchema{kMesh};
 
-constexpr Property kNode[] = {
-    index_of("camera", "cameras"),    {.name = "children", .kind = Kind::indices, .of = "nodes"},
-    index_of("skin", "skins"),        numbers("matrix", 16, 16),
-    index_of("mesh", "meshes"),       numbers("rotation", 4, 4),
-    numbers("scale", 3, 3),           numbers("translation", 3, 3),
-    numbers("weights", 1, kAnyLength)};
+constexpr Property kVisibility[] = {flag("visible")};
+constexpr Schema kVisibilitySchema{kVisibility};
+constexpr Property kLevels[] = {{.name = "ids", .kind = Kind::indices, .of = "nodes"}};
+constexpr Schema kLevelsSchema{kLevels, true};
+constexpr Property kNodeExtensions[] = {object("KHR_node_visibility", kVisibilitySchema),
+                                        object("MSFT_lod", kLevelsSchema)};
+constexpr Schema kNodeExtensionsSchema{kNodeExtensions, true};
+constexpr Property kNode[] = {index_of("camera", "cameras"),
+                              {.name = "children", .kind = Kind::indices, .of = "nodes"},
+                              index_of("skin", "skins"),
+                              numbers("matrix", 16, 16),
+                              index_of("mesh", "meshes"),
+                              numbers("rotation", 4, 4),
+                              numbers("scale", 3, 3),
+                              numbers("translation", 3, 3),
+                              numbers("weights", 1, kAnyLength),
+                              object("extensions", kNodeExtensionsSchema)};
 constexpr Schema kNodeSchema{kNode};
 constexpr Property kScene[] = {{.name = "nodes", .kind = Kind::indices, .of = "nodes"}};
 constexpr Schema kSceneSchema{kScene};
