@@ -42,6 +42,7 @@ double SceneScale::of(const RawScene& scene, const BuiltScene& built, int mesh) 
   double out = 0;
   const auto add = [&](int node, const glm::dmat4& node_from_mesh) {
     const NearestJoint& nearest = built.nearest[static_cast<std::size_t>(node)];
+    if (nearest.joint == kNone) return;  // nothing hangs there
     out = std::max(out, of_joint(nearest.skeleton, nearest.joint, nearest.joint_from_node * node_from_mesh));
   };
   for (const std::size_t i : instances_[static_cast<std::size_t>(mesh)]) {

@@ -21,13 +21,14 @@ constexpr std::uint64_t kMostFinerChanges = 32'000'000;   // of vertices by morp
 // A file may be a library: meshes that no node draws. Each is hung on a node of its own then.
 RawScene place_unplaced_meshes(RawScene scene, Notes& notes) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    if (scene.meshes[i].primitives.empty()) continue;
     RawNode node;
     node.name = scene.meshes[i].name;
     scene.instances.push_back(
         {static_cast<int>(scene.nodes.size()), static_cast<int>(i), kNone, scene.meshes[i].weights, kNone});
     scene.nodes.push_back(node);
   }
-  if (!scene.meshes.empty())
+  if (!scene.instances.empty())
     notes.warnings.push_back({"/nodes", "meshes-without-nodes", "no node draws a mesh; each is placed at the origin"});
   return scene;
 }
@@ -43,19 +44,24 @@ bool has_joints(const RawScene& scene) {
          });
 }
 
-bool has_triangles(const RawScene& scene) {
-  return std::any_of(scene.instances.begin(), scene.instances.end(), [&](const RawInstance& instance) {
-    return !scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives.empty();
+// What lost all its triangles to a mend is drawn nowhere, and no stage need know of it.
+RawScene without_empty_meshes(RawScene scene) {
+  const std::size_t lost = std::erase_if(scene.instances, [&](const RawInstance& instance) {
+    return scene.meshes[to_index(instance.mesh)].primitives.empty();
   });
+  if (lost > 0 && scene.instances.empty())
+    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
+                         "no mesh in the scene has triangles to cook");
+  return scene;
 }
 
 void check_something_to_cook(const RawScene& scene, Notes& notes) {
   if (scene.instances.empty() && !has_joints(scene))
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",
-                         "the file has no mesh, no skin and no node that moves");
-  if (!scene.instances.empty() && !has_triangles(scene))
-    throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-triangles",
-                         "no mesh in the scene has triangles to cook");
+                         scene.draws_elsewhere
+                             ? "the scene that is cooked has no mesh to draw, no skin and no node that "
+                               "moves; --scene takes another"
+                             : "the file has no mesh, no skin and no node that moves");
   if (scene.instances.empty() && !scene.is_capture)
     notes.warnings.push_back(
         {"/meshes", "no-meshes", "only skeletons and clips are cooked; --clips-only makes a clip pack of them"});
@@ -89,7 +95,8 @@ void check_subdivision(const RawScene& scene, int steps) {
 }
 
 RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes) {
-  if (scene.instances.empty()) scene = place_unplaced_meshes(std::move(scene), notes);
+  if (scene.instances.empty() && !scene.draws_elsewhere) scene = place_unplaced_meshes(std::move(scene), notes);
+  scene = without_empty_meshes(std::move(scene));
   if (!options.auto_skeleton.empty()) {
     RiggedScene rigged = add_skeleton(std::move(scene), options.auto_skeleton, notes);
     scene = bind_to(rigged.made, std::move(rigged.scene), options.weights, notes);

@@ -34,12 +34,14 @@ int node_named(const RawScene& scene, const std::string& name, const WeightsOver
   int found = kNone;
   for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
     if (!scene.nodes[n].in_scene) continue;
-    names.push_back(scene.nodes[n].name);
+    if (!scene.nodes[n].name.empty()) names.push_back(scene.nodes[n].name);
     if (scene.nodes[n].name != name) continue;
     if (found != kNone) refuse(rule, "several nodes are called " + name, "give the joint a name of its own");
     found = static_cast<int>(n);
   }
-  if (found == kNone) refuse(rule, "no node is called " + name, tools::did_you_mean(name, names));
+  if (found == kNone)
+    refuse(rule, "no node is called " + name,
+           names.empty() ? "no node of the scene has a name" : tools::suggestion(name, names));
   return found;
 }
 
