@@ -5,7 +5,8 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
 marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/clips_test.cpp unit/cook/gltf/draco_test.cpp
   unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp unit/cook/gltf/looks_test.cpp
-  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
+  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp
+  unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
   unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp unit/options/settings_schema_test.cpp
   unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/memory_patterns_test.cpp
@@ -147,8 +148,9 @@ marrow_begin_first(cli road)
 marrow_fuzz(gltf 10000 golden/*.gltf marrow_gltf)
 marrow_fuzz(bvh 10000 fuzz/seeds/*.bvh marrow_gltf)
 marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
+marrow_fuzz(vertices 10000 fuzz/seeds/*.vertices marrow_gltf)
 marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
-add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_vertices_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.
