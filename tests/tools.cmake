@@ -6,7 +6,8 @@ marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
   unit/cook/gltf/draco_test.cpp
   unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp unit/cook/gltf/looks_test.cpp
-  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
+  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp
+  unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
   unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp unit/options/settings_schema_test.cpp
   unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/memory_patterns_test.cpp
@@ -16,8 +17,8 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marr
 marrow_test(marrow_cook_tests cook
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
   unit/cook/clip/channels_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
-  unit/cook/clip/retarget_test.cpp unit/cook/emptied_lists_test.cpp unit/cook/keep_test.cpp
-  unit/cook/learn/deformers_test.cpp
+  unit/cook/clip/retarget_feet_test.cpp unit/cook/clip/retarget_test.cpp unit/cook/emptied_lists_test.cpp
+  unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
   unit/cook/learn/learn_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
   unit/cook/mesh/merge_runs_test.cpp unit/cook/mesh/residual_apart_test.cpp unit/cook/mesh/shapes_test.cpp
@@ -149,8 +150,9 @@ marrow_begin_first(cli road)
 marrow_fuzz(gltf 10000 golden/*.gltf marrow_gltf)
 marrow_fuzz(bvh 10000 fuzz/seeds/*.bvh marrow_gltf)
 marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
+marrow_fuzz(vertices 10000 fuzz/seeds/*.vertices marrow_gltf)
 marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
-add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_settings_fuzz marrow_input_tests)
+add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_vertices_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 
 # A JSON library costs seconds in every file that includes it.

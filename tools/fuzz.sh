@@ -2,7 +2,7 @@
 # Lets libFuzzer search for inputs that break what reads others' bytes: optimised, under ASan and UBSan, as many targets
 # at a time as there are processors. What it finds is written to build/fuzz/found; its corpora grow in build/fuzz/corpus.
 # usage: tools/fuzz.sh [SECONDS [TARGET...]]   each target for so long, 3600 if left out; targets: mrw clip unpack
-#                                              gltf glb bvh settings self_test
+#                                              gltf glb bvh vertices settings self_test
 # Exit code: 0 no complaint, 1 a target failed, 2 no build, 3 no clang here
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -10,7 +10,7 @@ usage() { sed -n '4,6s/^# //p' "$0" >&2; exit 1; }
 seconds=${1:-3600}
 [[ $seconds =~ ^[0-9]+$ ]] || usage
 shift || true
-[ $# -gt 0 ] || set -- mrw clip unpack gltf glb bvh settings self_test
+[ $# -gt 0 ] || set -- mrw clip unpack gltf glb bvh vertices settings self_test
 
 program() {
   case "$1" in
@@ -26,6 +26,7 @@ seeds() {
     unpack) echo tests/fuzz/seeds/*.mrw ;;
     glb) echo tests/fuzz/seeds/*.glb ;;
     bvh) echo tests/fuzz/seeds/*.bvh ;;
+    vertices) echo tests/fuzz/seeds/*.vertices ;;
     settings) echo tests/fuzz/seeds/*.toml ;;
     clip) echo tests/fuzz/seeds/*.clip ;;
     self_test) echo tests/fuzz/seeds/*.selftest ;;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -9,7 +11,7 @@
 #include "asset/format.h"
 #include "common/failure.h"
 #include "cook/prepare/pair_joints.h"
-#include "cook/prepare/retarget_plan.h"
+#include "cook/prepare/retarget/retarget_plan.h"
 #include "cook/scene/matrices.h"
 #include "text/nearest.h"
 
@@ -17,6 +19,10 @@ namespace marrow::cook {
 namespace {
 
 constexpr std::uint64_t kFewPoses = 1u << 22;
+// A foot stands while it is not higher than so much of a leg's length above its lowest; what it is tilted then by up to
+// twice the angle is how it rests.
+constexpr double kStands = 0.02, kCosineOf12Degrees = 0.9781476007338057;
+constexpr double kAlike = 1 - 1e-9;  // of the cosine of half an angle
 
 // With the sign that is next to the key before it.
 void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
@@ -119,8 +125,50 @@ glm::dvec3 origin_of(const RetargetPlan& plan, std::size_t joint) {
   return glm::dvec3(plan.joints[joint].scene_above[3]);
 }
 
+// The rotation of a joint's counterpart, as the character faces.
+glm::dquat captured_turn(const RetargetPlan& plan, const RetargetJoint& joint, const Capture& capture) {
+  return plan.facing * capture.turns[to_index(joint.node)] * glm::conjugate(plan.facing);
+}
+
+// Where a carried joint goes in the scene, once all others are posed below its place at rest.
+glm::dvec3 place_of(const RetargetPlan& plan, const CarriedJoint& carried, const Capture& capture,
+                    const Puppet& puppet) {
+  const auto captured = [&](std::size_t joint) { return capture.places[to_index(plan.joints[joint].node)]; };
+  const glm::dvec3 origin = origin_of(plan, carried.joint);
+  const Legs& legs = carried.legs;
+  if (legs.tops.empty()) return origin + carried.scale * (plan.facing * captured(carried.joint));
+  glm::dvec3 middle(0), captured_middle(0);
+  for (const std::size_t top : legs.tops) {
+    middle += glm::dvec3(puppet.scene_from_joint[top][3]);
+    captured_middle += captured(top);
+  }
+  const auto count = static_cast<double>(legs.tops.size());
+  glm::dvec3 shift = origin + carried.scale * (plan.facing * captured_middle / count) - middle / count;
+  double lowest = std::numeric_limits<double>::infinity(), captured_lowest = lowest;
+  for (const FootJoint& foot : legs.feet) {
+    const double at_rest = plan.joints[foot.joint].place.y;
+    lowest = std::min(lowest, puppet.scene_from_joint[foot.joint][3].y - at_rest);
+    captured_lowest = std::min(captured_lowest, captured(foot.joint).y - legs.ground[foot.level]);
+  }
+  shift.y = carried.scale * captured_lowest - lowest;
+  return glm::dvec3(puppet.scene_from_joint[carried.joint][3]) + shift;
+}
+
 // False if a place comes out beyond what a file may hold.
-bool pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
+bool carry(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
+  for (const CarriedJoint& carried : plan.carried) {
+    const RetargetJoint& joint = plan.joints[carried.joint];
+    const glm::dmat4& above =
+        joint.parent == kNone ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
+    const glm::dvec3 place(glm::inverse(above) * glm::dvec4(place_of(plan, carried, capture, puppet), 1));
+    for (int axis = 0; axis < 3; ++axis)
+      if (!(std::abs(place[axis]) <= double{format::kFarthest})) return false;
+    puppet.place_keys[carried.joint].emplace_back(glm::vec3(place), 0.0F);
+  }
+  return true;
+}
+
+void pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
   for (std::size_t j = 0; j < plan.joints.size(); ++j) {
     const RetargetJoint& joint = plan.joints[j];
     const bool is_root = joint.parent == kNone;
@@ -128,34 +176,99 @@ bool pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
     const glm::dmat4 scene_above = is_root ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
     Transform local = joint.rest;
     if (joint.node != kNone) {
-      const glm::dquat captured = plan.facing * capture.turns[to_index(joint.node)] * glm::conjugate(plan.facing);
-      local.rotation = glm::normalize(glm::conjugate(turn_above) * captured * joint.aligned);
+      const glm::dquat turn = captured_turn(plan, joint, capture);
+      local.rotation = glm::normalize(glm::conjugate(turn_above) * turn * joint.aligned);
       add_rotation(local.rotation, puppet.turn_keys[j]);
-    }
-    if (joint.carried > 0) {
-      const glm::dvec3 place =
-          origin_of(plan, j) + joint.carried * (plan.facing * capture.places[to_index(joint.node)]);
-      local.translation = glm::dvec3(glm::inverse(scene_above) * glm::dvec4(place, 1));
-      for (int axis = 0; axis < 3; ++axis)
-        if (!(std::abs(local.translation[axis]) <= double{format::kFarthest})) return false;
-      puppet.place_keys[j].emplace_back(glm::vec3(local.translation), 0.0F);
     }
     puppet.turns[j] = turn_above * local.rotation;
     puppet.scene_from_joint[j] = scene_above * matrix_of(local);
   }
-  return true;
 }
 
-Puppet play(const RetargetPlan& plan, const RawScene& scene, const std::string& character) {
+// How high the joints of each captured foot are in the mean.
+std::vector<double> heights_of(const RetargetPlan& plan, const Legs& legs, const Capture& capture) {
+  std::vector<double> heights(legs.tops.size(), 0), count(legs.tops.size(), 0);
+  for (const FootJoint& foot : legs.feet) {
+    heights[foot.leg] += capture.places[to_index(plan.joints[foot.joint].node)].y;
+    ++count[foot.leg];
+  }
+  for (std::size_t leg = 0; leg < heights.size(); ++leg) heights[leg] /= count[leg];
+  return heights;
+}
+
+// Where the capture's feet are lowest in the clip: a leg. Finds the ground as well.
+std::vector<double> find_lowest(const RetargetPlan& plan, Capture& capture, std::size_t frames, Legs& legs) {
+  std::vector<double> joints(legs.ground.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> feet(legs.tops.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    pose(capture, frame);
+    for (const FootJoint& foot : legs.feet)
+      joints[foot.level] = std::min(joints[foot.level], capture.places[to_index(plan.joints[foot.joint].node)].y);
+    const std::vector<double> heights = heights_of(plan, legs, capture);
+    for (std::size_t leg = 0; leg < feet.size(); ++leg) feet[leg] = std::min(feet[leg], heights[leg]);
+  }
+  find_ground(legs, std::move(joints));
+  return feet;
+}
+
+// The turn about y in a rotation.
+glm::dquat heading_of(const glm::dquat& q) {
+  const double length = std::sqrt(q.w * q.w + q.y * q.y);
+  return length > 0 ? glm::dquat(q.w / length, 0, q.y / length, 0) : glm::dquat(1, 0, 0, 0);
+}
+
+glm::dquat arc_of(const RetargetJoint& joint) {
+  return joint.aligned * glm::conjugate(joint.turn);
+}
+
+// Whether an ankle and the bone above it rest as in the capture.
+bool rests_alike(const RetargetPlan& plan, std::size_t ankle) {
+  const RetargetJoint& joint = plan.joints[ankle];
+  return std::min(std::abs(arc_of(joint).w), std::abs(arc_of(plan.joints[to_index(joint.upper)]).w)) > kAlike;
+}
+
+// Where a captured foot stands, the character's stands as at rest: the capture's soles may not be level at rest.
+void level_feet(RetargetPlan& plan, Capture& capture, std::size_t frames, Legs& legs) {
+  const std::vector<double> lowest = find_lowest(plan, capture, frames, legs);
+  const double near = kStands * legs.captured_length / static_cast<double>(legs.tops.size());
+  std::vector<glm::dquat> sums(legs.feet.size(), glm::dquat(0, 0, 0, 0));
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    pose(capture, frame);
+    const std::vector<double> heights = heights_of(plan, legs, capture);
+    for (std::size_t f = 0; f < sums.size(); ++f) {
+      const FootJoint& foot = legs.feet[f];
+      if (heights[foot.leg] > lowest[foot.leg] + near) continue;
+      const RetargetJoint& joint = plan.joints[foot.joint];
+      const glm::dquat turn = captured_turn(plan, joint, capture);
+      const glm::dquat arc = arc_of(joint);
+      const glm::dquat level = glm::conjugate(turn) * heading_of(turn * arc);
+      sums[f] = sums[f] + (glm::dot(level, arc) < 0 ? -level : level);
+    }
+  }
+  std::vector<char> keeps(legs.tops.size(), 0);
+  for (const FootJoint& foot : legs.feet)
+    if (foot.level == 0) keeps[foot.leg] = rests_alike(plan, foot.joint) ? 1 : 0;
+  for (std::size_t f = 0; f < sums.size(); ++f) {
+    RetargetJoint& joint = plan.joints[legs.feet[f].joint];
+    const glm::dquat level = glm::normalize(sums[f]);
+    if (keeps[legs.feet[f].leg] == 0 && glm::dot(level, arc_of(joint)) >= kCosineOf12Degrees)
+      joint.aligned = level * joint.turn;
+  }
+}
+
+Puppet play(RetargetPlan& plan, const RawScene& scene, const std::string& character) {
   const std::size_t size = plan.joints.size();
   Capture capture = open_capture(scene);
   Puppet puppet{std::vector<glm::dquat>(size), std::vector<glm::dmat4>(size), {}, {}};
   puppet.turn_keys.resize(size);
   puppet.place_keys.resize(size);
   const std::size_t frames = scene.clips.at(0).channels.at(0).times_s.size();
+  for (CarriedJoint& carried : plan.carried)
+    if (!carried.legs.tops.empty()) level_feet(plan, capture, frames, carried.legs);
   for (std::size_t frame = 0; frame < frames; ++frame) {
     pose(capture, frame);
-    if (!pose(plan, capture, puppet))
+    pose(plan, capture, puppet);
+    if (!carry(plan, capture, puppet))
       throw tools::Failure(tools::Exit::invalid, scene.source, "MOTION", "a place beyond 1e12",
                            "in frame " + std::to_string(frame + 1) + ", at the size of " + character +
                                "; check the offsets of the legs");
@@ -196,8 +309,7 @@ Matched retarget(const Character& character, RawScene capture, Notes& notes) {
   expect_skeletons(character);
   const Pairing pairing = pair(character, capture, notes);
   check_size(capture, pairing.node_of_joint.size());
-  const RetargetPlan plan =
-      plan_retarget(character.skeletons[to_index(pairing.skeleton)], pairing.node_of_joint, capture);
+  RetargetPlan plan = plan_retarget(character.skeletons[to_index(pairing.skeleton)], pairing.node_of_joint, capture);
   if (plan.facing_deg != 0)
     notes.warnings.push_back({"HIERARCHY", "turned",
                               character.file + " faces another way at rest; the clip is turned about y by " +

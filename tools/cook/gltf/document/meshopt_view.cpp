@@ -7,7 +7,8 @@
 
 #include <meshoptimizer.h>
 
-#include "cook/gltf/document/meshopt_filters.h"
+#include "cook/gltf/meshopt/meshopt_filters.h"
+#include "cook/gltf/meshopt/meshopt_vertices.h"
 
 namespace marrow::cook::gltf {
 namespace {
@@ -60,11 +61,11 @@ void apply_filter(const MeshoptView& view, std::span<std::byte> elements) {
   }
 }
 
-// Data cost at least so many bytes: a bit pair for each column of sixteen elements, a byte a triangle or an index.
-std::uint64_t least_length(const MeshoptView& view) {
+// Data cost at least so many bytes: a byte a triangle or an index.
+std::uint64_t least_length(const MeshoptView& view, std::span<const std::byte> coded) {
   switch (view.mode) {
     case MeshoptView::Mode::attributes:
-      return view.count / 64 * view.stride;
+      return least_vertex_bytes(coded, view.count, view.stride);
     case MeshoptView::Mode::triangles:
       return view.count / 3;
     case MeshoptView::Mode::indices:
@@ -73,17 +74,17 @@ std::uint64_t least_length(const MeshoptView& view) {
   return view.count;
 }
 
-int decode(const MeshoptView& view, std::span<const std::byte> coded, std::byte* to) {
+bool decode(const MeshoptView& view, std::span<const std::byte> coded, std::span<std::byte> to) {
   const auto* from = reinterpret_cast<const unsigned char*>(coded.data());
   switch (view.mode) {
     case MeshoptView::Mode::attributes:
-      return meshopt_decodeVertexBuffer(to, view.count, view.stride, from, coded.size());
+      return decode_vertices(coded, view.stride, to);
     case MeshoptView::Mode::triangles:
-      return meshopt_decodeIndexBuffer(to, view.count, view.stride, from, coded.size());
+      return meshopt_decodeIndexBuffer(to.data(), view.count, view.stride, from, coded.size()) == 0;
     case MeshoptView::Mode::indices:
       break;
   }
-  return meshopt_decodeIndexSequence(to, view.count, view.stride, from, coded.size());
+  return meshopt_decodeIndexSequence(to.data(), view.count, view.stride, from, coded.size()) == 0;
 }
 
 }  // namespace
@@ -126,12 +127,10 @@ MeshoptView read_meshopt_view(const Json& extension, std::uint64_t length, std::
 
 std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> coded,
                                       const std::string& where, const Report& report) {
-  if (view.mode == MeshoptView::Mode::attributes && !coded.empty() && coded[0] == std::byte{0xA1})
-    report.unsupported(where, "vertex data of version 1", "export as version 0: gltfpack -ce ext");
-  if (coded.size() < least_length(view))
+  if (coded.size() < least_length(view, coded))
     report.invalid(where, "damaged meshopt data", "too few bytes for so many elements; export again");
   std::vector<std::byte> elements(view.count * view.stride);
-  if (decode(view, coded, elements.data()) != 0)
+  if (!decode(view, coded, elements))
     report.invalid(where, "damaged meshopt data", "it cannot be decoded; export again");
   apply_filter(view, elements);
   return elements;

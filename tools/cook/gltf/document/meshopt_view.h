@@ -31,8 +31,7 @@ struct MeshoptView {
 MeshoptView read_meshopt_view(const Json& extension, std::uint64_t length, std::uint32_t stride,
                               const std::string& where, const Report& report);
 
-// count × stride bytes, filtered; the same on every processor. Throws Failure for data that are damaged, and for those
-// of a version that meshoptimizer does not know.
+// count × stride bytes, filtered; the same on every processor. Throws Failure for data that are damaged.
 std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> coded,
                                       const std::string& where, const Report& report);
 

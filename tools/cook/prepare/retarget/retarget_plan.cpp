@@ -1,4 +1,4 @@
-#include "cook/prepare/retarget_plan.h"
+#include "cook/prepare/retarget/retarget_plan.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 #include "cook/scene/matrices.h"
 #include "deform/rotation_of_matrix.h"
@@ -14,6 +15,7 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kCosineOf15Degrees = 0.9659258262890683;
+constexpr double kNarrow = 0.02, kAlike = 0.7;  // spreads of fingers that tell nothing of a roll are less than that
 constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than that, of their size, face nowhere
 
 using Joints = std::vector<RetargetJoint>;
@@ -95,36 +97,116 @@ glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
   return {0, glm::normalize(glm::cross(from, other))};
 }
 
-// A of every joint.
-std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dvec3>& captured,
-                                const glm::dquat& facing) {
-  struct Below {  // sums of directions
-    glm::dvec3 bones{0}, captured{0};
-    double count = 0;
-  };
-  std::vector<Below> below(joints.size());
-  for (const RetargetJoint& joint : joints) {
+// About an axis, by the angle with this cosine and sine.
+glm::dquat roll(const glm::dvec2& angle, const glm::dvec3& axis) {
+  if (1 + angle.x < 1e-9) return {0, axis};
+  return glm::normalize(glm::dquat(1 + angle.x, angle.y * axis));
+}
+
+// The turn about y that takes a foot's heading to the captured one's, so that a flat sole stays flat; false if the
+// captured bone is no foot's, which is flat below one that comes down steeply. `bone`, `captured`: of an ankle.
+bool heading_arc(const glm::dvec3& above, glm::dvec3 bone, glm::dvec3 captured, glm::dquat& out) {
+  if (above.y >= 0 || lies_flat(above) || !lies_flat(captured)) return false;
+  bone.y = captured.y = 0;
+  if (!(glm::length(bone) > 0)) return false;
+  out = arc(glm::normalize(bone), glm::normalize(captured));
+  return true;
+}
+
+// Of each joint, from the paired one above to it, at rest, of length 1; 0 where there is none.
+struct Bones {
+  std::vector<glm::dvec3> own, captured;
+};
+Bones bones_of(const Joints& joints, const std::vector<glm::dvec3>& captured, const glm::dquat& facing) {
+  Bones out{std::vector<glm::dvec3>(joints.size(), glm::dvec3(0)), {}};
+  out.captured = out.own;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const RetargetJoint& joint = joints[j];
     if (joint.node == kNone || joint.upper == kNone) continue;
     const RetargetJoint& upper = joints[to_index(joint.upper)];
     const glm::dvec3 bone = joint.place - upper.place;
     const glm::dvec3 other = facing * (captured[to_index(joint.node)] - captured[to_index(upper.node)]);
     const double length = glm::length(bone), other_length = glm::length(other);
     if (!(length > 0) || !(other_length > 0)) continue;
-    Below& of = below[to_index(joint.upper)];
-    of.bones += bone / length;
-    of.captured += other / other_length;
+    out.own[j] = bone / length;
+    out.captured[j] = other / other_length;
+  }
+  return out;
+}
+
+// Sums over the bones that start at a joint.
+struct Below {
+  glm::dvec3 own{0}, captured{0};
+  double count = 0;
+  bool lie_about_one_way() const { return 2 * std::min(glm::length(own), glm::length(captured)) >= count; }
+};
+
+// By how much a hand rolls about the mean of its fingers, once that lies as the captured one's: as its fingers, and the
+// thumb most of all, lie about it. Cosine and sine; 0 of what has not several bones, or none that tell.
+std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below,
+                                 const std::vector<glm::dquat>& arcs) {
+  struct Spread {
+    glm::dvec2 angle{0};  // cosine and sine, of some length
+    double own = 0, captured = 0;
+  };
+  std::vector<Spread> spreads(joints.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (bones.own[j] == glm::dvec3(0)) continue;
+    const std::size_t up = to_index(joints[j].upper);
+    if (below[up].count < 2 || !below[up].lie_about_one_way()) continue;
+    const glm::dvec3 mean = glm::normalize(below[up].captured), own = arcs[up] * bones.own[j];
+    const glm::dvec3 a = own - glm::dot(own, mean) * mean;
+    const glm::dvec3 b = bones.captured[j] - glm::dot(bones.captured[j], mean) * mean;
+    Spread& of = spreads[up];
+    of.angle += glm::dvec2(glm::dot(a, b), glm::dot(mean, glm::cross(a, b)));
+    of.own += glm::dot(a, a);
+    of.captured += glm::dot(b, b);
+  }
+  std::vector<glm::dvec2> out(joints.size(), glm::dvec2(0));
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    const Spread& of = spreads[j];
+    const double length = glm::length(of.angle), least = std::min(of.own, of.captured);
+    if (least > kNarrow * below[j].count && length >= kAlike * std::sqrt(of.own * of.captured))
+      out[j] = of.angle / length;
+  }
+  return out;
+}
+
+// A of every joint.
+std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dvec3>& captured,
+                                const glm::dquat& facing) {
+  const Bones bones = bones_of(joints, captured, facing);
+  std::vector<Below> below(joints.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (bones.own[j] == glm::dvec3(0)) continue;
+    Below& of = below[to_index(joints[j].upper)];
+    of.own += bones.own[j];
+    of.captured += bones.captured[j];
     ++of.count;
   }
   std::vector<glm::dquat> out(joints.size(), glm::dquat(1, 0, 0, 0));
+  std::vector<char> is_foot(joints.size(), 0);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Below& of = below[j];
-    const double length = glm::length(of.bones), other_length = glm::length(of.captured);
     if (of.count == 0) {
       const int upper = joints[j].upper;
-      if (upper != kNone && std::abs(out[to_index(upper)].w) < kCosineOf15Degrees) out[j] = out[to_index(upper)];
-    } else if (2 * std::min(length, other_length) >= of.count) {
-      out[j] = arc(of.bones / length, of.captured / other_length);
+      if (upper == kNone) continue;
+      const glm::dquat& above = out[to_index(upper)];
+      if (lies_flat(bones.captured[j]) || std::abs(above.w) < kCosineOf15Degrees) out[j] = above;
+    } else if (of.lie_about_one_way()) {
+      is_foot[j] = heading_arc(bones.captured[j], of.own, of.captured, out[j]) ? 1 : 0;
+      if (is_foot[j] == 0) out[j] = arc(glm::normalize(of.own), glm::normalize(of.captured));
     }
+  }
+  const std::vector<glm::dvec2> rolls = rolls_of(joints, bones, below, out);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (rolls[j] == glm::dvec2(0) || is_foot[j] != 0) continue;
+    out[j] = roll(rolls[j], glm::normalize(below[j].captured)) * out[j];
+    // Nobody knows where in the arm it turns: half of it in the forearm.
+    const int upper = joints[j].upper;
+    if (upper == kNone || below[to_index(upper)].count != 1) continue;
+    const glm::dquat whole = roll(rolls[j], bones.captured[j]);
+    out[to_index(upper)] = glm::normalize(whole + glm::dquat(1, 0, 0, 0)) * out[to_index(upper)];
   }
   return out;
 }
@@ -175,13 +257,20 @@ RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>
   const std::vector<glm::dquat> arcs = arcs_of(out.joints, captured, out.facing);
   const std::vector<char> moved = moved_nodes(capture);
   std::vector<char> within(out.joints.size(), 0);
+  std::vector<std::size_t> carried;
   for (std::size_t j = 0; j < out.joints.size(); ++j) {
     RetargetJoint& joint = out.joints[j];
     joint.aligned = arcs[j] * joint.turn;
     if (joint.parent != kNone) within[j] = within[to_index(joint.parent)];
     if (within[j] != 0 || joint.node == kNone || moved[to_index(joint.node)] == 0) continue;
     within[j] = 1;
-    joint.carried = scale_below(out.joints, j, captured);
+    carried.push_back(j);
+  }
+  for (Legs& legs : find_legs(out.joints, carried, captured)) {
+    const std::size_t joint = carried[out.carried.size()];
+    const double scale =
+        legs.tops.empty() ? scale_below(out.joints, joint, captured) : legs.length / legs.captured_length;
+    out.carried.push_back({joint, scale, std::move(legs)});
   }
   return out;
 }

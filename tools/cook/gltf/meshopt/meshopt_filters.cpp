@@ -1,4 +1,4 @@
-#include "cook/gltf/document/meshopt_filters.h"
+#include "cook/gltf/meshopt/meshopt_filters.h"
 
 #include <algorithm>
 #include <array>

@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "cook/prepare/retarget/retarget_feet.h"
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"
 #include "cook/scene/views.h"
@@ -27,11 +28,18 @@ struct RetargetJoint {
   glm::dvec3 place{0};                // in the scene at rest
   glm::dquat turn{1, 0, 0, 0};        // likewise
   glm::dquat aligned{1, 0, 0, 0};     // A · R, see retarget()
-  double carried = 0;                 // lengths of the character in those of the capture; 0: it only turns
+};
+
+// A joint that moves from its place; none is below another.
+struct CarriedJoint {
+  std::size_t joint = 0;
+  double scale = 1;  // lengths of the character in those of the capture
+  Legs legs;
 };
 
 struct RetargetPlan {
   std::vector<RetargetJoint> joints;
+  std::vector<CarriedJoint> carried;
   glm::dquat facing{1, 0, 0, 0};  // of the capture to the character's scene, about y
   int facing_deg = 0;             // the same
 };

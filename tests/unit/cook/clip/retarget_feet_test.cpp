@@ -1,0 +1,192 @@
+// Motion capture put onto rigs of other legs and hands: where feet stand, and how palms lie.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "unit/cook/clip/retarget_bodies.h"
+
+namespace marrow::cook::mocap {
+namespace {
+
+TEST(Retarget, HipsAreCarriedInTheRigsSize) {
+  const Onto onto;
+  const double file_leg = 2 * std::hypot(40, 1);
+  const double rig_leg = glm::length(glm::dvec3(0.01, -0.45, 0.03)) + glm::length(glm::dvec3(0.01, -0.5, -0.03));
+  std::size_t moves = 0;
+  for (const Track& track : onto.built.clips[0].tracks)
+    if (track.path == TrackPath::translation) moves += track.joint == onto.joint("rig:hips") ? 1u : 100u;
+  EXPECT_EQ(moves, 1u) << "hips, and nothing else";
+  const auto lowest_foot = [](const std::vector<Map>& pose) {
+    return std::min(place_of(pose[body_joint("left_foot")])[1], place_of(pose[body_joint("right_foot")])[1]);
+  };
+  struct Case {
+    double rest, up, ground;
+  };
+  // Its feet rest 5 above y = 0; the clip's lowest is 8; up in the air an ankle's height is guessed.
+  const Case cases[] = {{90, 0, 5}, {90, 200, 5}, {0, 0, -1}, {0, 200, file_leg / 10}};
+  for (auto [rest, up, ground] : cases) {
+    const Motion motion = [up](int frame, std::size_t joint, std::size_t channel, char kind) {
+      return number_of(frame, joint, channel, kind) + (joint == 0 && kind == 'y' ? up : 0);
+    };
+    std::vector<Joint> body = kBody;
+    body[0].offset[1] = rest;
+    const Onto moved({}, body, motion);
+    double lowest = 1e9;
+    for (int f = 0; f < kFrames; ++f) lowest = std::min(lowest, lowest_foot(posed(kBody, f, motion)));
+    ASSERT_EQ(lowest > file_leg / 4, up > 0);
+    if (ground < 0) ground = lowest;
+    for (int f = 0; f < kFrames; ++f) {
+      const std::vector<Map> file = posed(kBody, f, motion), rig = moved.at(f);
+      const auto middle = [](const std::vector<Map>& pose, std::size_t left, std::size_t right, std::size_t axis) {
+        return (place_of(pose[left])[axis] + place_of(pose[right])[axis]) / 2;
+      };
+      for (const std::size_t axis : {0U, 2U})
+        EXPECT_NEAR(middle(rig, onto.joint("rig:left_leg"), onto.joint("rig:right_leg"), axis),
+                    (axis == 0 ? 3 : -2) +
+                        middle(file, body_joint("left_leg"), body_joint("right_leg"), axis) * rig_leg / file_leg,
+                    1e-5)
+            << f;
+      const double rig_lowest =
+          std::min(place_of(rig[onto.joint("rig:left_foot")])[1], place_of(rig[onto.joint("rig:right_foot")])[1]);
+      EXPECT_NEAR(rig_lowest - 0.1, (lowest_foot(file) - ground) * rig_leg / file_leg, 1e-5) << f;
+    }
+  }
+}
+
+// In the order of the file, which goes down first.
+void insert(std::vector<Joint>& body, std::size_t at, const Joint& joint) {
+  for (Joint& other : body)
+    if (other.parent >= static_cast<int>(at)) ++other.parent;
+  body.insert(body.begin() + static_cast<std::ptrdiff_t>(at), joint);
+}
+
+// A body with toes that stands, crouches, lifts its right foot, stands elsewhere and leaps. Where it stands its ankles
+// are 10 above the ground, and toes 3.
+std::vector<Joint> walker() {
+  std::vector<Joint> body = kBody;
+  body[0] = {"Hips", -1, {0, 95, 0}, "xyzZXY"};
+  for (const std::size_t leg : {1U, 4U}) {
+    body[leg].channels = body[leg + 1].channels = body[leg + 2].channels = "XYZ";
+    body[leg + 1].offset = body[leg + 2].offset = {0, -40, 0};
+  }
+  insert(body, 4, {"LeftToe", 3, {0, -7, 14}, "X"});
+  insert(body, 8, {"RightToe", 7, {0, -7, 14}, "X"});
+  return body;
+}
+
+double stand(int frame, std::size_t joint, std::size_t, char kind) {
+  constexpr double kBent = 30;
+  if (joint == 0) {
+    if (kind == 'z') return 12.0 * frame;
+    return kind != 'y' ? 0 : frame == 1 ? 95 - 80 * (1 - std::cos(kBent / 57.29577951308232)) : frame == 4 ? 125 : 95;
+  }
+  const bool is_leg = joint <= 8 && joint % 4 != 0, is_right = joint > 4;
+  if (kind != 'X' || !is_leg || !(frame == 1 || (frame == 2 && is_right))) return 0;
+  return joint % 4 == 2 ? 2 * kBent : -kBent;  // thigh forwards, shin back, the foot level
+}
+
+// Legs of the file rest 17 degrees aslant, feet with them; the clip puts them upright.
+std::vector<Joint> splayed_walker() {
+  std::vector<Joint> body = walker();
+  for (const std::size_t j : {2U, 3U, 4U, 6U, 7U, 8U})
+    body[j].offset = test::direction(turn('Z', j < 5 ? 17 : -17), body[j].offset);
+  return body;
+}
+double stand_splayed(int frame, std::size_t joint, std::size_t channel, char kind) {
+  if (joint == 0) return stand(frame == 1 ? 0 : frame, joint, channel, kind);
+  return kind != 'Z' ? 0 : joint == 1 ? -17 : joint == 5 ? 17 : 0;
+}
+
+Rig with_toes() {
+  Rig rig;
+  rig.bones.push_back({"rig:left_toe", 3, {0.16, 0.02, 0.15}});
+  rig.bones.push_back({"rig:right_toe", 6, {-0.16, 0.02, 0.15}});
+  return rig;
+}
+// Hips below the leg joints, short legs, and feet nearly half as long as those.
+Rig knight() {
+  Rig rig = with_toes();
+  const glm::dvec3 left[] = {{0.17, 0.52, 0}, {0.17, 0.29, 0.008}, {0.17, 0.145, -0.019}};
+  rig.bones[0].place = {0, 0.406, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    rig.bones[1 + i].place = left[i];
+    rig.bones[4 + i].place = glm::dvec3(-1, 1, 1) * left[i];
+  }
+  rig.bones[16].place = {0.17, 0.026, 0.096};
+  rig.bones[17].place = {-0.17, 0.026, 0.096};
+  return rig;
+}
+
+TEST(Retarget, FeetStandWhereTheFilesDo) {
+  struct Source {
+    std::vector<Joint> body;
+    Motion motion;
+  };
+  const Source sources[] = {{walker(), stand}, {splayed_walker(), stand_splayed}};
+  int compared = 0;
+  for (const Rig& rig : {with_toes(), knight()})
+    for (const Source& source : sources) {
+      const Onto onto(rig, source.body, source.motion);
+      const double leg = (glm::length(rig.bones[2].place - rig.bones[1].place) +
+                          glm::length(rig.bones[3].place - rig.bones[2].place)) /
+                         80;
+      for (int f = 0; f < kFrames; ++f) {
+        const std::vector<Map> file = posed(source.body, f, source.motion), pose = onto.at(f);
+        const std::pair<std::size_t, std::size_t> feet[] = {{3, 3}, {6, 7}, {16, 4}, {17, 8}};
+        for (const auto& [bone, joint] : feet) {
+          const double height = place_of(file[joint])[1] - (bone < 16 ? 10 : 3);
+          const double expected = rig.bones[bone].place.y + height * leg;
+          // Knees bent: shares of thigh and shin differ between the two, not by more than 6 % of a leg.
+          ++compared;
+          const Map& now = pose[onto.joint(rig.bones[bone].name)];
+          EXPECT_NEAR(place_of(now)[1], expected, f == 0 || f == 3 ? 1e-4 : 0.015) << f << ' ' << bone;
+          // What is upwards in the foot at rest is so on the ground.
+          const glm::dvec3 up = glm::conjugate(rig.turn_of(bone)) * glm::dvec3(0, 1, 0);
+          if (f != 0) continue;
+          EXPECT_NEAR(test::direction(now, {up.x, up.y, up.z})[1], 0.01, 1e-6) << "of columns 0.01 long";
+        }
+      }
+    }
+  EXPECT_EQ(compared, 2 * 2 * kFrames * 4);
+}
+
+// The file rests with its palms forwards, the rig with them down: a quarter turn about the fingers' mean.
+TEST(Retarget, PalmsLieAsTheFiles) {
+  Rig rig;
+  std::vector<Joint> body = kBody;
+  insert(body, 12, {"LeftFinger", 11, {9, 0, 1}, "XYZ"});
+  insert(body, 13, {"LeftThumb", 11, {3, 4, 0}, "ZXY"});
+  // The rig's left arm lies along the file's.
+  for (const std::size_t bone : {11U, 12U})
+    rig.bones[bone].place = rig.bones[10].place + glm::dvec3(bone == 11 ? 0.2 : 0.4, 0, 0);
+  const glm::dvec3 finger = glm::normalize(glm::dvec3(9, 0, 1)), thumb = glm::normalize(glm::dvec3(3, 4, 0));
+  const glm::dquat back = glm::angleAxis(-glm::half_pi<double>(), glm::normalize(finger + thumb));
+  rig.bones.push_back({"rig:left_finger", 12, rig.bones[12].place + 0.1 * (back * finger)});
+  rig.bones.push_back({"rig:left_thumb", 12, rig.bones[12].place + 0.05 * (back * thumb)});
+  std::vector<Joint> body_without = body;  // the same motion of the arm, fingers that nobody knows
+  body_without[12].name = "Nobody";
+  body_without[13].name = "Noone";
+  const Onto onto(rig, body), without(rig, body_without);
+  for (int f = 0; f < kFrames; ++f) {
+    const std::vector<Map> file = posed(body, f), pose = onto.at(f), plain = without.at(f);
+    const auto angle = [&](const char* name, std::size_t joint) {
+      const Vec3 bone = test::minus(place_of(pose[onto.joint(name)]), place_of(pose[onto.joint("rig:left_hand")]));
+      return test::angle_deg(bone, test::minus(place_of(file[joint]), place_of(file[11])));
+    };
+    EXPECT_LE(angle("rig:left_finger", 12), 1e-3) << f;
+    EXPECT_LE(angle("rig:left_thumb", 13), 1e-3) << f;
+    // Of the turn the forearm takes 45 degrees: the trace of what lies between is 1 + 2 cos 45°.
+    double trace = 0;
+    const std::size_t elbow = onto.joint("rig:left_elbow");
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) trace += pose[elbow].rows[r][c] * plain[elbow].rows[r][c] * 1e4;
+    EXPECT_NEAR(trace, 1 + std::sqrt(2.0), 1e-5) << "of columns 0.01 long";
+  }
+}
+
+}  // namespace
+}  // namespace marrow::cook::mocap
