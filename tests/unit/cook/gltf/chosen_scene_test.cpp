@@ -75,6 +75,24 @@ TEST(GltfChosenScene, IsTheOneThatIsAskedFor) {
   EXPECT_EQ(drawn(read(b, {.scene = {"1"}})), (Nodes{0, 1})) << "names come first";
 }
 
+// Some exporters list what hangs on a node that does nothing else.
+TEST(GltfChosenScene, TakesTheRootOverWhatItLists) {
+  Builder b = house();
+  b.root["nodes"].push_back({{"name", "above"}, {"children", {0}}});
+  const RawScene scene = read(b);
+  EXPECT_EQ(drawn(scene), (Nodes{0, 1}));
+  EXPECT_TRUE(warns(scene, "scene-lists-no-root", "/scenes/0/nodes/0"));
+  // It would be a guess whether these count.
+  for (const Json& more :
+       {Json{{"translation", {0, 1, 0}}}, Json{{"mesh", 0}}, Json{{"children", {0, 2}}}, Json{{"scale", {1, 1, -1}}}}) {
+    Builder guess = house();
+    guess.root["nodes"].push_back({{"children", {0}}});
+    guess.root["nodes"][4].update(more);
+    if (more.contains("children")) guess.root["scenes"].erase(1);
+    expect_refused(guess.text(), Exit::invalid, "/scenes/0/nodes/0", "not a root node");
+  }
+}
+
 TEST(GltfChosenScene, ThatIsNotThereIsRefused) {
   Builder b = house();
   for (const char* name : {"celar", "2", "-1", "1x", "99999999999"})

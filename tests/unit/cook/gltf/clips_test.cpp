@@ -284,13 +284,24 @@ TEST(GltfPointers, NodesMayBePointedAt) {
   EXPECT_EQ(scene.clips[0].scalars[0].name, expected.clips[0].scalars[0].name);
   EXPECT_EQ(scene.clips[0].scalars[0].values, (std::vector<float>{0, 0.5F}));
   // A property is driven once, whoever says so.
-  Builder twice = document(true);
+  Builder twice = document(true), otherwise = document(true);
+  otherwise.channel(5, 6, "rotation", "STEP", 2);
+  expect_refused(otherwise.text(), Exit::invalid, "/animations/0/channels/4/target", "animated twice");
+  // The same again says nothing else.
   twice.channel(5, 6, "rotation", "LINEAR", 2);
-  expect_refused(twice.text(), Exit::invalid, "/animations/0/channels/4/target", "animated twice");
+  const RawScene again = read(twice);
+  EXPECT_TRUE(warns(again, "channel-twice", "/animations/0/channels/4/target"));
+  EXPECT_EQ(again.clips.at(0).channels.size(), 3U);
 }
 
 TEST(GltfNumbers, MistakesAreRefused) {
   Builder twice = pointing({"/extras/wind", "/extras/wind"});
+  EXPECT_EQ(read(twice).clips.at(0).scalars.size(), 1U);
+  EXPECT_TRUE(warns(read(twice), "channel-twice", "/animations/0/channels/1/target"));
+  Json& animation = twice.root["animations"][0];
+  animation["samplers"].push_back(animation["samplers"][0]);
+  animation["samplers"][1]["interpolation"] = "STEP";
+  animation["channels"][1]["sampler"] = 1;
   expect_refused(twice.text(), Exit::invalid, "/animations/0/channels/1/target", "animated twice");
   Builder vectors = pointing({"/extras/wind"});
   vectors.root["animations"][0]["samplers"][0]["output"] = vectors.numbers<float>(kF32, "VEC3", 3, {1, 2, 3, 4, 5, 6});

@@ -1,7 +1,10 @@
 // Imports animations as clips whose keys a sampler can stand on.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "common/elementary.h"
 #include "cook/gltf/import/import.h"
@@ -175,6 +178,36 @@ class ChannelImporter {
   std::string sampler_where_;
 };
 
+bool same_keys(const auto& a, const auto& b) {
+  return a.interpolation == b.interpolation && a.times_s == b.times_s && a.values == b.values;
+}
+
+// What a property's channel before said is said once: the same again is left out, anything else refused.
+class Said {
+ public:
+  Said(const std::string& where, Report& report) : where_(where), report_(report) {}
+
+  // Appends what a channel came to, unless the clip has it.
+  template <class T>
+  void append(std::size_t channel, std::string property, int node, std::vector<T> all, std::vector<T>& to) {
+    if (all.empty()) return;
+    const auto [place, is_new] = first_.try_emplace({node, std::move(property)}, to.size());
+    if (is_new) {
+      std::ranges::move(all, std::back_inserter(to));
+      return;
+    }
+    const std::string target = under(under(where_, "channels", channel), "target");
+    if (!std::equal(all.begin(), all.end(), to.begin() + static_cast<std::ptrdiff_t>(place->second), same_keys<T, T>))
+      report_.invalid(target, "target animated twice", "one channel a property; export again");
+    report_.mend(target, "channel-twice", "it says what a channel before it says; left out");
+  }
+
+ private:
+  std::string where_;
+  Report& report_;
+  std::map<std::pair<int, std::string>, std::size_t> first_;
+};
+
 }  // namespace
 
 std::vector<RawClip> import_clips(const Document& document, const NodeGraph& graph, const std::vector<RawNode>& nodes,
@@ -188,6 +221,7 @@ std::vector<RawClip> import_clips(const Document& document, const NodeGraph& gra
     RawClip clip;
     clip.name = clean_name(animation.name, where, report);
     ChannelImporter importer(document, animation, where, budget, report);
+    Said said(where, report);
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = animation.channels[c];
       if (channel.target_path.empty()) continue;
@@ -205,11 +239,13 @@ std::vector<RawClip> import_clips(const Document& document, const NodeGraph& gra
             is_weights ? node_weights(document, owners, channel.target_node, where, report)
                        : std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}},
             is_weights ? channel.target_node : kNone);
-        for (RawScalar& scalar : scalars) clip.scalars.push_back(std::move(scalar));
+        said.append(c, is_number ? number->second.pointer : channel.target_path, channel.target_node,
+                    std::move(scalars), clip.scalars);
         continue;
       }
       RawChannel raw = importer.import(channel);
-      if (!raw.times_s.empty()) clip.channels.push_back(std::move(raw));
+      if (!raw.times_s.empty())
+        said.append(c, channel.target_path, channel.target_node, std::vector{std::move(raw)}, clip.channels);
     }
     if (clip.channels.empty() && clip.scalars.empty()) {
       report.warn(where, "clip-dropped", "no channel is left that moves a node or a number");

@@ -1,7 +1,5 @@
 // Rules about animations: samplers, channels and the formats of their accessors.
 #include <cmath>
-#include <set>
-#include <utility>
 
 #include "cook/gltf/rules/rules.h"
 
@@ -20,7 +18,6 @@ class AnimationChecker {
 
   void check() {
     for (std::size_t s = 0; s < animation_.samplers.size(); ++s) check_sampler(s);
-    std::set<std::pair<int, std::string>> targets;
     for (std::size_t c = 0; c < animation_.channels.size(); ++c) {
       const tinygltf::AnimationChannel& channel = animation_.channels[c];
       if (channel.target_path.empty()) continue;  // left out already
@@ -31,9 +28,6 @@ class AnimationChecker {
       }
       const auto number = document_.user_numbers.find({index_, c});
       const bool is_number = number != document_.user_numbers.end();
-      if (!targets.emplace(channel.target_node, is_number ? number->second.pointer : channel.target_path).second) {
-        report_.invalid(under(where, "target"), "target animated twice", "one channel a property; export again");
-      }
       is_number ? check_number(channel, where) : check_channel(channel, where);
     }
   }

@@ -10,13 +10,32 @@ namespace {
 
 using tinygltf::Model;
 
+// Nothing hangs on the node but one other, where it would hang without it.
+bool only_carries(const tinygltf::Node& node) {
+  const auto is_all = [](const std::vector<double>& numbers, std::vector<double> neutral) {
+    return numbers.empty() || numbers == neutral;
+  };
+  return node.mesh < 0 && node.children.size() == 1 && is_all(node.translation, {0, 0, 0}) &&
+         is_all(node.rotation, {0, 0, 0, 1}) && is_all(node.scale, {1, 1, 1}) &&
+         is_all(node.matrix, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
+}
+
+bool stands_for_its_root(const Model& model, const NodeGraph& graph, int node) {
+  for (int up = graph.parent[static_cast<std::size_t>(node)]; up != kNone;
+       up = graph.parent[static_cast<std::size_t>(up)])
+    if (!only_carries(model.nodes[static_cast<std::size_t>(up)])) return false;
+  return true;
+}
+
 void check_roots(const Model& model, const NodeGraph& graph, Report& report) {
   for (std::size_t s = 0; s < model.scenes.size(); ++s) {
     const std::vector<int>& nodes = model.scenes[s].nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (graph.parent[static_cast<std::size_t>(nodes[i])] != kNone) {
-        report.invalid(pointer("scenes", s, "nodes", i), "not a root node", "list its topmost ancestor instead");
-      }
+      if (graph.parent[static_cast<std::size_t>(nodes[i])] == kNone) continue;
+      const std::string where = pointer("scenes", s, "nodes", i);
+      if (!stands_for_its_root(model, graph, nodes[i]))
+        report.invalid(where, "not a root node", "list its topmost ancestor instead");
+      report.mend(where, "scene-lists-no-root", "its topmost ancestor is taken, as nothing else hangs on that");
     }
   }
 }
@@ -25,7 +44,8 @@ std::vector<bool> find_scene_nodes(const Model& model, int scene, const NodeGrap
   std::vector<bool> in_scene(model.nodes.size(), scene == kNone);
   if (scene == kNone) return in_scene;
   const std::vector<int>& listed = model.scenes[static_cast<std::size_t>(scene)].nodes;
-  const std::unordered_set<int> roots(listed.begin(), listed.end());
+  std::unordered_set<int> roots;
+  for (const int node : listed) roots.insert(graph.root[static_cast<std::size_t>(node)]);
   for (std::size_t i = 0; i < in_scene.size(); ++i) in_scene[i] = roots.contains(graph.root[i]);
   return in_scene;
 }

@@ -130,7 +130,7 @@ class Walker {
     check_length(value, property, path);
     for (std::size_t i = 0; i < value.size(); ++i) {
       if (property.kind == Kind::numbers) check_number(value[i], property, path.step(i));
-      if (property.kind == Kind::index_maps) check_index_map(value[i], property, path.step(i));
+      if (property.kind == Kind::index_maps) check_target(value[i], property, path.step(i));
       if (property.kind == Kind::objects) check_object(value[i], *property.schema, path.step(i));
     }
   }
@@ -214,6 +214,13 @@ class Walker {
         report_.invalid(path.step(i).text(), "listed twice", "the elements must be distinct; export again");
       }
     }
+  }
+
+  void check_target(Json& value, const Property& property, const Path& path) {
+    if (value.is_object() && value.empty())
+      report_.mend(path.text(), "empty-target", "the morph target moves nothing; kept, so that its weight has a place");
+    else
+      check_index_map(value, property, path);
   }
 
   void check_index_map(Json& value, const Property& property, const Path& path) {
