@@ -1,6 +1,7 @@
 # Tests of the cooker and of the program; included where the tools are built.
 # Names of their own that another test's file has as well.
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
+  road/scenes/made_scene.cpp road/scenes/random_scene.cpp road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
@@ -85,7 +86,8 @@ marrow_warnings(marrow_reference)
 marrow_test(marrow_road_tests road
   road/bounds_test.cpp road/channels_test.cpp road/characters_test.cpp road/clip_test.cpp road/codec_test.cpp
   road/cooked.cpp road/export_test.cpp road/feet_test.cpp road/outfits_test.cpp road/reference_test.cpp
-  road/road_test.cpp road/sample_test.cpp road/split_test.cpp road/stated_errors_test.cpp)
+  road/road_test.cpp road/sample_test.cpp road/scenes/made_scene.cpp road/scenes/random_scene.cpp
+  road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp road/split_test.cpp road/stated_errors_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
 marrow_test(marrow_cli_tests cli

@@ -32,21 +32,53 @@ Quat interpolate(const SourceChannel& c, std::size_t key, double time_s) {
   return v;
 }
 
+double size_of(const Map& m) {
+  double squared = 0;
+  for (int r = 0; r < 3; ++r) squared += dot(row(m, r), row(m, r));
+  return std::sqrt(squared);
+}
+
+double distance_of(const Map& m) {
+  return length(Vec3{m.rows[0][3], m.rows[1][3], m.rows[2][3]});
+}
+
+// A palette's entry, and how far floats may take what it places.
+struct Entry {
+  Map map;
+  double levels = 0, largest = 0;                 // above the joint: how often lengths are rounded, and the largest
+  double in_scene = 0, in_scene_of_unit = 0;      // what the inverse bind moves, as long as it is in the scene
+  double in_palette = 0, in_palette_of_unit = 0;  // the same of both maps as one
+
+  // A level multiplies and adds up three products and a translation, each rounded by at most half of 2^-23 of the
+  // largest length that takes part, up or down. They go against each other more often than with each other: for a
+  // level all of one rounding and a half. What makes the joint's own matrix, its inverse bind and the blend are three
+  // levels more.
+  double noise(double distance) const {
+    constexpr double kRounding = 1.5 * 0x1p-24;
+    return kRounding * (levels + 3) *
+           std::max({largest, in_scene + in_scene_of_unit * distance, in_palette + in_palette_of_unit * distance});
+  }
+};
+
 struct Blend {
   Map map;    // Σ w_j M_j
   Map rigid;  // M_j of the largest weight
   bool rigid_unique = true;
+  double noise = 0;
 };
 
-Blend blend(const std::vector<SourceInfluence>& influences, const std::vector<Map>& palette) {
+// distance: of the vertex from the origin of the mesh's space.
+Blend blend(const std::vector<SourceInfluence>& influences, const std::vector<Entry>& palette, double distance) {
   Blend b;
   for (auto& r : b.map.rows) std::fill(std::begin(r), std::end(r), 0.0);
   for (const SourceInfluence& influence : influences) {
-    const Map& m = palette[static_cast<std::size_t>(influence.joint)];
+    const Entry& entry = palette[static_cast<std::size_t>(influence.joint)];
+    const Map& m = entry.map;
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) b.map.rows[r][c] += influence.weight * m.rows[r][c];
+    b.noise += influence.weight * entry.noise(distance);
   }
-  b.rigid = palette[static_cast<std::size_t>(influences[0].joint)];
+  b.rigid = palette[static_cast<std::size_t>(influences[0].joint)].map;
   b.rigid_unique = influences.size() == 1 || influences[0].weight - influences[1].weight > 1e-6;
   return b;
 }
@@ -76,14 +108,13 @@ MorphedVertex morphed(const SourcePrimitive& p, std::size_t v, const std::vector
   return m;
 }
 
-void add_vertex(ReferencePose& pose, const SourcePrimitive& p, std::size_t v, const std::vector<double>& weights,
-                const Blend& b) {
+void add_vertex(ReferencePose& pose, const SourcePrimitive& p, std::size_t v, const MorphedVertex& m, const Blend& b) {
   const Vec3 none{0, 0, 0};
-  const MorphedVertex m = morphed(p, v, weights);
   const bool invertible = invertibility(b.map) > kLeastInvertibility && m.directed;
   pose.positions.push_back(point(b.map, m.position));
   pose.rigid.push_back(point(b.rigid, m.position));
   pose.rigid_unique.push_back(b.rigid_unique);
+  pose.float_noise.push_back(b.noise);
   pose.normals.push_back(invertible && !p.normals.empty() ? normal(b.map, m.normal) : none);
   pose.tangents.push_back(invertible && !p.tangents.empty() ? normalised(direction(b.map, m.tangent)) : none);
   // A mirror turns cross(normal, tangent) round but not the bitangent.
@@ -125,7 +156,7 @@ std::vector<SourceInfluence> kept_influences(const std::vector<SourceInfluence>&
   return kept;
 }
 
-Reference::Reference(const std::string& path) : source_(read_source(path)) {
+Reference::Reference(Source source) : source_(std::move(source)) {
   for (auto& mesh : source_.meshes) {
     for (SourcePrimitive& p : mesh) {
       for (auto& influences : p.influences) influences = kept_influences(influences);
@@ -161,7 +192,7 @@ double Reference::duration_s(std::size_t animation) const {
   return duration;
 }
 
-std::vector<Map> Reference::scene_from_node(const SourceAnimation* animation, double time_s) const {
+Reference::Placed Reference::scene_from_node(const SourceAnimation* animation, double time_s) const {
   std::vector<SourceNode> nodes = source_.nodes;
   if (animation) {
     for (const SourceChannel& c : animation->channels) {
@@ -173,20 +204,46 @@ std::vector<Map> Reference::scene_from_node(const SourceAnimation* animation, do
         (c.path == "translation" ? n.translation : n.scale) = {v[0], v[1], v[2]};
     }
   }
-  std::vector<Map> out(nodes.size());
+  Placed out{std::vector<Map>(nodes.size()), std::vector<double>(nodes.size()), std::vector<double>(nodes.size())};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    Map m;
+    std::vector<Map> chain;  // from the node up
     for (int n = static_cast<int>(i); n >= 0; n = nodes[static_cast<std::size_t>(n)].parent) {
       const SourceNode& node = nodes[static_cast<std::size_t>(n)];
-      m = (node.has_matrix ? node.matrix : from_trs(node.translation, node.rotation, node.scale)) * m;
+      chain.push_back(node.has_matrix ? node.matrix : from_trs(node.translation, node.rotation, node.scale));
     }
-    out[i] = m;
+    Map m;
+    for (auto below = chain.rbegin(); below != chain.rend(); ++below) {
+      const double moved = size_of(m) * distance_of(*below);
+      m = m * *below;
+      out.largest[i] = std::max({out.largest[i], moved, distance_of(m)});
+    }
+    out.nodes[i] = m;
+    out.levels[i] = static_cast<double>(chain.size());
   }
   return out;
 }
 
+std::vector<double> Reference::node_noise_at(std::size_t animation, double time_s) const {
+  const Placed placed = scene_from_node(&source_.animations.at(animation), time_s);
+  std::vector<double> out;
+  for (std::size_t i = 0; i < placed.nodes.size(); ++i)
+    out.push_back(Entry{{}, placed.levels[i], placed.largest[i]}.noise(0));
+  return out;
+}
+
 ReferencePose Reference::pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle) const {
-  const std::vector<Map> global = scene_from_node(animation, time_s);
+  const Placed placed = scene_from_node(animation, time_s);
+  const auto entry = [&](std::size_t node, const Map& bind) {
+    const Map& m = placed.nodes[node];
+    const Map both = m * bind;
+    return Entry{both,
+                 placed.levels[node],
+                 placed.largest[node],
+                 size_of(m) * distance_of(bind),
+                 size_of(m) * size_of(bind),
+                 distance_of(both),
+                 size_of(both)};
+  };
   ReferencePose pose;
   for (std::size_t i = 0; i < source_.nodes.size(); ++i) {
     const SourceNode& node = source_.nodes[i];
@@ -199,19 +256,23 @@ ReferencePose Reference::pose(const SourceAnimation* animation, double time_s, c
     }
     for (std::size_t t = 0; t < weights.size() && !cycle.empty(); ++t)
       weights[t] = static_cast<double>(cycle[t % cycle.size()]);
-    std::vector<Map> palette;
+    std::vector<Entry> palette;
+    const std::vector<Entry> hung = {entry(i, Map{})};
+    const std::vector<SourceInfluence> all = {{0, 1}};
     if (node.skin >= 0) {
       const SourceSkin& skin = source_.skins[static_cast<std::size_t>(node.skin)];
       for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-        palette.push_back(global[static_cast<std::size_t>(skin.joints[j])] * skin.inverse_bind[j]);
+        palette.push_back(entry(static_cast<std::size_t>(skin.joints[j]), skin.inverse_bind[j]));
       }
     }
     for (const SourcePrimitive& p : source_.meshes[static_cast<std::size_t>(node.mesh)]) {
       const bool skinned = node.skin >= 0 && !p.influences.empty();
       for (std::size_t v = 0; v < p.positions.size(); ++v) {
         const bool unbound = skinned && p.influences[v].empty();
-        add_vertex(pose, p, v, weights,
-                   skinned && !unbound ? blend(p.influences[v], palette) : Blend{global[i], global[i], true});
+        const MorphedVertex m = morphed(p, v, weights);
+        const double distance = length(m.position);
+        add_vertex(pose, p, v, m,
+                   skinned && !unbound ? blend(p.influences[v], palette, distance) : blend(all, hung, distance));
       }
     }
   }

@@ -18,12 +18,14 @@ struct ReferencePose {
   std::vector<double>
       tangent_signs;        // ±1 so that sign · cross(normal, tangent) is where the bitangent goes; 0 where absent
   std::vector<Vec3> rigid;  // where the joint of the largest weight alone takes the vertex
-  std::vector<bool> rigid_unique;  // false where two weights tie for the largest
+  std::vector<bool> rigid_unique;   // false where two weights tie for the largest
+  std::vector<double> float_noise;  // how far 32-bit floats may take each position, whoever calculates it
 };
 
 class Reference {
  public:
-  explicit Reference(const std::string& path);
+  explicit Reference(const std::string& path) : Reference(read_source(path)) {}
+  explicit Reference(Source source);
 
   const Source& source() const { return source_; }
   // Of the bounding box of the rest pose's vertices.
@@ -36,8 +38,10 @@ class Reference {
 
   // scene_from_node of every node at a time of an animation.
   std::vector<Map> nodes_at(std::size_t animation, double time_s) const {
-    return scene_from_node(&source_.animations.at(animation), time_s);
+    return scene_from_node(&source_.animations.at(animation), time_s).nodes;
   }
+  // How far 32-bit floats may take their origins.
+  std::vector<double> node_noise_at(std::size_t animation, double time_s) const;
 
   ReferencePose rest() const { return pose(nullptr, 0); }
   // At rest, but that the weights of every mesh's morph targets are these in turn.
@@ -48,7 +52,12 @@ class Reference {
 
  private:
   ReferencePose pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle = {}) const;
-  std::vector<Map> scene_from_node(const SourceAnimation* animation, double time_s) const;
+  // Of every node where it is in the scene, and how many roundings of how large a length led there.
+  struct Placed {
+    std::vector<Map> nodes;
+    std::vector<double> largest, levels;
+  };
+  Placed scene_from_node(const SourceAnimation* animation, double time_s) const;
 
   Source source_;
   double diagonal_ = 0;

@@ -7,6 +7,7 @@
 
 #include "road/reference.h"
 #include "support/places.h"
+#include "unit/cook/gltf/document.h"
 
 namespace marrow::test {
 namespace {
@@ -88,6 +89,23 @@ TEST(Reference, RestPoseOfTheGoldenFileByHand) {
   // The hat hangs half a metre beyond the wrist at y = 2, mirrored in z: (-.5, 0, -.5) → (-.5, 2.5, .5) → scene.
   expect(rest.positions[24], {-5, -1, 2});
   expect(rest.positions[28], {-6.5, 0, 1});
+}
+
+// Vertex 3 of two bones, one metre apart, is at (3, 9, 0) and follows the upper one: two levels and three more, of one
+// and a half roundings each. The longest way that it can have come is √3 times its way into the joint's space, which is
+// √3 times √90 and one: as long as matrices of three unit rows may make it.
+TEST(Reference, NoiseOfFloatsByHand) {
+  cook::Builder document = cook::skinned();
+  const Reference reference(read_source_text(document.text()));
+  const ReferencePose rest = reference.rest();
+  ASSERT_EQ(rest.float_noise.size(), 4u);
+  const double longest = std::sqrt(3.0) * (std::sqrt(3.0) * std::sqrt(90.0) + 1);
+  EXPECT_NEAR(rest.float_noise[3], 1.5 * 0x1p-24 * 5 * longest, 1e-12);
+  // The origins of both bones: one level and three, and nothing is long; two and three, and √3 metres.
+  const std::vector<double> origins = reference.node_noise_at(0, 0);
+  ASSERT_EQ(origins.size(), 3u);
+  EXPECT_EQ(origins[1], 0);
+  EXPECT_NEAR(origins[2], 1.5 * 0x1p-24 * 5 * std::sqrt(3.0), 1e-12);
 }
 
 }  // namespace

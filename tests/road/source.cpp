@@ -82,6 +82,8 @@ struct Reader {
   std::vector<Bytes> buffers;
 
   explicit Reader(const std::filesystem::path& path);
+  explicit Reader(Json text) : json(std::move(text)) { read_buffers({}, {}); }
+  void read_buffers(const std::filesystem::path& folder, const Bytes& glb_bin);
   const std::uint8_t* view(const Json& view_json, std::size_t offset) const {
     return buffers.at(view_json.at("buffer").get<std::size_t>()).data() +
            view_json.value("byteOffset", std::size_t{0}) + offset;
@@ -113,6 +115,10 @@ Reader::Reader(const std::filesystem::path& path) {
   } else {
     json = Json::parse(file.begin(), file.end());
   }
+  read_buffers(path.parent_path(), glb_bin);
+}
+
+void Reader::read_buffers(const std::filesystem::path& folder, const Bytes& glb_bin) {
   for (const Json& buffer : json.value("buffers", Json::array())) {
     const std::string uri = buffer.value("uri", "");
     if (uri.empty())
@@ -120,7 +126,7 @@ Reader::Reader(const std::filesystem::path& path) {
     else if (uri.rfind("data:", 0) == 0)
       buffers.push_back(from_base64(uri.substr(uri.find(',') + 1)));
     else
-      buffers.push_back(read_bytes(path.parent_path() / uri));
+      buffers.push_back(read_bytes(folder / uri));
   }
 }
 
@@ -185,6 +191,7 @@ SourceNode Reader::node(const Json& j) const {
   n.translation = j.value("translation", n.translation);
   n.rotation = normalised(j.value("rotation", n.rotation));
   n.scale = j.value("scale", n.scale);
+  n.name = j.value("name", "");
   n.mesh = j.value("mesh", -1);
   n.skin = j.value("skin", -1);
   if (n.mesh >= 0) {
@@ -350,10 +357,7 @@ void mark_in_scene(std::vector<SourceNode>& nodes, const Json& json) {
   }
 }
 
-}  // namespace
-
-Source read_source(const std::string& path) {
-  const Reader reader{std::filesystem::path(path)};
+Source source_of(const Reader& reader) {
   const Json& json = reader.json;
   Source source;
   for (const Json& j : json.value("nodes", Json::array())) source.nodes.push_back(reader.node(j));
@@ -367,6 +371,16 @@ Source read_source(const std::string& path) {
   for (const Json& j : json.value("skins", Json::array())) source.skins.push_back(reader.skin(j));
   for (const Json& j : json.value("animations", Json::array())) source.animations.push_back(reader.animation(j));
   return source;
+}
+
+}  // namespace
+
+Source read_source(const std::string& path) {
+  return source_of(Reader{std::filesystem::path(path)});
+}
+
+Source read_source_text(const std::string& json) {
+  return source_of(Reader{Json::parse(json)});
 }
 
 }  // namespace marrow::test

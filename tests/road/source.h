@@ -10,6 +10,7 @@
 namespace marrow::test {
 
 struct SourceNode {
+  std::string name;
   int parent = -1;
   bool in_scene = false;
   bool has_matrix = false;
@@ -75,5 +76,7 @@ struct Source {
 
 // Throws std::exception of some kind if the file cannot be read.
 Source read_source(const std::string& path);
+// Of the text of a file without others: its buffers are data URIs.
+Source read_source_text(const std::string& json);
 
 }  // namespace marrow::test
