@@ -24,11 +24,11 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kSameScale = 1e-5;
-constexpr float kAlike = 1e-5f;  // of 1 and of the value: exporters print few digits
+constexpr float kPrinted = 1e-5f;  // of 1 and of the value: exporters print few digits
 
 bool alike(const glm::vec4& a, const glm::vec4& b) {
   for (int c = 0; c < 4; ++c)
-    if (!(std::fabs(a[c] - b[c]) <= kAlike * (1 + std::fabs(a[c])))) return false;
+    if (!(std::fabs(a[c] - b[c]) <= kPrinted * (1 + std::fabs(a[c])))) return false;
   return true;
 }
 

@@ -22,7 +22,7 @@ constexpr std::uint64_t kFewPoses = 1u << 22;
 // A foot stands while it is not higher than so much of a leg's length above its lowest; what it is tilted then by up to
 // twice the angle is how it rests.
 constexpr double kStands = 0.02, kCosineOf12Degrees = 0.9781476007338057;
-constexpr double kAlike = 1 - 1e-9;  // of the cosine of half an angle
+constexpr double kUnturned = 1 - 1e-9;  // of the cosine of half an angle
 
 // With the sign that is next to the key before it.
 void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
@@ -224,7 +224,7 @@ glm::dquat arc_of(const RetargetJoint& joint) {
 // Whether an ankle and the bone above it rest as in the capture.
 bool rests_alike(const RetargetPlan& plan, std::size_t ankle) {
   const RetargetJoint& joint = plan.joints[ankle];
-  return std::min(std::abs(arc_of(joint).w), std::abs(arc_of(plan.joints[to_index(joint.upper)]).w)) > kAlike;
+  return std::min(std::abs(arc_of(joint).w), std::abs(arc_of(plan.joints[to_index(joint.upper)]).w)) > kUnturned;
 }
 
 // Where a captured foot stands, the character's stands as at rest: the capture's soles may not be level at rest.

@@ -15,7 +15,7 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kCosineOf15Degrees = 0.9659258262890683;
-constexpr double kNarrow = 0.02, kAlike = 0.7;  // spreads of fingers that tell nothing of a roll are less than that
+constexpr double kNarrow = 0.02, kOneShape = 0.7;  // spreads of fingers that tell nothing of a roll are less than that
 constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than that, of their size, face nowhere
 
 using Joints = std::vector<RetargetJoint>;
@@ -166,7 +166,7 @@ std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const
   for (std::size_t j = 0; j < out.size(); ++j) {
     const Spread& of = spreads[j];
     const double length = glm::length(of.angle), least = std::min(of.own, of.captured);
-    if (least > kNarrow * below[j].count && length >= kAlike * std::sqrt(of.own * of.captured))
+    if (least > kNarrow * below[j].count && length >= kOneShape * std::sqrt(of.own * of.captured))
       out[j] = of.angle / length;
   }
   return out;
