@@ -23,7 +23,7 @@ using cook::CookOptions;
 using cook::MeshCodec;
 
 constexpr double kLossless = 2e-5;
-constexpr std::size_t kMoments = 6;
+constexpr std::size_t kLooks = 6;
 
 cook::RawScene read(const std::string& text) {
   return cook::read_gltf("scene.gltf", std::as_bytes(std::span(text.data(), text.size())));
@@ -84,7 +84,7 @@ std::vector<Moment> moments_of(const Reference& reference, std::uint32_t seed) {
     double first_s = 1e9;
     for (const SourceChannel& c : animation.channels) first_s = std::min(first_s, c.times_s.front());
     const double last_s = reference.duration_s(a);
-    for (std::size_t m = 0; m < kMoments; ++m) {
+    for (std::size_t m = 0; m < kLooks; ++m) {
       const double share = m == 0 ? 0 : m == 1 ? 1 : random.between(0, 1);
       const auto time_s = static_cast<float>(first_s + share * (last_s - first_s));
       const auto at_s = static_cast<double>(time_s);
