@@ -1,6 +1,7 @@
 # Tests of the cooker and of the program; included where the tools are built.
 # Names of their own that another test's file has as well.
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
+  road/stated_errors_test.cpp
   road/scenes/made_scene.cpp road/scenes/random_scene.cpp road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input
