@@ -37,7 +37,7 @@ bool Checker::turning_keys(const Track& t) {
     return fail(beyond, kNoUnit);
   for (std::uint32_t i = 0; i < t.key_count; ++i) {
     const float* const key = first + std::size_t{4} * i;
-    if (!(dot_of_rotations(key, key) >= kLeastSquare)) return fail(key, kNoUnit);
+    if (!(dot_of_rotations(key, key) >= kShortestSquare)) return fail(key, kNoUnit);
     if (i > 0 && t.interpolation == Interpolation::linear && !(dot_of_rotations(key - 4, key) >= kLeastProduct))
       return fail(key, kFarKey);
   }

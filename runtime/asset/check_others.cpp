@@ -60,7 +60,7 @@ bool Checker::keeps_of_others(Check check) {
       return reference_joints();
     case Check::rotations:
       for (const float& x : record<SoaTransform>().rotation[0])
-        if (!(dot_of_rotations(&x, &x, 4) >= kLeastSquare)) return false;
+        if (!(dot_of_rotations(&x, &x, 4) >= kShortestSquare)) return false;
       return true;
     case Check::role: {
       const std::uint32_t role = 1u << static_cast<std::uint32_t>(record<Texture>().role), before = so_far_.roles;

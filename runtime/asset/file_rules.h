@@ -114,7 +114,7 @@ inline constexpr std::uint32_t kFiniteBits = 0x7F800000, kBoundedBits = bit_cast
                                kNearBits = bit_cast<std::uint32_t>(1e6f) + 1;
 // The least that a unit quaternion's squares may add up to, and the least product with the key before it of one between
 // which and that key others are found: so that neither they nor their blends come to nothing.
-inline constexpr float kLeastSquare = 0.5f, kLeastProduct = -0.25f;
+inline constexpr float kShortestSquare = 0.5f, kLeastProduct = -0.25f;
 inline constexpr const char *kNotFinite = "a number that is not finite",
                             *kNotBounded = "a number that is not finite, or beyond 1e12",
                             *kNoUnit = "a rotation that is no unit quaternion",

@@ -29,7 +29,7 @@ class BadInput : public ::testing::Test {
     write_text(in("cut.mrw"), good.substr(0, good.size() - 1));
     std::string damaged = good, newer = good;
     damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 1);
-    newer[4] = 3;
+    newer[4] = 99;
     write_text(in("damaged.mrw"), damaged);
     write_text(in("newer.mrw"), newer);
   }

@@ -356,7 +356,9 @@ TEST(Outfits, OfAnotherBodyAreRefused) {
     std::vector<Joint> joints = body_joints();
     change(joints);
     for (const Joint& j : joints) m.joint(j, j.parent.empty() ? -1 : m.node.at(j.parent));
-    m.d.skin("other", {m.node.begin()->second, m.node.rbegin()->second});
+    std::vector<int> all;
+    for (const auto& [name, node] : m.node) all.push_back(node);
+    m.d.skin("other", all);
     m.d.clip("all");
     for (const auto& [name, node] : m.node) m.d.turn(node, {0, 1});
     return Cooked(m.write("other"), plain());
