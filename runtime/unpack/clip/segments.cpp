@@ -23,14 +23,14 @@ constexpr std::uint8_t kGuess[12][SymbolModel::kCount] = {{209, 16, 18, 1, 1, 1,
                                                           {32, 14, 13, 9, 9, 8, 8, 7, 26, 26, 40, 18, 28, 11, 5, 2},
                                                           {35, 13, 11, 8, 8, 7, 7, 7, 22, 19, 37, 25, 36, 15, 4, 2}};
 // Of the segment in work.
-struct Segment {
+struct StoredSegment {
   std::byte* start;
   std::byte* records;
   std::uint32_t frames;
 };
 
 // Frames from at.frame on and before `end`, into bytes that are 0.
-void write_numbers(const std::int32_t (*numbers)[3], const TrackFit& fit, const Segment& segment,
+void write_numbers(const std::int32_t (*numbers)[3], const TrackFit& fit, const StoredSegment& segment,
                    const SegmentsInWork& at, std::uint32_t end) {
   std::byte* to = segment.records + std::size_t{at.frame} * at.frame_bytes + at.bit / 8;
   std::uint32_t least[3], shift[3];
@@ -88,7 +88,7 @@ bool begin_track(ClipCodec<SymbolDecoder>& codec, const SegmentScratch& scratch,
   return at.bit + moving <= std::uint64_t{at.frame_bytes} * 8;
 }
 
-bool decode_numbers(ClipCodec<SymbolDecoder>& codec, const SegmentScratch& scratch, const Segment& segment,
+bool decode_numbers(ClipCodec<SymbolDecoder>& codec, const SegmentScratch& scratch, const StoredSegment& segment,
                     SegmentsInWork& at, std::uint32_t end) {
   ClipTrack track;
   track.numbers = scratch.numbers;
@@ -103,7 +103,7 @@ bool decode_numbers(ClipCodec<SymbolDecoder>& codec, const SegmentScratch& scrat
 }
 
 // Its numbers, and when all stand there its header.
-bool write_track(const SegmentScratch& scratch, const Segment& segment, SegmentsInWork& at, std::uint32_t end) {
+bool write_track(const SegmentScratch& scratch, const StoredSegment& segment, SegmentsInWork& at, std::uint32_t end) {
   TrackFit fit;
   if (!fit_track(at.low, at.high, fit) || at.bit + fit.bits > std::uint64_t{at.frame_bytes} * 8) return false;
   for (std::uint32_t c = 0; c < 3; ++c)
@@ -179,7 +179,7 @@ bool unpack_segments(ClipCodec<SymbolDecoder>& codec, SegmentSizes& sizes, const
   const std::uint32_t heads = 4 + sizes.header.track_count * std::uint32_t{sizeof(format::TrackHeader)};
   while (left > 0 && at.segment < format::segment_count(sizes.header)) {
     std::byte* const start = payload + at.offset;
-    const Segment segment{start, start + heads, sizes.frames_of(at.segment)};
+    const StoredSegment segment{start, start + heads, sizes.frames_of(at.segment)};
     const std::uint32_t bytes = segment.frames * at.frame_bytes;
     if (at.place == Place::segment) {
       at.frame_bytes = sizes.frame_bytes.take_varint();
