@@ -132,7 +132,7 @@ TEST(GltfChosenScene, SaysWhereMeshesAreDrawnInstead) {
   const RawScene scene = read(b);
   EXPECT_TRUE(scene.instances.empty() && scene.draws_elsewhere);
   EXPECT_TRUE(warns(scene, "empty-array", "/scenes/0/nodes"));
-  b.root["nodes"] = {Json::object()};
+  b.root["nodes"] = Json::array({Json::object()});
   b.root.erase("scenes");
   b.root.erase("scene");
   b.root.erase("animations");
