@@ -29,7 +29,7 @@ TEST(Retarget, HipsAreCarriedInTheRigsSize) {
   // Its feet rest 5 above y = 0; the clip's lowest is 8; up in the air an ankle's height is guessed.
   const Case cases[] = {{90, 0, 5}, {90, 200, 5}, {0, 0, -1}, {0, 200, file_leg / 10}};
   for (auto [rest, up, ground] : cases) {
-    const Motion motion = [up](int frame, std::size_t joint, std::size_t channel, char kind) {
+    const Motion motion = [up = up](int frame, std::size_t joint, std::size_t channel, char kind) {
       return number_of(frame, joint, channel, kind) + (joint == 0 && kind == 'y' ? up : 0);
     };
     std::vector<Joint> body = kBody;
