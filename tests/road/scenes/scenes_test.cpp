@@ -13,12 +13,7 @@
 namespace marrow::test {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::uint32_t kScenes = 42;  // two of a kind: the numbers are the same, and this is for memory errors
-#else
 constexpr std::uint32_t kScenes = 300;
-#endif
-constexpr std::uint32_t kOfAKind = kScenes / kSceneKinds;
 
 // Between jumps splines may swing further than at the quarters of steps and the keys, where the cooker looks at them.
 double most_ratio(const RandomScene& scene) {
@@ -97,9 +92,9 @@ TEST(RandomScenes, AreAsGoodAsIsSaid) {
   if (range.asked || HasFailure()) print(results);
   if (range.asked) return;
   for (std::size_t k = 0; k < kSceneKinds; ++k) {
-    EXPECT_GE(results[k].count, kOfAKind) << name_of(static_cast<SceneKind>(k));
-    EXPECT_GE(results[k].compared, 280U * kOfAKind) << name_of(static_cast<SceneKind>(k));
-    EXPECT_TRUE(kOfAKind < 14 || results[k].coded > 0) << name_of(static_cast<SceneKind>(k));
+    EXPECT_GE(results[k].count, kScenes / kSceneKinds) << name_of(static_cast<SceneKind>(k));
+    EXPECT_GE(results[k].compared, 4'000U) << name_of(static_cast<SceneKind>(k));
+    EXPECT_GE(results[k].coded, 1U) << name_of(static_cast<SceneKind>(k));
   }
 }
 
