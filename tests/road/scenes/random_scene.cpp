@@ -69,7 +69,12 @@ class Maker {
       if (length(v) > 0.1) return normalised(v);
     }
   }
-  Quat turn(double most_rad) { return axis_angle(direction(), random_.between(-most_rad, most_rad)); }
+  // Of two numbers in one call either may be drawn first, and scenes be others by each compiler.
+  Quat turn(double most_rad) {
+    const double rad = random_.between(-most_rad, most_rad);
+    return axis_angle(direction(), rad);
+  }
+  Vec3 arrow(double long_m) { return times(direction(), long_m); }
   double distance_m() {
     return has(SceneKind::far_1_km) ? 1000 : has(SceneKind::far_50_m) ? 50 : random_.between(0, 2);
   }
@@ -129,10 +134,10 @@ void Maker::make_above() {
   }
   Vec3 axes = {scale, scale, scale};
   if (has(SceneKind::mirrored) && chance(0.5)) axes[random_.below(3)] *= -1;
-  above_ = add("above", -1, times(direction(), distance_m()), axes);
+  above_ = add("above", -1, arrow(distance_m()), axes);
   if (!has(SceneKind::animated_above)) return;
   const double unit = chance(0.7) ? 100 : 0.01;
-  above_ = add("mover", above_, times(direction(), 25 * random_.between(0, 1) + 25), {unit, unit, unit});
+  above_ = add("mover", above_, arrow(25 * random_.between(0, 1) + 25), {unit, unit, unit});
   movers_.push_back(above_);
 }
 
@@ -159,7 +164,7 @@ void Maker::make_skeleton(int number) {
     const std::size_t up = deep && !chance(0.1) ? joints.size() - 1 : random_.below(i + 1) % std::max(i, 1U);
     const int parent = root ? above_ : joints[up];
     const double far = root && i > 0 && chance(0.3) ? 30 : 1;
-    const Vec3 metres = times(direction(), random_.between(0.05, 0.5) * far * metres_);
+    const Vec3 metres = arrow(random_.between(0.05, 0.5) * far * metres_);
     joints.push_back(add("joint " + std::to_string(number) + "." + std::to_string(i), parent, metres,
                          joint_scale(parent, !root && i + 1 == count)));
   }
@@ -180,7 +185,7 @@ void Maker::make_mesh(const std::vector<int>& joints) {
   }
   const auto count = static_cast<std::uint32_t>(joints.size());
   for (std::uint32_t v = 0; v < std::min(50U, 4 * count); ++v) {
-    const Vec3 at = plus(origin(placed(joints[v % count])), times(direction(), random_.between(0.02, 0.2) * metres_));
+    const Vec3 at = plus(origin(placed(joints[v % count])), arrow(random_.between(0.02, 0.2) * metres_));
     for (const double x : times(plus(at, times(centre, -1)), 1 / unit)) mesh.positions.push_back(static_cast<float>(x));
     double left = 1;
     for (std::uint32_t i = 0; i < 4; ++i) {
@@ -203,7 +208,7 @@ void Maker::make_prop() {
   mesh.node = joints[random_.below(static_cast<std::uint32_t>(joints.size()))];
   const double unit = unit_[static_cast<std::size_t>(mesh.node)];
   for (int v = 0; v < 5; ++v)
-    for (const double x : times(direction(), random_.between(0.02, 0.3) * metres_ / unit))
+    for (const double x : arrow(random_.between(0.02, 0.3) * metres_ / unit))
       mesh.positions.push_back(static_cast<float>(x));
   if (has(SceneKind::morphed) && chance(0.5)) morph(mesh, unit);
   scene_.meshes.push_back(std::move(mesh));
@@ -213,7 +218,7 @@ void Maker::morph(MadeMesh& mesh, double unit) {
   mesh.targets.resize(1 + random_.below(3));
   for (std::vector<float>& target : mesh.targets) {
     for (std::size_t v = 0; v < mesh.positions.size() / 3; ++v)
-      for (const double x : times(direction(), chance(0.7) ? power(-3, 0.5) * metres_ / unit : 0))
+      for (const double x : arrow(chance(0.7) ? power(-3, 0.5) * metres_ / unit : 0))
         target.push_back(static_cast<float>(x));
     mesh.target_weights.push_back(static_cast<float>(chance(0.5) ? random_.between(-0.5, 1) : 0));
   }
@@ -225,7 +230,7 @@ void Maker::make_watcher() {
   for (const MadeNodeKind kind : {MadeNodeKind::camera, MadeNodeKind::light}) {
     if (kind == MadeNodeKind::light && chance(0.5)) continue;
     watchers_.push_back(
-        add(kind == MadeNodeKind::camera ? "camera" : "light", parent, times(direction(), power(1.8, 3)), {1, 1, 1}));
+        add(kind == MadeNodeKind::camera ? "camera" : "light", parent, arrow(power(1.8, 3)), {1, 1, 1}));
     scene_.nodes.back().kind = kind;
   }
 }
