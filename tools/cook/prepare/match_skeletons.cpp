@@ -197,6 +197,8 @@ void Matching::drop_strangers() {
 
 // What a translation here is times, to go as far in the scene below the character's scale.
 double Matching::factor_at(int node, const glm::dvec3& here, const glm::dvec3& there) const {
+  const glm::dvec3 least = glm::min(here, there);
+  if (!(std::min({least.x, least.y, least.z}) > 0)) return 1;  // flat: no ratio says what it should be
   const glm::dvec3 ratio = here / there;
   if (glm::any(glm::greaterThan(glm::abs(ratio - ratio.x), glm::dvec3(kSameScale * ratio.x))))
     fail(node, "another scale above the joints",
