@@ -7,16 +7,19 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
 marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
   unit/cook/gltf/draco_test.cpp
-  unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp unit/cook/gltf/looks_test.cpp
+  unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp
   unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp
-  unit/cook/gltf/morphs_test.cpp unit/cook/gltf/refusals_test.cpp
+  unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
-  unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp unit/options/settings_schema_test.cpp
+  unit/options/settings_schema_test.cpp
   unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/memory_patterns_test.cpp
   unit/unpack/steps_test.cpp unit/unpack/tools_cap_test.cpp)
-target_link_libraries(marrow_input_tests PRIVATE marrow_cook marrow_options marrow_goldens draco::draco meshoptimizer::meshoptimizer)
+# Without the cooker, so that what runs under sanitizers each time compiles soon.
+target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marrow_goldens nlohmann_json::nlohmann_json
+  draco::draco meshoptimizer::meshoptimizer)
 
 marrow_test(marrow_cook_tests cook
+  unit/cook/gltf/looks_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
   unit/cook/clip/channels_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
   unit/cook/clip/retarget_feet_test.cpp unit/cook/clip/retarget_test.cpp unit/cook/emptied_lists_test.cpp
@@ -47,7 +50,8 @@ foreach(target marrow_input_tests marrow_cook_tests)
   set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endforeach()
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco)
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco
+  meshoptimizer::meshoptimizer)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_test(marrow_workflow_tests workflow
@@ -158,9 +162,8 @@ marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
 add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_vertices_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 
-# A JSON library costs seconds in every file that includes it.
-set_target_properties(marrow_input_tests marrow_cook_tests marrow_cli_tests marrow_workflow_tests marrow_road_tests
-  marrow_deform_tests marrow_reference PROPERTIES UNITY_BUILD ${MARROW_UNITY} UNITY_BUILD_BATCH_SIZE 5)
+marrow_together(marrow_input_tests marrow_cook_tests marrow_cli_tests marrow_workflow_tests marrow_road_tests marrow_deform_tests
+  marrow_bench_tests marrow_reference)
 
 # The programs that documents show, as a game would build them.
 function(marrow_example name)

@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds and tests. Says at the end what took how long: wall seconds, and seconds of processor.
 # usage: tools/test.sh              every test of behaviour once, optimised; under sanitizers what reads others' bytes
-#        tools/test.sh all          every preset, driver and model, as before a release: about an hour
-#        tools/test.sh ci           the same in the short form: what continuous integration runs
-#        tools/test.sh PRESET ...   all tests of these presets: release asan tsan scalar aarch64 dev
+#        tools/test.sh ci           what continuous integration runs: on other drivers, more under sanitizers, the manual,
+#                                   and the kits that have changed
+#        tools/test.sh all          every preset, kit and model, as before a release: about two hours
+#        tools/test.sh PRESET ...   all tests of these presets: test release asan tsan scalar aarch64 dev
 #        tools/test.sh PART ...     a warm loop: builds and runs these alone, by preset dev. A PART is runtime format misuse ik input
 #                                   cook workflow deform road bench cli view gl; GTEST_FILTER=PATTERN picks tests of it
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$here"
-presets=" release asan tsan scalar aarch64 dev "
+presets=" test release asan tsan scalar aarch64 dev "
 parts=" runtime format misuse ik input cook workflow deform road bench cli view gl "
-usage() { sed -n '3,8s/^# \{0,1\}//p' "$0" >&2; exit 1; }
+usage() { sed -n '3,9s/^# \{0,1\}//p' "$0" >&2; exit 1; }
 
 # Runs a command and notes what it took, under a name.
 took=""
@@ -60,7 +61,7 @@ validate_sample() { where_possible "gltf-validator on the sample" tools/validate
 
 test_preset() {
   echo "== $1" >&2
-  [ "$1" != release ] || timed "get ANGLE" get_angle
+  [[ "$1" != release && "$1" != test ]] || timed "get ANGLE" get_angle
   [ "$1" != aarch64 ] || timed "get OpenGL ES for AArch64" get_arm64_gl
   timed "build $1" build "$1"
   timed "run $1" run "$1"
@@ -76,43 +77,43 @@ test_parts() {
 
 test_once() {
   validate_sample
-  timed "build release" build release
-  timed "run release" run release -LE long
+  timed "build test" build test
+  timed "run test" run test -LE long
   timed "build hostile, sanitized" build asan --target marrow_hostile
   timed "run hostile, sanitized" run asan -L hostile
+}
+
+# What reads others' bytes, and what is cooked and played of it.
+sanitized_in_ci() {
+  timed "build asan" build asan --target marrow_hostile marrow_runtime_tests marrow_ik_tests marrow_cook_tests marrow_road_tests
+  timed "run asan" run asan -L 'hostile|runtime|ik|cook|road'
 }
 
 timed packages tools/install.sh tools/packages/build.txt tools/packages/test.txt
 case "${1:-}" in
   "") test_once ;;
-  all | ci)
+  ci)
     [ $# -eq 1 ] || usage
-    form=$1
+    export MARROW_TESTS=ci MARROW_PROGRAM=$here/build/test/tools/marrow
+    validate_sample
+    test_preset test
+    sanitized_in_ci
+    test_preset tsan
+    where_possible "the manual" tools/check/docs.sh "$MARROW_PROGRAM"
+    timed kits tools/kits.py run
+    ;;
+  all)
+    [ $# -eq 1 ] || usage
     validate_sample
     # What is sanitized, emulated or without SIMD takes the same roads through the code in the short form.
-    MARROW_TESTS=$form test_preset release
+    MARROW_TESTS=all test_preset release
     for preset in asan tsan scalar aarch64; do test_preset $preset; done
-    export MARROW_TESTS=$form
-    marrow=build/release/tools/marrow
-    where_possible "the manual" tools/check/docs.sh $marrow
-    where_possible "the tutorial, from an empty folder" tools/check/tutorial.sh $marrow
-    where_possible "Rust, C# and JavaScript" tools/check/bindings.sh $marrow
+    export MARROW_TESTS=all MARROW_PROGRAM=$here/build/release/tools/marrow
+    where_possible "the manual" tools/check/docs.sh "$MARROW_PROGRAM"
     where_possible "same bytes everywhere" tools/same_bytes.sh
-    where_possible "same bits everywhere" tools/same_bits.sh
-    [ $form = ci ] || timed "growth" tools/check/growth.py $marrow
-    where_possible "FBX, by Blender" tools/check/fbx.sh $marrow
-    where_possible "WebGL 2, in Chromium" tools/check/web.sh $marrow
-    timed "what phones' compilers say" tools/gpu_cost.sh --if-changed
-    where_possible "the kit for phones" tools/check/phone.sh
-    timed "SPIR-V, Vulkan and Metal" tools/check/spirv.sh
-    timed "installed, in a game" tools/check/install.sh
-    where_possible "Android: libraries and an app" tools/check/android.sh $marrow
-    where_possible "iOS: a package" tools/check/apple.sh $marrow
-    where_possible "Godot 3 and 4" tools/check/godot.sh $marrow
-    where_possible "SDL 2: a game" tools/check/sdl.sh $marrow
-    where_possible "Unity and Unreal" tools/check/unity.sh $marrow
-    # In the short form the fuzz targets have run under sanitizers, by a driver of their own.
-    [ $form = ci ] || where_possible "libFuzzer, 15 s a target" tools/fuzz.sh 15
+    timed "growth" tools/check/growth.py "$MARROW_PROGRAM"
+    timed kits tools/kits.py --all
+    where_possible "libFuzzer, 15 s a target" tools/fuzz.sh 15
     ;;
   *)
     if [[ $presets == *" $1 "* ]]; then
