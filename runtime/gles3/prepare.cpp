@@ -201,6 +201,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
   MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
   MARROW_REQUIRE(holds(bind, mesh.joint_count));
   MARROW_REQUIRE(holds(scratch, prepare_scratch_bytes(mesh, options)));
+  MARROW_REQUIRE(reinterpret_cast<std::uintptr_t>(scratch.data) % alignof(std::uint32_t) == 0);
   const Span<const float> tangents = options.as_tangents;
   const VertexLayout layout = make_layout(mesh, !tangents.empty(), options.psd);
   // Eight influences in animation space need locations up to the last.

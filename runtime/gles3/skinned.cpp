@@ -12,7 +12,7 @@ namespace marrow::gles3 {
 namespace {
 
 bool fits(Span<float> values, std::uint32_t bytes) {
-  return values.empty() || values.size * sizeof(float) == bytes;
+  return values.empty() || (holds(values) && values.size * sizeof(float) == bytes);
 }
 
 void put(const Api& api, std::uint32_t offset, Span<float> values) {

@@ -393,6 +393,10 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
   if (skins_once(s.options.path))
     for (std::size_t i = 0; i < count * s.mesh.geometry.targets.size; ++i)
       MARROW_REQUIRE(s.weights[i] - s.weights[i] == 0 && "weights are finite");
+  const bool by_gpu = s.options.path == SkinningPath::feedback || s.options.path == SkinningPath::compute;
+  const Program* const program =
+      by_gpu ? find_program(programs, preskin_key(s), preskin_role(s.options.path)) : nullptr;
+  MARROW_REQUIRE(!by_gpu || (program != nullptr && "the set that the skinner was created with"));
   if (s.options.motion) take_turns(s, count);
   s.updated = 0;
   Status status = upload_distances(api, s, count);
@@ -405,13 +409,10 @@ Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint3
       status = upload_palettes(api, s, count);
       break;
     case SkinningPath::feedback:
-    case SkinningPath::compute: {
-      const Program* const program = find_program(programs, preskin_key(s), preskin_role(s.options.path));
-      MARROW_REQUIRE(program != nullptr && "the set that the skinner was created with");
+    case SkinningPath::compute:
       status = push_palettes(api, s, count);
       if (status == Status::ok) status = skin_on_gpu(api, s, *program, programs.palette_binding, count);
       break;
-    }
     case SkinningPath::cpu:
       for (std::uint32_t i = 0; i < count && status == Status::ok; ++i) status = skin_on_cpu(api, s, i);
       break;

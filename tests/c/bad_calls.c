@@ -1,6 +1,6 @@
-// Every function of marrow/c.h, or of marrow/c_gles3.h, with pointers that are null, off their boundary or lead to zeros,
-// null with a count, and numbers that are none: a call that cannot be done says so, and nothing crashes. The calls are
-// made by tools/c_api.
+// Every function of marrow/c.h, or of marrow/c_gles3.h, with pointers that are null, off their boundary or lead to
+// zeros, null with a count, and numbers that are none: a call that cannot be done says so, and nothing crashes. The
+// calls are made by tools/c_api.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,7 +71,26 @@ static const char* text(const Round* r) {
 }
 #endif
 
+// STATUS and CALL: a function's name, whether it takes a struct, or a list, and its arguments.
+#define STATUS(name, takes_struct, takes_list, ...) \
+  static int call_##name(const Round* r) {          \
+    (void)r;                                        \
+    return mrw_##name(__VA_ARGS__);                 \
+  }
+#define CALL(name, takes_struct, takes_list, ...) \
+  static int call_##name(const Round* r) {        \
+    (void)r;                                      \
+    (void)mrw_##name(__VA_ARGS__);                \
+    return -1;                                    \
+  }
 #include CALLS
+#undef STATUS
+#undef CALL
+#define STATUS(name, takes_struct, takes_list, ...) {"mrw_" #name, call_##name, takes_struct, takes_list},
+#define CALL STATUS
+static const Row rows[] = {
+#include CALLS
+};
 
 static int told, failures;
 static const char* told_name = "";

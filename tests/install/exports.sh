@@ -7,30 +7,13 @@ prefix=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Names of functions without a body, in namespaces and in public parts of classes.
-declared() {
-  awk '
-    /^ private:/ { hidden = 1 }
-    /^(inline|constexpr).*{$/ { hidden = 1 }
-    /^ public:/ || /^}/ { hidden = 0 }
-    hidden || /^ *\/\// || /^ *(inline|constexpr|return|friend|using|static_assert|explicit|#)/ { next }
-    { line = $0; gsub(/= {}/, "", line) }
-    line ~ /[{]/ || line ~ /= (delete|default);/ { next }
-    line ~ /^(  )?((MARROW_API|MRW_NODISCARD|const) )*[A-Za-z_][A-Za-z0-9_:]*(<[^>]*>)?( const)?[ &*]+[A-Za-z0-9_]+\(/ ||
-    line ~ /^  (MARROW_API )?~?[A-Z][A-Za-z]*\(.*;/ {
-      sub(/\(.*/, "", line)
-      sub(/.*[ &*]/, "", line)
-      print line
-    }' "$@" | sort
-}
-
 # A constructor is there twice, as a complete object and as a base.
 exported() {
   for library in "$@"; do nm -D --defined-only -C "$library" | cut -d' ' -f3- | sort -u; done |
     sed -E 's/\(.*//; s/.*:://' | sort
 }
 
-declared "$prefix"/include/marrow/*.h >"$work/declared"
+python3 "$(dirname "$0")/../../tools/c_api" --exports "$prefix/include/marrow" | sort >"$work/declared"
 exported "$prefix"/lib*/libmarrow_*.so >"$work/exported"
 [ "$(wc -l <"$work/declared")" -gt 150 ] || { echo "exports: the headers declare next to nothing" >&2; exit 1; }
 if ! diff "$work/declared" "$work/exported" >"$work/difference"; then

@@ -1,9 +1,10 @@
-// Which part of the source tree may include which: the arrows of docs/inside/source_map.md, held by reading #include
-// lines.
+// Which part of the source tree may include which: the arrows of docs/inside/source_map.md, and #include lines held to
+// them.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,77 +46,82 @@ std::vector<Include> includes_under(const fs::path& folder) {
 const fs::path kRuntime = marrow::test::in_source("runtime");
 const fs::path kTools = marrow::test::in_source("tools");
 
-// Which folder stands behind a public header: where its functions are implemented.
-const std::map<std::string, std::string> kHeaders = {{"marrow/api.h", "core"},
-                                                     {"marrow/version.h", "core"},
-                                                     {"marrow/status.h", "core"},
-                                                     {"marrow/span.h", "core"},
-                                                     {"marrow/pose.h", "core"},
-                                                     {"marrow/glm.h", "math"},
-                                                     {"marrow/file.h", "asset"},
-                                                     {"marrow/curve.h", "curve"},
-                                                     {"marrow/sample.h", "pose"},
-                                                     {"marrow/local_to_model.h", "pose"},
-                                                     {"marrow/blend.h", "pose"},
-                                                     {"marrow/limits.h", "limits"},
-                                                     {"marrow/transition.h", "pose"},
-                                                     {"marrow/playback.h", "pose"},
-                                                     {"marrow/ik.h", "ik"},
-                                                     {"marrow/palette.h", "skin"},
-                                                     {"marrow/skin.h", "skin"},
-                                                     {"marrow/morph.h", "skin"},
-                                                     {"marrow/clip_pack.h", "asset"},
-                                                     {"marrow/unpack.h", "unpack"},
-                                                     {"marrow/draco.h", "draco"},
-                                                     {"marrow/meshopt.h", "meshopt"},
-                                                     {"marrow/springs.h", "springs"},
-                                                     {"marrow/feet.h", "ik"},
-                                                     {"marrow/ik_solve.h", "ik"},
-                                                     {"marrow/call_error.h", "core"},
-                                                     {"marrow/marks.h", "core"},
-                                                     {"marrow/bounds.h", "skin"},
-                                                     {"marrow/block.h", "core"},
-                                                     {"marrow/character.h", "character"},
-                                                     {"marrow/outfit.h", "asset"},
-                                                     {"marrow/example_space.h", "asset"},
-                                                     {"marrow/debug_lines.h", "debug"}};
+std::vector<std::string> lines_of(const char* document) {
+  std::ifstream in(marrow::test::in_source(document));
+  std::vector<std::string> out;
+  for (std::string line; std::getline(in, line);) out.push_back(line);
+  return out;
+}
+
+// All that a pattern with one group finds in a text.
+std::vector<std::string> found_in(const std::string& text, const char* pattern) {
+  const std::regex regex(pattern);
+  std::vector<std::string> out;
+  for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) out.push_back((*i)[1]);
+  return out;
+}
+
+// Folders in the order of the page, and those that each may include beside itself.
+struct Arrow {
+  std::string folder;
+  std::set<std::string> may;
+};
+
+// The arrows of the page's block `number`. Each leads to folders that the page has before.
+std::vector<Arrow> arrows(int number) {
+  std::vector<Arrow> out;
+  std::set<std::string> above;
+  int block = 0;
+  bool inside = false;
+  for (const std::string& line : lines_of("docs/inside/source_map.md")) {
+    if (line == "```text") ++block;
+    if (line.rfind("```", 0) == 0) inside = line == "```text" && block == number;
+    for (const std::string& row : found_in(inside ? line : "", R"(((?:[^ ]| (?!  ))+ → (?:[^ ]| (?!  ))+))")) {
+      const std::size_t arrow = row.find(" → ");
+      const std::vector<std::string> right = found_in(row.substr(arrow + 4), R"(([\w/]+))");
+      const std::set<std::string> may(right.begin(), right.end());
+      for (const std::string& name : may) EXPECT_TRUE(name == "nothing" || above.count(name)) << row;
+      for (const std::string& name : found_in(row.substr(0, arrow), R"(([\w/]+))")) {
+        out.push_back({name, may});
+        above.insert(name);
+      }
+    }
+  }
+  EXPECT_GT(out.size(), 15u) << "block " << number << " of docs/inside/source_map.md";
+  return out;
+}
+
+// Which folder stands behind a public header: where its functions are implemented, by the table of the stages.
+std::map<std::string, std::string> folders_of_headers() {
+  std::map<std::string, std::string> out;
+  for (const std::string& line : lines_of("docs/stages.md")) {
+    const std::vector<std::string> cells = found_in(line, R"(\| ([^|]*) (?=\|))");
+    if (cells.size() != 4) continue;
+    const std::vector<std::string> headers = found_in(cells[1], "`(\\w+\\.h)`");
+    const std::vector<std::string> folders = found_in(cells[2], "`(?:runtime/)?(\\w+)`");
+    for (std::size_t i = 0; i < headers.size() && !folders.empty(); ++i)
+      out["marrow/" + headers[i]] = folders[folders.size() == headers.size() ? i : 0];
+  }
+  return out;
+}
+const std::map<std::string, std::string> kHeaders = folders_of_headers();
 
 std::string part_of(const std::string& include) {
   const auto header = kHeaders.find(include);
   if (header != kHeaders.end()) return header->second;
   if (include.rfind("marrow/gles3", 0) == 0) return "gles3";
-  if (include == "marrow/c.h" || include == "marrow/c_gles3.h") return "c";
-  if (include.rfind("marrow/", 0) == 0) return "a public header that this test does not know: " + include;
+  if (include.rfind("marrow/", 0) == 0) return "a header that docs/stages.md does not name: " + include;
   const std::size_t slash = include.find('/');
   return slash == std::string::npos ? "" : include.substr(0, slash);
 }
 
 TEST(Includes, PointOneWay) {
-  const std::map<std::string, std::set<std::string>> allowed = {
-      {"core", {"core"}},
-      {"math", {"core", "math"}},
-      {"asset", {"core", "math", "asset"}},
-      {"pose", {"core", "math", "asset", "pose"}},
-      {"limits", {"core", "math", "asset", "limits"}},
-      {"ik", {"core", "math", "asset", "pose", "limits", "ik"}},
-      {"springs", {"core", "math", "asset", "pose", "springs"}},
-      {"curve", {"core", "math", "curve"}},
-      {"skin", {"core", "math", "asset", "skin"}},
-      {"character", {"core", "math", "asset", "pose", "skin", "character"}},
-      {"debug", {"core", "math", "asset", "limits", "ik", "springs", "debug"}},
-      {"gles3", {"core", "math", "asset", "pose", "skin", "gles3"}},
-      {"unpack", {"core", "math", "asset", "pose", "unpack"}},
-      {"c",
-       {"core", "asset", "pose", "limits", "ik", "springs", "curve", "skin", "character", "unpack", "draco", "meshopt",
-        "debug", "gles3", "c"}},
-      {"draco", {"core", "asset", "unpack", "draco"}},
-      {"meshopt", {"core", "asset", "unpack", "meshopt"}}};
   int checked = 0;
-  for (const auto& [part, may] : allowed) {
+  for (const auto& [part, may] : arrows(1)) {
     for (const Include& include : includes_under(kRuntime / part)) {
       const std::string target = part_of(include.name);
       if (target.empty() || target == "GLES3" || target == "EGL" || target == "glm") continue;  // system headers
-      EXPECT_TRUE(may.count(target)) << include.file << " includes " << include.name;
+      EXPECT_TRUE(target == part || may.count(target)) << include.file << " includes " << include.name;
       ++checked;
     }
   }
@@ -123,12 +129,15 @@ TEST(Includes, PointOneWay) {
 }
 
 TEST(Includes, EveryPartOfTheRuntimeIsKnown) {
-  const std::set<std::string> known = {"include", "core",    "math",      "asset", "pose",  "limits",
-                                       "ik",      "springs", "curve",     "skin",  "gles3", "unpack",
-                                       "draco",   "meshopt", "character", "c",     "debug"};
+  std::set<std::string> known = {"include"};
+  for (const Arrow& arrow : arrows(1)) known.insert(arrow.folder);
   for (const auto& entry : fs::directory_iterator(kRuntime)) {
     EXPECT_TRUE(!entry.is_directory() || known.count(entry.path().filename().string())) << entry.path();
   }
+  for (const auto& entry : fs::directory_iterator(kRuntime / "include/marrow"))
+    EXPECT_TRUE(entry.path().filename() == "marrow.h" ||
+                part_of("marrow/" + entry.path().filename().string())[1] != ' ')
+        << entry.path();
 }
 
 // The folder of tools that an include line names; empty: none of them.
@@ -138,26 +147,8 @@ std::string tool_of(const std::string& include) {
 }
 
 TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
-  const std::map<std::string, std::set<std::string>> allowed = {
-      {"text", {}},
-      {"common", {"text"}},
-      {"terminal", {"text", "common"}},
-      {"deform", {"text", "common"}},
-      {"cook", {"text", "common", "deform"}},
-      {"options", {"text", "common", "deform", "cook"}},
-      {"jobs", {"text", "common", "terminal", "deform", "cook", "options"}},
-      {"glb", {"text", "common"}},
-      {"export", {"text", "common", "terminal", "glb"}},
-      {"image", {"text", "common"}},
-      {"pose", {"text", "common"}},
-      {"sample", {"text", "common", "glb"}},
-      {"bench", {"text", "common", "cook", "pose", "sample"}},
-      {"render", {"text", "common", "cook", "image", "pose"}},
-      {"gpu_bench", {"common", "terminal", "bench", "pose", "render"}},
-      {"sizes", {}},
-      {"gpu_cost", {"text", "common"}},
-      {"phone", {"common"}},
-  };
+  std::map<std::string, std::set<std::string>> allowed;
+  for (const Arrow& arrow : arrows(2)) allowed[arrow.folder] = arrow.may;
   for (const auto& entry : fs::directory_iterator(kTools)) {
     if (!entry.is_directory()) continue;
     const std::string folder = entry.path().filename().string();
@@ -172,50 +163,22 @@ TEST(Includes, LibrariesOfTheToolsPointOneWayAndToNoCommand) {
   }
 }
 
-// Folders of the cooker and of the offline deformers, each of which may include those above it that its line names.
-struct Room {
-  std::string folder;
-  std::set<std::string> may;
-};
-
-const std::vector<Room> kRooms = {
-    {"deform", {}},
-    {"deform/helpers", {"deform"}},
-    {"deform/fit", {"deform", "deform/helpers"}},
-    {"deform/motion", {"deform"}},
-    {"deform/simplify", {"deform"}},
-    {"deform/weights", {"deform"}},
-    {"deform/rig", {"deform", "deform/weights"}},
-    {"cook/scene", {}},
-    {"cook/gltf/meshopt", {}},
-    {"cook/gltf/document", {"cook/gltf/meshopt", "cook/scene"}},
-    {"cook/gltf/rules", {"cook/gltf/document"}},
-    {"cook/gltf/import", {"cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
-    {"cook/gltf/vrm", {"cook/gltf/import", "cook/gltf/document", "cook/scene"}},
-    {"cook/gltf", {"cook/gltf/vrm", "cook/gltf/import", "cook/gltf/rules", "cook/gltf/document", "cook/scene"}},
-    {"cook/bvh", {"cook/gltf/document", "cook/scene"}},
-    {"cook/skeleton", {"cook/scene"}},
-    {"cook/clip/compress", {"cook/scene"}},
-    {"cook/clip", {"cook/clip/compress", "cook/skeleton", "cook/scene"}},
-    {"cook/rig", {"cook/scene"}},
-    {"cook/paint", {"cook/gltf/document", "cook/scene"}},
-    {"cook/prepare/retarget", {"cook/scene"}},
-    {"cook/prepare", {"cook/prepare/retarget", "cook/paint", "cook/gltf", "cook/rig", "cook/skeleton", "cook/scene"}},
-    {"cook/geometry", {"cook/scene"}},
-    {"cook/skin", {"cook/geometry", "cook/scene"}},
-    {"cook/learn", {"cook/skin", "cook/geometry", "cook/clip", "cook/skeleton", "cook/gltf", "cook/scene"}},
-    {"cook/mesh", {"cook/learn", "cook/skin", "cook/geometry", "cook/scene"}},
-    {"cook/write", {"cook/geometry", "cook/clip/compress", "cook/scene"}},
-    {"cook",
-     {"cook/write", "cook/mesh", "cook/learn", "cook/prepare", "cook/clip", "cook/skeleton", "cook/bvh", "cook/gltf",
-      "cook/scene"}}};
+// Folders of the cooker and of the offline deformers.
+std::vector<Arrow> rooms() {
+  const auto full = [](const std::string& name) {
+    return name == "cook" || name.rfind("deform", 0) == 0 ? name : "cook/" + name;
+  };
+  std::vector<Arrow> out;
+  for (const Arrow& arrow : arrows(3)) {
+    out.push_back({full(arrow.folder), {}});
+    for (const std::string& name : arrow.may) out.back().may.insert(full(name));
+  }
+  return out;
+}
 
 TEST(Includes, RoomsOfTheCookerPointOneWay) {
-  std::set<std::string> above;
   int checked = 0;
-  for (const Room& room : kRooms) {
-    for (const std::string& may : room.may) EXPECT_TRUE(above.count(may)) << room.folder << " and " << may;
-    above.insert(room.folder);
+  for (const Arrow& room : rooms()) {
     const std::string library = room.folder.substr(0, room.folder.find('/'));
     for (const Include& include : includes_under(kTools / room.folder)) {
       const std::string target = fs::path(include.name).parent_path().string();
@@ -230,7 +193,7 @@ TEST(Includes, RoomsOfTheCookerPointOneWay) {
 TEST(Includes, EveryRoomIsKnownAndNoneIsAHall) {
   constexpr std::ptrdiff_t kMostFiles = 25;
   std::set<fs::path> known;
-  for (const Room& room : kRooms) known.insert(kTools / room.folder);
+  for (const Arrow& room : rooms()) known.insert(kTools / room.folder);
   std::map<fs::path, int> files;
   for (const auto& entry : fs::recursive_directory_iterator(kTools))
     if (is_source(entry.path())) ++files[entry.path().parent_path()];

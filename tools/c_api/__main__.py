@@ -1,6 +1,8 @@
 """Makes what C, Rust, C# and JavaScript call from runtime/c/api.txt and gles3.txt.
 
-usage: python3 tools/c_api [--check]      --check: writes nothing; exit code 1 if a file is not what it would write
+usage: python3 tools/c_api [--check | --exports FOLDER]
+--check: writes nothing; exit code 1 if a file is not what it would write
+--exports: prints the functions that libraries export, by the headers in the folder, as often as they have overloads
 """
 import pathlib
 import sys
@@ -17,6 +19,7 @@ import to_tests
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = ROOT / 'runtime/include/marrow'
+NO_FUNCTIONS = {'c.h', 'c_gles3.h', 'glm.h', 'marrow.h', 'span.h'}  # that C would have
 
 
 class Part:
@@ -62,6 +65,7 @@ def made():
     c = Part('c', 'runtime/c/api.txt', '', [], read_header)
     gles3 = Part('c_gles3', 'runtime/c/gles3.txt', 'gles3_', c.rows, read_header)
     parts, rows = [c, gles3], c.rows + gles3.rows
+    headers.expect_all_functions(rows, read_header, sorted({p.name for p in INCLUDE.glob('*.h')} - NO_FUNCTIONS))
     structs = {r.name for r in rows if r.kind == 'struct'}
     headings = {name: heading(read_header(name)) for name in {r.header for r in rows}}
     out = {
@@ -82,7 +86,15 @@ def made():
     return out
 
 
+def exports(folder):
+    return sorted(name for path in pathlib.Path(folder).glob('*.h')
+                  for name, exported, _ in headers.functions_of(path.read_text().splitlines()) if exported)
+
+
 def main():
+    if len(sys.argv) == 3 and sys.argv[1] == '--exports':
+        print(*exports(sys.argv[2]), sep='\n')
+        return 0
     check = sys.argv[1:] == ['--check']
     if sys.argv[1:] and not check:
         raise SystemExit(__doc__)

@@ -162,12 +162,35 @@ def expect_all_fields(row, lines, at, known):
                 raise SystemExit(f'{row.header}: {row.cpp}::{name} has no row')
 
 
-def expect_all_functions(rows, read_header):
-    """Each overload has a row, or is said not to be there in C."""
-    for header in sorted({r.header for r in rows if r.header}):
-        declared = Counter(m[1] for line in read_header(header)
-                           if (m := re.match(r'MARROW_API [\w:&*<> ]*[ *&](\w+)\(', line)))
-        described = Counter(r.cpp for r in rows if r.header == header and r.kind in ('fn', 'no') and not r.method)
+FUNCTION = re.compile(r'(?:  )?(?:(?:MARROW_API|MRW_NODISCARD|inline|constexpr|const) )*(?!return|friend|using|static_assert|'
+                      r'explicit|else|MARROW_API)[A-Za-z_][\w:]*(?:<[^>]*>)?(?: const)?[ &*]+(?!alignas|requires)(\w+)\(')
+CONSTRUCTOR = re.compile(r'  (?:MARROW_API )?(~?[A-Z][A-Za-z]*)\(.*;')
+
+
+def functions_of(lines):
+    """(name, whether a library exports it) of each public function, also of classes, as often as it has overloads."""
+    hidden = False
+    for line in lines:
+        if line.startswith((' public:', '}')):
+            hidden = False
+        if line.startswith(' private:'):
+            hidden = True
+        code = line.replace('= {}', '')
+        m = FUNCTION.match(line)
+        constructor = None if m else CONSTRUCTOR.match(line)
+        if not hidden and (m or constructor) and not re.search(r'= (delete|default);|\boperator\b', line):
+            exported = '{' not in code and not re.match(r' *(inline|constexpr)\b', line)
+            if m or exported:
+                yield (m or constructor)[1], exported, bool(constructor)
+        if re.match(r'(inline|constexpr).*\{$', line):
+            hidden = True
+
+
+def expect_all_functions(rows, read_header, names):
+    """Each overload and each member has a row, or is said not to be there in C; `names`: of the headers of C++."""
+    for header in names:
+        declared = Counter(name for name, _, constructor in functions_of(read_header(header)) if not constructor)
+        described = Counter(r.cpp for r in rows if r.header == header and r.kind in ('fn', 'no') and not r.is_member)
         for name, times in declared.items():
             if described[name] < times:
                 raise SystemExit(f'{header}: {name}: is declared {times} times, and has {described[name]} rows')
@@ -198,4 +221,3 @@ def add_docs(rows, read_header):
             if 'private' in row.flags:
                 continue
             expect_all_fields(row, lines, at, names + [r.cpp for r in rows if r.is_member and r.method == row.name])
-    expect_all_functions(rows, read_header)

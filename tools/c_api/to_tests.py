@@ -1,4 +1,5 @@
-"""A call of each function of C with whatever a test thinks of: tests/c/bad_calls.c."""
+"""A row of each function of C, called with whatever a test thinks of, and of each struct that C++ may fill in by name:
+tests/c/bad_calls.c and tests/unit/designated_test.cpp."""
 from names import count_of
 from to_c import returned
 from to_cpp import MADE
@@ -28,23 +29,26 @@ def arguments(row, structs, enums, ready):
     return ', '.join(out)
 
 
+# Four numbers a lane, which nobody wants set first; a union; a struct within another one.
+NOT_BY_NAME = {'soa_transform', 'inertial_offset', 'property', 'gles3_program_set_entry'}
+
+
 def rows_of_calls(part, rows):
     structs = {r.name for r in rows if r.kind == 'struct'}
     enums = {r.name for r in rows if r.kind == 'enum'}
     ready = {r.name for r in rows if 'ready' in r.flags}
-    calls, table = [], []
+    calls, filled = [], []
     for r in part.rows:
+        if r.kind == 'struct' and not r.cpp.startswith('Span<') and 'private' not in r.flags and r.name not in NOT_BY_NAME:
+            filled.append(f'STRUCT({r.qualified()}, {r.fields[0][0]})')
         if r.kind == 'struct' and 'init' in r.flags:
-            calls.append(f'static int call_{r.name}_init(const Round* r) {{\n  mrw_{r.name}_init(at(r, 0));\n  return -1;\n}}')
-            table.append(f'    {{"mrw_{r.name}_init", call_{r.name}_init, 0, 0}},')
+            calls.append(f'CALL({r.name}_init, 0, 0, at(r, 0))')
         if r.kind != 'fn' or r.cpp == 'set_call_error_handler' or r.source != part.wrappers:
             continue
-        is_status = returned(r, structs) == 'mrw_status'
+        macro = 'STATUS' if returned(r, structs) == 'mrw_status' else 'CALL'
         takes_struct = any(t.name in structs and t.form in ('', 'array') and not t.optional for _, t in r.fields)
         takes_list = any(t.form == '[]' for _, t in r.fields)
-        call = f'mrw_{r.name}({arguments(r, structs, enums, ready)})'
-        body = f'  return {call};' if is_status else f'  (void){call};\n  return -1;'
-        calls.append(f'static int call_{r.name}(const Round* r) {{\n  (void)r;\n{body}\n}}')
-        table.append(f'    {{"mrw_{r.name}", call_{r.name}, {int(takes_struct)}, {int(takes_list)}}},')
-    return (MADE + '// Of every function a call; what it is given, bad_calls.c says.\n// clang-format off\n' + '\n'.join(calls) +
-            '\n\nstatic const Row rows[] = {\n' + '\n'.join(table) + '\n};\n')
+        calls.append(f'{macro}({r.name}, {int(takes_struct)}, {int(takes_list)}, {arguments(r, structs, enums, ready)})')
+    return (MADE + '// Of every function a call, of every struct a member; what is made of them, those say who include this.\n'
+            '// clang-format off\n#ifdef STATUS\n' + '\n'.join(calls) + '\n#endif\n#ifdef STRUCT\n' + '\n'.join(filled) +
+            '\n#endif\n')

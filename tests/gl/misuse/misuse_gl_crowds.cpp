@@ -54,7 +54,7 @@ CrowdInstance instance_of(Misuse& m) {
 
 // A mesh and a crowd in good order, in memory that stays as long as they.
 struct Marching {
-  explicit Marching(bool motion = true) {
+  explicit Marching(Misuse& m, bool motion = true) {
     const Span<std::byte> room = bytes_of(mesh_memory, crowd_mesh_bytes(stage_mesh()));
     EXPECT_EQ(
         create_crowd_mesh(gl_stage().api, gl_stage().caps, stage_mesh(), {}, baked().frames, 4, room, mesh, motion),
@@ -65,6 +65,7 @@ struct Marching {
     for (CrowdInstance& i : instances) i.a.clip = 0;
     EXPECT_EQ(set_instances(gl_stage().api, crowd, baked().frames, 0, instances), Status::ok);
     EXPECT_EQ(build_crowd_program(gl_stage().api, program), Status::ok);
+    m.stays(paper_calls());
   }
   static const Mesh& stage_mesh() {
     static const Mesh mesh = with_box(stage().creature.mesh);
@@ -89,7 +90,7 @@ std::vector<MisuseRow> rows_of_frames() {
          what[0].clip.additive = m.truth(false);
          const Span<CrowdClip> out = m.out<CrowdClip>(2);
          std::uint32_t& count = m.one(std::uint32_t{0});
-         m.returned(plan_crowd(m.in(what), m.number(10), out, count));
+         m.returned(plan_crowd(m.in(what, Length::any), m.number(10), out, count));
        }},
       {"bake_crowd",
        [](Misuse& m) {
@@ -101,8 +102,8 @@ std::vector<MisuseRow> rows_of_frames() {
          const Span<SoaTransform> scratch = m.room<SoaTransform>(stage().pose.size());
          const Span<Affine> matrices = m.room<Affine>(baked().matrices.size());
          CrowdFrames& out = m.one(CrowdFrames{});
-         m.returned(
-             bake_crowd(m.either(stage().skeleton, stage().smaller), m.in(what), m.in(clips), scratch, matrices, out));
+         m.returned(bake_crowd(m.either(stage().skeleton, stage().smaller), m.in(what, Length::any), m.in(clips),
+                               scratch, matrices, out));
        }},
       {"crowd_joint",
        [](Misuse& m) {
@@ -141,12 +142,12 @@ std::vector<MisuseRow> rows_of_instances() {
       {"create_crowd",
        [](Misuse& m) {
          Crowd& out = m.one(Crowd{});
-         const Span<std::byte> memory = m.memory(4 * kCrowdInstanceBytes);
+         const Span<std::byte> memory = m.memory(4 * kCrowdInstanceBytes, 4);
          m.returned(create_crowd(gl_stage().api, caps_of(m), m.index(4), memory, out));
        }},
       {"destroy",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          destroy(gl_stage().api, marching.mesh);
          destroy(gl_stage().api, marching.crowd);
          destroy(gl_stage().api, marching.crowd);
@@ -154,33 +155,33 @@ std::vector<MisuseRow> rows_of_instances() {
        }},
       {"set_instances",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          const std::vector<CrowdInstance> instances = {instance_of(m), instance_of(m)};
          m.returned(set_instances(gl_stage().api, marching.crowd, frames_of(m), m.index(1), m.in(instances)));
        }},
       {"blend_crowd",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          m.returned(blend_crowd(gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}),
                                 m.index(1), m.index(2), static_cast<double>(m.number(3)), m.index(0),
                                 m.either(marching.program, Program{})));
        }},
       {"begin_frame",
        [](Misuse& m) {
-         Marching marching(m.truth(true));
+         Marching marching(m, m.truth(true));
          begin_frame(marching.mesh);
          m.returned_ok();
        }},
       {"blend_previous_crowd",
        [](Misuse& m) {
-         Marching marching(m.truth(true));
+         Marching marching(m, m.truth(true));
          m.returned(blend_previous_crowd(
              gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}), m.index(1),
              m.index(2), static_cast<double>(m.number(3)), m.index(0), m.either(marching.program, Program{})));
        }},
       {"bind_crowd",
        [](Misuse& m) {
-         Marching marching(m.truth(true));
+         Marching marching(m, m.truth(true));
          Program program = gl_stage().program;
          program.reads = m.kind(Palettes::crowd);
          m.returned(bind_crowd(gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}),
@@ -188,7 +189,7 @@ std::vector<MisuseRow> rows_of_instances() {
        }},
       {"on_context_lost",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          on_context_lost(marching.mesh);
          on_context_lost(marching.crowd);
          destroy(gl_stage().api, marching.mesh);
@@ -196,13 +197,13 @@ std::vector<MisuseRow> rows_of_instances() {
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          if (m.truth(true)) on_context_lost(marching.mesh);
          m.returned(on_context_restored(gl_stage().api, caps_of(m), marching.mesh));
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          if (m.truth(true)) on_context_lost(marching.crowd);
          m.returned(on_context_restored(gl_stage().api, caps_of(m), marching.crowd));
        }},
@@ -214,11 +215,11 @@ std::vector<MisuseRow> rows_of_crowd_programs() {
       {"build_crowd_program",
        [](Misuse& m) {
          Program& out = m.one(Program{});
-         m.returned(build_crowd_program(gl_stage().api, out, m.room<char>(4)));
+         m.returned(build_crowd_program(gl_stage().api, out, m.room<char>(4, Length::any)));
        }},
       {"build_crowd_programs",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          ProgramSet programs;
          programs.roles[0] = {m.pointer("vertex"), m.pointer("fragment"), {}};
          programs.role_count = m.index(1);
@@ -228,7 +229,7 @@ std::vector<MisuseRow> rows_of_crowd_programs() {
        }},
       {"crowd_program_of",
        [](Misuse& m) {
-         Marching marching;
+         Marching marching(m);
          ProgramSet programs;
          programs.roles[0] = {"vertex", "fragment", {}};
          EXPECT_EQ(build_crowd_programs(gl_stage().api, gl_stage().caps, marching.mesh, Deformer::ssd, 255, programs),

@@ -28,6 +28,7 @@ Program program_of(Misuse& m) {
 PaletteRing ring_of(Misuse& m) {
   PaletteRing ring;
   EXPECT_EQ(create_palette_ring(gl_stage().api, gl_stage().caps, 20, 3, ring), Status::ok);
+  m.stays(paper_calls());
   ring.used = m.truth(true) ? 0 : ring.capacity;
   return m.either(ring, PaletteRing{});
 }
@@ -37,12 +38,14 @@ PaletteTexture texture_of(Misuse& m) {
   EXPECT_EQ(create_palette_texture(gl_stage().api, gl_stage().caps, 40, texture), Status::ok);
   for (int frame = 0; frame < 2; ++frame)
     EXPECT_EQ(upload_palettes(gl_stage().api, texture, stage().palette), Status::ok);
+  m.stays(paper_calls());
   return m.either(texture, PaletteTexture{});
 }
 
 SkinnedMesh skinned_of(Misuse& m) {
   SkinnedMesh skinned;
   EXPECT_EQ(create_skinned(gl_stage().api, gl_stage().gpu, skinned), Status::ok);
+  m.stays(paper_calls());
   return m.either(skinned, SkinnedMesh{});
 }
 
@@ -82,6 +85,7 @@ std::vector<MisuseRow> rows_of_loading() {
          if (m.truth(false)) api.GetString = [](unsigned) -> const unsigned char* { return nullptr; };
          if (m.truth(false)) api.GetIntegerv = [](unsigned, int* values) { *values = -1; };
          Caps& out = m.one(Caps{});
+         m.never_refuses();
          m.returned(query_caps(api, out));
        }},
       {"prepare_scratch_bytes",
@@ -93,7 +97,7 @@ std::vector<MisuseRow> rows_of_loading() {
        [](Misuse& m) {
          const Mesh mesh = gl_mesh_of(m);
          const PrepareOptions options = prepare_options_of(m);
-         const Span<std::byte> scratch = m.memory(prepare_scratch_bytes(gl_stage().mesh, options));
+         const Span<std::byte> scratch = m.memory(prepare_scratch_bytes(gl_stage().mesh, options), 4);
          const Span<Affine> bind = m.out<Affine>(gl_stage().mesh.joint_count);
          GpuMesh& out = m.one(GpuMesh{});
          m.returned(prepare(gl_stage().api, caps_of(m), mesh, options, scratch, bind, out));
@@ -118,7 +122,7 @@ std::vector<MisuseRow> rows_of_loading() {
          ProgramSource source = source_of(m);
          if (m.truth(false)) source.feedback_varyings = varyings;
          Program& out = m.one(Program{});
-         const Span<char> log = m.truth(true) ? Span<char>() : m.room<char>(3);
+         const Span<char> log = m.truth(true) ? Span<char>() : m.room<char>(3, Length::any);
          m.returned(build_program(gl_stage().api, key_of(m), source, m.index(0), out, log));
        }},
   };
@@ -141,7 +145,7 @@ std::vector<MisuseRow> rows_of_palettes() {
        [](Misuse& m) {
          PaletteRing ring = ring_of(m);
          std::uint32_t& offset = m.one(std::uint32_t{0});
-         m.returned(push_palette(gl_stage().api, ring, m.in(stage().palette), offset));
+         m.returned(push_palette(gl_stage().api, ring, m.in(stage().palette, Length::any), offset));
        }},
       {"bind_palette",
        [](Misuse& m) {
@@ -156,7 +160,7 @@ std::vector<MisuseRow> rows_of_palettes() {
       {"upload_palettes",
        [](Misuse& m) {
          PaletteTexture texture = texture_of(m);
-         m.returned(upload_palettes(gl_stage().api, texture, m.in(stage().palette)));
+         m.returned(upload_palettes(gl_stage().api, texture, m.in(stage().palette, Length::any)));
        }},
       {"bind_palette",
        [](Misuse& m) {
@@ -214,6 +218,7 @@ std::vector<MisuseRow> rows_of_palettes() {
       {"create_skinned",
        [](Misuse& m) {
          SkinnedMesh& out = m.one(SkinnedMesh{});
+         m.never_refuses();
          m.returned(create_skinned(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), out));
        }},
       {"set_previous",
@@ -225,7 +230,8 @@ std::vector<MisuseRow> rows_of_palettes() {
        [](Misuse& m) {
          const std::size_t slots = gl_stage().mesh.geometry.slot_count;
          SkinnedMesh skinned = skinned_of(m);
-         const SkinOutput out{m.room<float>(slots * 3), m.room<float>(slots * 3), m.room<float>(slots * 4)};
+         const SkinOutput out{m.room<float>(slots * 3, Length::any), m.room<float>(slots * 3, Length::any),
+                              m.room<float>(slots * 4, Length::any)};
          m.returned(upload_skinned(gl_stage().api, skinned, out));
        }},
       {"build_preskin",

@@ -22,7 +22,7 @@ SkinnerOptions skinner_options(Misuse& m, SkinningPath path) {
 
 // A skinner in good order, in memory that stays as long as it.
 struct Dressed {
-  explicit Dressed(SkinningPath path, bool motion = true, Deformer deformer = Deformer::ssd) {
+  explicit Dressed(Misuse& m, SkinningPath path, bool motion = true, Deformer deformer = Deformer::ssd) {
     programs.roles[0] = {"vertex", "fragment", {}};
     const SkinnerOptions options{.path = path, .deformer = deformer, .instances = 2, .motion = motion};
     memory.resize(skinner_bytes(gl_stage().mesh, options) / sizeof(Affine) + 1);
@@ -32,6 +32,7 @@ struct Dressed {
     for (std::uint32_t i = 0; i < 2; ++i)
       EXPECT_EQ(pose(skinner, i, stage().joints, gl_stage().morphs.weights), Status::ok);
     EXPECT_EQ(update(gl_stage().api, skinner, programs, 2), Status::ok);
+    m.stays(paper_calls());
   }
   ProgramSet programs;
   std::vector<Affine> memory;
@@ -81,6 +82,7 @@ std::vector<MisuseRow> rows_of_self_tests() {
          if (m.round() % 100 != 0) return m.returned_ok();  // a thousand times the cost of the others
          const SelfTestOptions options = self_test_options(m);
          SelfTest& out = m.one(SelfTest{});
+         m.may_fail();  // nothing is drawn
          m.returned(self_test(gl_stage().api, gl_stage().caps, options, m.memory(self_test_bytes(options)), out));
          for (const PathResult& path : out.paths) EXPECT_TRUE(std::isfinite(path.position_error));
        }},
@@ -88,11 +90,12 @@ std::vector<MisuseRow> rows_of_self_tests() {
        [](Misuse& m) {
          SkinningPath& out = m.one(SkinningPath::cpu);
          const SelfTest test = tested(m);
+         m.never_refuses();
          m.returned(choose(test, {m.index(1), m.index(1), m.index(20)}, out));
        }},
       {"save",
        [](Misuse& m) {
-         const Span<std::byte> out = m.memory(kSavedSelfTestBytes);
+         const Span<std::byte> out = m.memory(kSavedSelfTestBytes, 1);
          m.returned(save(tested(m), out));
        }},
       {"restore",
@@ -104,8 +107,10 @@ std::vector<MisuseRow> rows_of_self_tests() {
          EXPECT_EQ(save(test, bytes), Status::ok);
          for (int i = 0; i < 3; ++i) bytes[m.index(0) % bytes.size()] ^= static_cast<std::byte>(m.index(0));
          SelfTest& out = m.one(SelfTest{});
-         const Status status = restore(gl_stage().api, gl_stage().caps, options, m.in(bytes), out);
+         m.may_fail();
+         const Status status = restore(gl_stage().api, gl_stage().caps, options, m.in(bytes, Length::any), out);
          EXPECT_NE(status, Status::ok) << "its key is no one's";
+         m.returned(status);
          m.returned_ok();
        }},
   };
@@ -138,7 +143,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"destroy",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          destroy(gl_stage().api, dressed.skinner);
          destroy(gl_stage().api, dressed.skinner);
          destroy(gl_stage().api, dressed.programs);
@@ -146,21 +151,21 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"pose",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          const Span<const Affine> joints = m.in(stage().joints);
          Skinner cleared;
          m.returned(pose(skinner_of(m, dressed, cleared), m.index(1), joints, m.in(gl_stage().morphs.weights)));
        }},
       {"reset_motion",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), m.truth(true), deformer_of(m));
+         Dressed dressed(m, path_of(m), m.truth(true), deformer_of(m));
          Skinner cleared;
          cleared.options.motion = true;
          m.returned(reset_motion(skinner_of(m, dressed, cleared), m.index(1)));
        }},
       {"update",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          const ProgramSet none;
          Skinner cleared;
          m.returned(
@@ -168,7 +173,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"program_of",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          const ProgramSet none;
          Skinner cleared;
          (void)program_of(skinner_of(m, dressed, cleared), m.either(dressed.programs, none), m.index(0));
@@ -176,7 +181,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"draw",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), m.round() % 2 == 0, deformer_of(m));
+         Dressed dressed(m, path_of(m), m.round() % 2 == 0, deformer_of(m));
          Program program = program_of(dressed.skinner, dressed.programs, 0);
          program.motion = m.truth(program.motion);
          const ProgramSet none;
@@ -186,7 +191,7 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"on_context_lost",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          on_context_lost(dressed.skinner);
          on_context_lost(dressed.programs);
          destroy(gl_stage().api, dressed.skinner);
@@ -194,14 +199,14 @@ std::vector<MisuseRow> rows_of_dressing() {
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          on_context_lost(dressed.skinner);
          on_context_lost(dressed.programs);
          m.returned(on_context_restored(gl_stage().api, caps_of(m), dressed.programs));
        }},
       {"on_context_restored",
        [](Misuse& m) {
-         Dressed dressed(path_of(m), true, deformer_of(m));
+         Dressed dressed(m, path_of(m), true, deformer_of(m));
          if (m.truth(true)) on_context_lost(dressed.skinner);
          Skinner cleared;
          m.returned(on_context_restored(gl_stage().api, caps_of(m), skinner_of(m, dressed, cleared)));

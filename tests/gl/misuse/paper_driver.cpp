@@ -9,16 +9,22 @@
 namespace marrow::test {
 namespace {
 
+std::size_t calls = 0;
+
 template <class Function>
 struct Nothing;
 template <class Result, class... Arguments>
 struct Nothing<Result(Arguments...)> {
-  static Result call(Arguments...) { return Result(); }
+  static Result call(Arguments...) {
+    ++calls;
+    return Result();
+  }
 };
 
 volatile unsigned read_so_far = 0;
 
 void read(const void* data, std::size_t bytes) {
+  ++calls;
   unsigned sum = 0;
   for (std::size_t i = 0; data != nullptr && i < bytes; ++i) sum += static_cast<const unsigned char*>(data)[i];
   read_so_far = read_so_far + sum;
@@ -31,10 +37,12 @@ std::size_t texel_bytes(int width, int height, unsigned type) {
 }
 
 void give_names(int count, unsigned* names) {
+  ++calls;
   for (int i = 0; i < count; ++i) names[i] = static_cast<unsigned>(i + 1);
 }
 
 void give_integers(unsigned name, int* values) {
+  ++calls;
   const bool four = name == gles3::kGlViewport || name == gles3::kGlColorWritemask;
   for (int i = 0; i < (four ? 4 : 1); ++i) values[i] = name == gles3::kGlUniformBufferOffsetAlignment ? 256 : 16384;
 }
@@ -69,17 +77,24 @@ void set_reading(gles3::Api& api) {
 }
 
 void set_giving(gles3::Api& api) {
-  api.GetString = [](unsigned) { return reinterpret_cast<const unsigned char*>("OpenGL ES 3.1 of paper"); };
+  api.GetString = [](unsigned) {
+    ++calls;
+    return reinterpret_cast<const unsigned char*>("OpenGL ES 3.1 of paper");
+  };
   api.GetIntegerv = give_integers;
   api.GenBuffers = api.GenVertexArrays = api.GenTextures = api.GenFramebuffers = give_names;
-  api.CreateShader = [](unsigned) { return 1u; };
-  api.CreateProgram = [] { return 1u; };
+  api.CreateShader = [](unsigned) { return static_cast<unsigned>(++calls); };
+  api.CreateProgram = [] { return static_cast<unsigned>(++calls); };
   api.GetShaderiv = [](unsigned, unsigned, int* value) { *value = 1; };
   api.GetProgramiv = [](unsigned, unsigned, int* value) { *value = 1; };
   api.CheckFramebufferStatus = [](unsigned) { return static_cast<unsigned>(gles3::kGlFramebufferComplete); };
 }
 
 }  // namespace
+
+const std::size_t& paper_calls() {
+  return calls;
+}
 
 gles3::Api paper_api() {
   gles3::Api api;

@@ -100,6 +100,8 @@ TEST(Feet, BadCallsWriteNothing) {
     refuses([&] { w.scene[1].rows[1][3] = bad; });
   }
   refuses([&] { w.frame.up[1] = 2; });
+  refuses([&] { w.frame.weight = 2; });
+  refuses([&] { w.feet.reach = 2; });
   refuses([&] { w.feet.ease_s = 0; });
   refuses([&] { w.legs[1].ankle = 11; });
   refuses([&] { w.legs[1].knee = 5; });
@@ -114,7 +116,7 @@ TEST(Feet, BadCallsWriteNothing) {
     refuses([&] { w.legs[1] = {.hip = far, .knee = far, .ankle = far}; });
     refuses([&] { w.feet.pelvis = far; });
   }
-  EXPECT_EQ(refused, 4 * 8 + 3 * 8 + 7 + 4 * 5);
+  EXPECT_EQ(refused, 4 * 8 + 3 * 8 + 9 + 4 * 5);
   EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, {w.ground.data(), 1}, w.motion, w.local, w.scene),
             Status::bad_argument);
   EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, {w.motion.data(), 1}, w.local, w.scene),

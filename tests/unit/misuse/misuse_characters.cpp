@@ -120,6 +120,7 @@ std::vector<MisuseRow> rows_of_characters() {
        [](Misuse& m) {
          Whole whole(golden_channels_copy);
          Character none;
+         m.never_refuses();
          m.returned(local_to_model(m.truth(true) ? whole.character : none));
        }},
       {"add_expression",

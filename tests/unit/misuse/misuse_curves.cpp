@@ -12,7 +12,9 @@ const std::vector<float> kTimes = {0, 0.25f, 0.5f, 1.5f};
 const std::vector<float> kValues = {0, 1, 2, 1, 0, 3, -1, 2, 5, 4, 1, 0, 7, -2, 1, 1, 2, 2, 3, 0.5f, 6, 1, 0, 8};
 
 Curve curve_of(Misuse& m, CurveKind kind = CurveKind::hermite, std::uint32_t components = 2) {
-  return {m.kind(kind), m.truth(false), m.index(components), m.in(kTimes), m.in(kValues)};
+  const std::size_t count = curve_value_count(kind, components, kTimes.size());
+  return {m.kind(kind), m.truth(false), m.index(components), m.in(kTimes, Length::any),
+          m.in(Span<const float>(kValues.data(), count))};
 }
 
 }  // namespace
@@ -39,7 +41,8 @@ std::vector<MisuseRow> rows_of_curves() {
        [](Misuse& m) {
          const std::vector<float> turns = {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
          const Span<float> out = m.out<float>(4);
-         const Curve curve{m.kind(CurveKind::centripetal), m.truth(true), m.index(4), m.in(kTimes), m.in(turns)};
+         const Curve curve{m.kind(CurveKind::centripetal), m.truth(true), m.index(4), m.in(kTimes, Length::any),
+                           m.in(turns)};
          m.returned(evaluate_curve(curve, m.number(0.3f), out));
        }},
       {"curve_velocity",
@@ -61,13 +64,13 @@ std::vector<MisuseRow> rows_of_curves() {
       {"bezier",
        [](Misuse& m) {
          const Span<float> scratch = m.room<float>(kValues.size()), out = m.out<float>(3);
-         m.returned(bezier(m.in(kValues), m.index(3), m.number(0.5f), scratch, out));
+         m.returned(bezier(m.in(kValues, Length::any), m.index(3), m.number(0.5f), scratch, out));
        }},
       {"bezier_rotation",
        [](Misuse& m) {
          const std::vector<float> turns = {0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0};
          const Span<float> scratch = m.room<float>(turns.size()), out = m.out<float>(4);
-         m.returned(bezier_rotation(m.in(turns), m.number(0.5f), scratch, out));
+         m.returned(bezier_rotation(m.in(turns, Length::any), m.number(0.5f), scratch, out));
        }},
       {"bicubic_patch",
        [](Misuse& m) {

@@ -43,8 +43,9 @@ File file_of(Misuse& m) {
 }
 
 // The bytes of a file: cut, off its boundary, a few of them changed.
-Span<std::byte> block_of(Misuse& m, Span<const std::byte> good) {
-  const Span<std::byte> block = m.memory(good.size);
+Span<std::byte> block_of(Misuse& m, Span<const std::byte> good, std::size_t boundary) {
+  if (m.spoils("bytes at null")) return {nullptr, good.size};
+  const Span<std::byte> block = m.memory(good.size, boundary, Length::any);
   std::memcpy(block.data, good.data, block.size);
   for (int i = 0; i < 3; ++i) block[m.index(0) % block.size] ^= static_cast<std::byte>(m.index(0));
   return block;
@@ -139,14 +140,14 @@ std::vector<MisuseRow> rows_of_files() {
          File& out = m.one(File{});
          DataError error;
          const Loaded& good = m.either(face(), dance());
-         m.returned(load(block_of(m, {good.block.data(), good.block.size()}), out, m.pointer(&error)));
+         m.returned(load(block_of(m, {good.block.data(), good.block.size()}, 16), out, m.pointer(&error)));
        }},
       {"is_packed", MISUSED(is_packed(m.in(fan())))},
       {"unpack_sizes",
        [](Misuse& m) {
          UnpackSizes& out = m.one(UnpackSizes{});
          DataError error;
-         m.returned(unpack_sizes(block_of(m, fan()), out, m.pointer(&error)));
+         m.returned(unpack_sizes(block_of(m, fan(), 1), out, m.pointer(&error)));
        }},
       {"unpack",
        [](Misuse& m) {
@@ -155,7 +156,7 @@ std::vector<MisuseRow> rows_of_files() {
          Span<const std::byte>& file = m.one(Span<const std::byte>{});
          DataError error;
          const Span<const MeshDecoder> decoders = m.truth(true) ? kPlainDecoder : Span<const MeshDecoder>();
-         m.returned(unpack(block_of(m, fan()), decoders, m.memory(sizes.memory_bytes), file, m.pointer(&error)));
+         m.returned(unpack(block_of(m, fan(), 1), decoders, m.memory(sizes.memory_bytes), file, m.pointer(&error)));
        }},
       {"begin_unpack",
        [](Misuse& m) {
@@ -164,7 +165,8 @@ std::vector<MisuseRow> rows_of_files() {
          Unpacking& out = m.one(Unpacking{});
          DataError error;
          const Span<const MeshDecoder> decoders = m.truth(true) ? kPlainDecoder : Span<const MeshDecoder>();
-         m.returned(begin_unpack(block_of(m, fan()), decoders, m.memory(sizes.memory_bytes), out, m.pointer(&error)));
+         m.returned(
+             begin_unpack(block_of(m, fan(), 1), decoders, m.memory(sizes.memory_bytes), out, m.pointer(&error)));
        }},
       {"unpack_step",
        [](Misuse& m) {
@@ -181,7 +183,7 @@ std::vector<MisuseRow> rows_of_files() {
       {"bind_clips",
        [](Misuse& m) {
          std::size_t count = 0;
-         const Span<JointMisfit> misfits = m.room<JointMisfit>(2);
+         const Span<JointMisfit> misfits = m.room<JointMisfit>(2, Length::any);
          m.returned(bind_clips(m.either(pack().file, file_of(m)), m.index(0), m.either(dance().file, file_of(m)),
                                m.index(0), misfits, m.pointer(&count)));
        }},
@@ -190,7 +192,7 @@ std::vector<MisuseRow> rows_of_files() {
          std::size_t count = 0;
          const File outfit = m.either(dance().file, file_of(m)), body = m.either(dance().file, file_of(m));
          const Span<std::uint16_t> joints = m.room<std::uint16_t>(dance().file.skeleton(0).joint_count);
-         const Span<JointMisfit> misfits = m.room<JointMisfit>(2);
+         const Span<JointMisfit> misfits = m.room<JointMisfit>(2, Length::any);
          m.returned(bind_outfit(outfit, m.index(0), body, m.index(0), joints, misfits, m.pointer(&count)));
        }},
   };

@@ -23,6 +23,11 @@ std::vector<JointLimit> good_limits() {
   return {good_limit(LimitKind::hinge, 2), good_limit(LimitKind::cone, 5), good_limit(LimitKind::euler, 10)};
 }
 
+// As many joints as those limits need.
+std::vector<SoaTransform> limited_pose() {
+  return {stage().pose.begin(), stage().pose.begin() + 3};
+}
+
 LimitDescription description_of(Misuse& m) {
   LimitDescription d{.kind = m.kind(LimitKind::cone), .order = m.kind(AxisOrder::zyx)};
   for (float* const v : {d.zero, d.axis, d.across}) *v = m.number(*v);
@@ -54,7 +59,7 @@ std::vector<SpringChain> chains_of(Misuse& m, std::vector<SpringJoint>& joints) 
   for (const std::uint32_t joint : {2u, 5u, 10u})
     joints.push_back({static_cast<std::uint16_t>(m.index(joint)), 0, m.number(2), m.number(0.5f), m.number(1),
                       m.number(0.5f), m.number(0.05f), m.number(1)});
-  return {{m.in(joints), {m.number(0.2f), m.number(0), m.number(0)}}};
+  return {{m.in(joints, Length::any), {m.number(0.2f), m.number(0), m.number(0)}}};
 }
 
 // Springs in good order, in memory that stays as long as they do.
@@ -74,7 +79,7 @@ struct Swinging {
 SpringFrame frame_of(Misuse& m, std::vector<SpringCollider>& colliders) {
   colliders = {
       {static_cast<std::uint16_t>(m.index(3)), 0, {m.number(0), 0, 0}, {0, m.number(0.1f), 0}, m.number(0.1f)}};
-  SpringFrame frame{.dt_s = m.number(0.02f), .colliders = m.in(colliders), .teleport_m = m.number(1)};
+  SpringFrame frame{.dt_s = m.number(0.02f), .colliders = m.in(colliders, Length::any), .teleport_m = m.number(1)};
   frame.world_from_scene.rows[1][1] = m.number(1);
   frame.world_from_scene.rows[2][3] = m.number(3);
   frame.gravity[1] = m.number(-9.81f);
@@ -115,8 +120,8 @@ std::vector<MisuseRow> rows_of_limits() {
        }},
       {"limit_pose",
        [](Misuse& m) {
-         const Span<const JointLimit> limits = m.in(good_limits());
-         m.returned(limit_pose(limits, m.out(stage().pose)));
+         const Span<const JointLimit> limits = m.in(good_limits(), Length::any);
+         m.returned(limit_pose(limits, m.out(limited_pose())));
        }},
       {"is_valid",
        [](Misuse& m) {
@@ -163,9 +168,9 @@ std::vector<MisuseRow> rows_of_limits() {
        [](Misuse& m) {
          std::vector<RotationFollower> good;
          for (int i = 0; i < 3; ++i) good.push_back(turning(m));
-         const Span<const JointLimit> limits = m.in(good_limits());
+         const Span<const JointLimit> limits = m.in(good_limits(), Length::any);
          const Span<RotationFollower> states = m.out(good);
-         m.returned(follow_pose(limits, states, m.number(0.02f), m.out(stage().pose)));
+         m.returned(follow_pose(limits, states, m.number(0.02f), m.out(limited_pose())));
        }},
   };
 }
@@ -188,14 +193,15 @@ std::vector<MisuseRow> rows_of_following() {
          const Skeleton& skeleton = m.either(stage().skeleton, stage().smaller);
          const Span<std::byte> memory = m.memory(springs_bytes(skeleton, chains));
          Springs& out = m.one(Springs{});
-         m.returned(make_springs(skeleton, m.in(chains), memory, out));
+         m.returned(make_springs(skeleton, m.in(chains, Length::any), memory, out));
        }},
       {"set_springs",
        [](Misuse& m) {
          std::vector<SpringJoint> joints;
          const std::vector<SpringChain> chains = chains_of(m, joints);
          Swinging swinging;
-         m.returned(set_springs(m.either(stage().skeleton, stage().smaller), m.in(chains), swinging.springs));
+         m.returned(
+             set_springs(m.either(stage().skeleton, stage().smaller), m.in(chains, Length::any), swinging.springs));
        }},
       {"reset_springs",
        [](Misuse& m) {

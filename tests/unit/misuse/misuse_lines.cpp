@@ -8,7 +8,7 @@ namespace {
 
 DebugLines& lines_of(Misuse& m) {
   DebugLines lines;
-  lines.room = m.out<DebugLine>(64);
+  lines.room = m.out<DebugLine>(64, Length::any);
   lines.count = m.index(3);
   return m.one(lines);
 }
@@ -41,8 +41,8 @@ std::vector<MisuseRow> rows_of_lines() {
          limit.angles[1].half_width = limit.angles[2].half_width = m.number(0.2f);
          limit.limit_from_parent[3] = m.number(1);
          const std::vector<JointLimit> limits = {limit};
-         m.returned(
-             limit_lines(stage().skeleton, m.in(limits), m.in(stage().pose), scene_of(m), m.number(0.1f), lines));
+         m.returned(limit_lines(stage().skeleton, m.in(limits, Length::any), m.in(stage().pose), scene_of(m),
+                                m.number(0.1f), lines));
        }},
       {"goal_lines",
        [](Misuse& m) {
@@ -52,7 +52,8 @@ std::vector<MisuseRow> rows_of_lines() {
          for (float* const v : {goal.offset, goal.position, goal.rotation}) *v = m.number(0.5f);
          goal.rotation_weight = m.number(0);
          const std::vector<IkGoal> goals = {goal};
-         m.returned(goal_lines(stage().skeleton, m.in(goals), scene_of(m), m.number(0.1f), m.number(0.01f), lines));
+         m.returned(goal_lines(stage().skeleton, m.in(goals, Length::any), scene_of(m), m.number(0.1f), m.number(0.01f),
+                               lines));
        }},
       {"spring_lines",
        [](Misuse& m) {
@@ -60,15 +61,15 @@ std::vector<MisuseRow> rows_of_lines() {
          std::vector<SpringJoint> joints(2);
          joints[0].joint = joint_of(m, 2);
          joints[1].joint = joint_of(m, 5);
-         const std::vector<SpringChain> chains = {{m.in(joints), {m.number(0.1f), 0, 0}}};
-         m.returned(spring_lines(stage().skeleton, m.in(chains), scene_of(m), lines));
+         const std::vector<SpringChain> chains = {{m.in(joints, Length::any), {m.number(0.1f), 0, 0}}};
+         m.returned(spring_lines(stage().skeleton, m.in(chains, Length::any), scene_of(m), lines));
        }},
       {"collider_lines",
        [](Misuse& m) {
          DebugLines& lines = lines_of(m);
          const std::vector<SpringCollider> colliders = {
              {joint_of(m, 3), 0, {m.number(0), 0, 0}, {0, m.number(0.1f), 0}, m.number(0.1f)}};
-         m.returned(collider_lines(stage().skeleton, m.in(colliders), scene_of(m), lines));
+         m.returned(collider_lines(stage().skeleton, m.in(colliders, Length::any), scene_of(m), lines));
        }},
       {"bounds_lines",
        [](Misuse& m) {

@@ -14,15 +14,15 @@ const Skeleton& skeleton_of(Misuse& m) {
 
 SampleOptions sampled_joints(Misuse& m) {
   const std::vector<std::uint32_t> words(1, 0x000FFFFF);
-  return {.joints = m.truth(true) ? Span<const std::uint32_t>() : m.in(words)};
+  return {.joints = m.truth(true) ? Span<const std::uint32_t>() : m.in(words, Length::any)};
 }
 
 std::vector<BlendLayer> blended(Misuse& m) {
   std::vector<BlendLayer> layers;
   const std::vector<float> mask(stage().pose.size() * 4, 0.5f);
   for (int i = 0; i < 3; ++i)
-    layers.push_back(
-        {m.in(i == 1 ? stage().other : stage().pose), m.number(0.5f), i == 2 ? m.in(mask) : Span<const float>()});
+    layers.push_back({m.in(i == 1 ? stage().other : stage().pose), m.number(0.5f),
+                      i == 2 ? m.in(mask, Length::exact_or_none) : Span<const float>()});
   return layers;
 }
 
@@ -90,14 +90,16 @@ std::vector<MisuseRow> rows_of_poses() {
        [](Misuse& m) {
          const Span<SoaTransform> out = m.out(stage().pose);
          const Clip none;
-         m.returned(sample(skeleton_of(m), m.either(stage().clip, none), m.number(0.5f), out, sampled_joints(m)));
+         const Skeleton& skeleton = m.spoils("another skeleton's clip") ? stage().smaller : stage().skeleton;
+         const float time_s = m.spoils("a time that is no number") ? NAN : m.number(0.5f);
+         m.returned(sample(skeleton, m.either(stage().clip, none), time_s, out, sampled_joints(m)));
        }},
       {"sample_cache_bytes", [](Misuse& m) { m.returned(static_cast<float>(sample_cache_bytes(stage().clip))); }},
       {"sample_cached",
        [](Misuse& m) {
          const Span<SoaTransform> out = m.out(stage().pose);
          const std::vector<SoaTransform> frames(8);
-         const Span<const SoaTransform> memory = m.in(frames);
+         const Span<const SoaTransform> memory = m.in(frames, Length::any);
          SampleCache cache;
          cache.memory = {reinterpret_cast<std::byte*>(const_cast<SoaTransform*>(memory.data)),
                          memory.size * sizeof(SoaTransform)};
@@ -119,9 +121,10 @@ std::vector<MisuseRow> rows_of_poses() {
        }},
       {"overlay",
        [](Misuse& m) {
-         const std::vector<BlendLayer> layers = blended(m);
+         const std::vector<float> mask(stage().pose.size() * 4, 0.5f);
+         const BlendLayer layer{m.in(stage().other), m.number(0.5f), m.in(mask, Length::exact_or_none)};
          const Span<SoaTransform> out = m.out(stage().pose);
-         m.returned(overlay(skeleton_of(m), layers[2], out));
+         m.returned(overlay(skeleton_of(m), layer, out));
        }},
       {"make_additive",
        [](Misuse& m) {
@@ -131,7 +134,7 @@ std::vector<MisuseRow> rows_of_poses() {
       {"add",
        [](Misuse& m) {
          const std::vector<float> mask(stage().pose.size() * 4, 0.5f);
-         const AdditiveLayer layer{m.in(change()), m.number(0.5f), m.in(mask)};
+         const AdditiveLayer layer{m.in(change()), m.number(0.5f), m.in(mask, Length::exact_or_none)};
          m.returned(add(skeleton_of(m), layer, m.out(stage().pose)));
        }},
       {"fade_weight",
@@ -144,8 +147,8 @@ std::vector<MisuseRow> rows_of_poses() {
       {"begin_inertia",
        [](Misuse& m) {
          Inertia inertia{m.out<InertialOffset>(stage().pose.size()), m.number(0)};
-         const InertialStart start{m.in(stage().pose), m.in(stage().pose), m.in(stage().other), m.in(stage().other),
-                                   m.number(0.02f)};
+         const InertialStart start{m.in(stage().pose), m.in(stage().pose), m.in(stage().other),
+                                   m.in(stage().other, Length::exact_or_none), m.number(0.02f)};
          m.returned(begin_inertia(skeleton_of(m), start, m.number(0.5f), inertia));
        }},
       {"apply_inertia",
@@ -165,8 +168,9 @@ std::vector<MisuseRow> rows_of_poses() {
        }},
       {"local_to_model_first",
        [](Misuse& m) {
-         const Span<Affine> out = m.out<Affine>(stage().joints.size());
-         m.returned(local_to_model_first(skeleton_of(m), m.in(stage().pose), m.index(10), out));
+         const Span<Affine> out = m.out<Affine>(10);
+         const std::vector<SoaTransform> first(stage().pose.begin(), stage().pose.begin() + 3);
+         m.returned(local_to_model_first(skeleton_of(m), m.in(first), m.index(10), out));
        }},
       {"local_to_model_below",
        [](Misuse& m) {

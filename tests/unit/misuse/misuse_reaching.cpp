@@ -71,9 +71,9 @@ IkProblem problem_of(Misuse& m, Asked& asked) {
   asked.limits = {limit};
   const std::vector<std::uint16_t> turning = {0, 2, 5, 10};
   const std::vector<float> stiffness = {m.number(0.5f), 0, m.number(0.1f), 0};
-  IkProblem problem{.goals = m.in(asked.goals), .joints = m.in(turning)};
-  if (m.truth(false)) problem.stiffness = m.in(stiffness);
-  if (m.truth(false)) problem.limits = m.in(asked.limits);
+  IkProblem problem{.goals = m.in(asked.goals, Length::any), .joints = m.in(turning, Length::any)};
+  if (m.truth(false)) problem.stiffness = m.in(stiffness, Length::any);
+  if (m.truth(false)) problem.limits = m.in(asked.limits, Length::any);
   problem.pole[0] = m.number(1);
   problem.pole_weight = m.number(0);
   problem.root_travel_m = m.number(0);
@@ -101,7 +101,7 @@ void solve(Misuse& m, decltype(solve_ik)& by, IkMethod method) {
   const IkProblem problem = problem_of(m, asked);
   const IkOptions options = options_of(m, method);
   const Skeleton& skeleton = skeleton_of(m);
-  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_scratch_bytes(skeleton, problem, options)));
+  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_scratch_bytes(skeleton, problem, options)), 1);
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
   IkReport report;
@@ -128,7 +128,7 @@ Foot foot_of(Misuse& m, std::uint32_t hip, std::uint32_t knee, std::uint32_t ank
 
 void place(Misuse& m) {
   const std::vector<Foot> two = {foot_of(m, 2, 5, 10), foot_of(m, 3, 7, 13)};
-  const Feet feet{m.in(two), m.index(0), m.number(0.5f), m.number(0.99f), m.number(0.6f), m.number(0.25f)};
+  const Feet feet{m.in(two, Length::any), m.index(0), m.number(0.5f), m.number(0.99f), m.number(0.6f), m.number(0.25f)};
   std::vector<FootGround> ground(2);
   for (FootGround& g : ground) {
     g.hit = m.truth(true);
@@ -199,7 +199,7 @@ void call_solve_look_at(Misuse& m) {
   const std::vector<std::uint32_t> chain = {0, 2, 5};
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
-  m.returned(solve_look_at(skeleton_of(m), m.in(chain), aim_of(m), m.number(0.5f), local, joints));
+  m.returned(solve_look_at(skeleton_of(m), m.in(chain, Length::any), aim_of(m), m.number(0.5f), local, joints));
 }
 
 void call_ik_scratch_bytes(Misuse& m) {
@@ -219,7 +219,7 @@ void call_solve_ik_genetic(Misuse& m) {
   const IkProblem problem = problem_of(m, asked);
   const IkOptions options = options_of(m);
   const Skeleton& skeleton = skeleton_of(m);
-  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_genetic_scratch_bytes(skeleton, problem)));
+  const Span<std::byte> scratch = m.memory(scratch_bytes(ik_genetic_scratch_bytes(skeleton, problem)), 1);
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
   m.returned(solve_ik_genetic(skeleton, local, joints, problem, options, scratch));
@@ -227,7 +227,7 @@ void call_solve_ik_genetic(Misuse& m) {
 
 void call_foot_sole(Misuse& m) {
   float sole[3] = {};
-  const Span<const Affine> joints = m.in(stage().joints);
+  const Span<const Affine> joints = m.in(Span<const Affine>(stage().joints.data(), 11));
   const Status status = foot_sole(foot_of(m, 2, 5, 10), *matrix(m, 0), joints, sole);
   m.returned(status);
   for (const float x : sole) EXPECT_TRUE(status != Status::ok || std::isfinite(x));

@@ -40,7 +40,7 @@ const Skinned& skinned() {
   return made;
 }
 
-// A mesh without normals, or with another one's geometry, or none at all, now and then.
+// A mesh without normals, or with fewer joints than its geometry follows, or none at all, now and then.
 Mesh mesh_of(Misuse& m, const Mesh& good = stage().mesh) {
   Mesh other = good;
   other.joint_count = 1;
@@ -50,10 +50,32 @@ Mesh mesh_of(Misuse& m, const Mesh& good = stage().mesh) {
   return mesh;
 }
 
+// One in four is skinned without normals and tangents.
+bool has_normals(const Misuse& m) {
+  return m.round() % 4 != 0;
+}
+
+// To be skinned: without what is asked for, off its boundaries, with another one's geometry.
+Mesh skinned_mesh_of(Misuse& m, const Mesh& good = stage().mesh) {
+  Mesh mesh = m.either(good, Mesh{});
+  Geometry& g = mesh.geometry;
+  if (m.spoils("another mesh's geometry")) --mesh.joint_count;
+  if (m.spoils("vertices off their boundary")) ++g.skin;
+  if (!has_normals(m)) {
+    g.normals = g.tangents = nullptr;
+    return mesh;
+  }
+  if (m.spoils("normals off their boundary")) ++g.normals;
+  if (m.spoils("tangents off their boundary")) ++g.tangents;
+  if (m.spoils("normals that are not there")) g.normals = nullptr;
+  if (m.spoils("tangents that are not there")) g.tangents = nullptr;
+  return mesh;
+}
+
 SkinOutput output_of(Misuse& m) {
-  const std::size_t slots = stage().mesh.geometry.slot_count;
-  return {m.out<float>(slots * 3), m.out<float>(slots * 3), m.out<float>(slots * 4),
-          m.kind(NormalTransform::inverse_transpose)};
+  const std::size_t slots = stage().mesh.geometry.slot_count, more = has_normals(m) ? slots : 0;
+  return {m.out<float>(slots * 3), m.out<float>(more * 3, Length::exact_or_none),
+          m.out<float>(more * 4, Length::exact_or_none), m.kind(NormalTransform::inverse_transpose)};
 }
 
 std::vector<float> coordinates_of(const Mesh& mesh) {
@@ -86,7 +108,8 @@ std::vector<MisuseRow> rows_of_morphs() {
          const std::vector<std::uint32_t> channels = {0, 1, kNoChannel, 2, kNoChannel, 0};
          const std::vector<float> values = {0.5f, 1, 2};
          const Span<float> out = m.out<float>(6);
-         m.returned(morph_weights(m.either(skinned().morphed, stage().mesh), m.in(channels), m.in(values), out));
+         m.returned(morph_weights(m.either(skinned().morphed, stage().mesh), m.in(channels, Length::exact_or_none),
+                                  m.in(values), out));
        }},
       {"morphed_bytes",
        [](Misuse& m) {
@@ -122,8 +145,8 @@ ExampleSpace space_of(Misuse& m) {
   static const std::vector<float> linear(12, 0.25f), radial(16, 0.5f), places = {0, 0, 1, 0, 0, 1, 1, 1}, widths(4, 1);
   ExampleSpace out;
   out.example_count = m.index(4);
-  out.parameters = m.in(parameters);
-  out.targets = m.in(targets);
+  out.parameters = parameters;
+  out.targets = m.in(targets, Length::any);
   out.linear = m.in(linear);
   out.radial = m.in(radial);
   out.places = m.in(places);
@@ -135,7 +158,9 @@ std::vector<MisuseRow> rows_of_examples() {
   return {
       {"find_example_channels",
        [](Misuse& m) {
-         const ExampleSpace space = space_of(m);
+         const std::vector<ExampleParameter> parameters(2);
+         ExampleSpace space;
+         space.parameters = m.in(parameters, Length::any);
          const Span<std::uint32_t> out = m.out<std::uint32_t>(2);
          m.returned(find_example_channels(File{}, space, File{}, m.either(stage().creature.clip.view(), Clip{}), out));
        }},
@@ -143,7 +168,7 @@ std::vector<MisuseRow> rows_of_examples() {
        [](Misuse& m) {
          const ExampleSpace space = space_of(m);
          const std::vector<float> parameters = {m.number(0.5f), m.number(0.25f)};
-         const Span<float> out = m.out<float>(6);
+         const Span<float> out = m.out<float>(5);
          m.returned(evaluate_examples(space, m.in(parameters), out));
        }},
   };
@@ -153,13 +178,15 @@ std::vector<MisuseRow> rows_of_palettes() {
   return {
       {"build_palette",
        [](Misuse& m) {
-         const std::vector<std::uint16_t>& joints = stage().creature.mesh.joints;
+         std::vector<std::uint16_t> joints = stage().creature.mesh.joints;
+         if (m.spoils("a joint that the skeleton has not"))
+           joints.back() = static_cast<std::uint16_t>(stage().joints.size());
          const std::vector<Helper> helper = {
              {static_cast<std::uint16_t>(m.index(1)), static_cast<std::uint16_t>(m.index(2)), m.number(0.5f)}};
          const std::vector<float> centre = {m.number(0.1f), m.number(0.2f), m.number(0.3f)};
          const Span<Affine> out = m.out<Affine>(stage().palette.size() + 1);
-         m.returned(build_palette(m.in(joints), m.in(stage().creature.mesh.inverse_bind), m.in(stage().joints), out,
-                                  m.in(helper), m.in(centre)));
+         m.returned(build_palette(m.in(joints, Length::any), m.in(stage().creature.mesh.inverse_bind),
+                                  m.in(stage().joints), out, m.in(helper, Length::any), m.in(centre, Length::any)));
        }},
       {"build_palette",
        [](Misuse& m) {
@@ -188,7 +215,7 @@ std::vector<MisuseRow> rows_of_palettes() {
          std::vector<float> weights = {0.5f, -1, 2};
          for (float& w : weights) w = m.number(w);
          Bounds& out = m.one(Bounds{});
-         m.returned(palette_bounds(reach, m.in(stage().palette), m.in(weights), out));
+         m.returned(palette_bounds(reach, m.in(stage().palette), m.in(weights, Length::exact_or_none), out));
        }},
       {"turns_inside_out",
        [](Misuse& m) {
@@ -227,22 +254,24 @@ std::vector<MisuseRow> rows_of_animation_space() {
        }},
       {"as_tangents",
        [](Misuse& m) {
-         const Mesh mesh = mesh_of(m, skinned().sheet_mesh);
+         Mesh mesh = mesh_of(m, skinned().sheet_mesh);
+         if (m.spoils("another mesh's geometry")) --mesh.joint_count;
+         if (m.spoils("a mesh without normals")) mesh.geometry.normals = nullptr;
          const std::vector<float> coordinates = coordinates_of(skinned().sheet_mesh);
-         const AsPart part{m.pointer(&mesh), m.in(coordinates),
+         const AsPart part{m.spoils("no mesh") ? nullptr : &mesh, m.in(coordinates),
                            m.out<float>(as_tangent_count(skinned().sheet_mesh.geometry))};
          const AsPart good{&skinned().sheet_mesh, {}, {}};
-         const Span<std::byte> scratch = m.memory(as_tangent_scratch_bytes({&good, 1}));
+         const Span<std::byte> scratch = m.memory(as_tangent_scratch_bytes({&good, 1}), 4);
          m.returned(as_tangents({&part, 1}, scratch));
        }},
       {"skin_as",
        [](Misuse& m) {
-         const Mesh mesh = mesh_of(m);
+         const Mesh mesh = skinned_mesh_of(m);
          const std::vector<float> coordinates = coordinates_of(stage().mesh);
          const std::vector<float> tangents(as_tangent_count(stage().mesh.geometry), 0.25f);
          const SkinOutput out = output_of(m);
          m.returned(skin_as(mesh, m.in(coordinates), m.in(stage().palette), out,
-                            m.truth(false) ? m.in(tangents) : Span<const float>()));
+                            m.truth(false) ? m.in(tangents, Length::exact_or_none) : Span<const float>()));
        }},
   };
 }
@@ -254,17 +283,17 @@ std::vector<MisuseRow> rows_of_skinning() {
       {"skin_rigid",
        [](Misuse& m) {
          const SkinOutput out = output_of(m);
-         m.returned(skin_rigid(mesh_of(m), m.in(stage().palette), out));
+         m.returned(skin_rigid(skinned_mesh_of(m), m.in(stage().palette), out));
        }},
       {"skin_ssd",
        [](Misuse& m) {
          const SkinOutput out = output_of(m);
-         m.returned(skin_ssd(mesh_of(m), m.in(stage().palette), out));
+         m.returned(skin_ssd(skinned_mesh_of(m), m.in(stage().palette), out));
        }},
       {"skin_mwe",
        [](Misuse& m) {
          const SkinOutput out = output_of(m);
-         m.returned(skin_mwe(mesh_of(m, skinned().weighed), m.in(stage().palette), out));
+         m.returned(skin_mwe(skinned_mesh_of(m, skinned().weighed), m.in(stage().palette), out));
        }},
       {"psd_distance_count",
        [](Misuse& m) { m.returned(static_cast<float>(psd_distance_count(mesh_of(m, skinned().posed).geometry))); }},
@@ -277,7 +306,7 @@ std::vector<MisuseRow> rows_of_skinning() {
       {"skin_psd",
        [](Misuse& m) {
          const SkinOutput out = output_of(m);
-         m.returned(skin_psd(mesh_of(m, skinned().posed), m.in(distances()), m.in(stage().palette), out));
+         m.returned(skin_psd(skinned_mesh_of(m, skinned().posed), m.in(distances()), m.in(stage().palette), out));
        }},
   };
   for (const auto& more : {rows_of_morphs(), rows_of_examples(), rows_of_palettes(), rows_of_animation_space()})

@@ -1,6 +1,5 @@
-// The table of rows against the headers, and all of its calls.
+// The table of rows against the description, and all of its calls.
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -14,34 +13,26 @@
 namespace marrow::test {
 namespace {
 
-// Names of all functions that the headers declare, members too.
-std::set<std::string> declared(const std::function<bool(const std::string&)>& headers) {
-  std::set<std::string> names;
-  // No functions, what makes a class a range, what has no arguments, and private ones.
-  const std::set<std::string> none = {"alignas",         "requires",      "Span",
-                                      "begin",           "end",           "empty",
-                                      "operator",        "draco_decoder", "call_error_handler",
-                                      "meshopt_decoder", "geometry",      "section",
-                                      "springs_of"};
-  const std::regex function(R"(^(?:  )?(?:MARROW_API )?(?:(?:inline|constexpr|const) )*)"
-                            R"((?!MARROW_API)[A-Za-z_][\w:]*(?:<[^>]*>)?(?: |[&*] )(\w+)\()");
-  for (const auto& entry : std::filesystem::directory_iterator(in_source("runtime/include/marrow"))) {
-    if (!headers(entry.path().filename())) continue;
-    std::ifstream in(entry.path());
-    std::smatch found;
-    for (std::string line; std::getline(in, line);)
-      if (std::regex_search(line, found, function) && line.find("return ") != 2 && !none.count(found[1]))
-        names.insert(found[1]);
-  }
-  return names;
-}
-
 int complaints() {
   return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
 }
 
-// What returns a Status refuses some of the calls and does others.
-void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds) {
+std::uint64_t rounds_of_each() {
+#if defined(__aarch64__)
+  return 1000;  // emulated
+#else
+  return in_long_form() ? 50000 : 3000;
+#endif
+}
+
+// What became of the calls of a function, all its overloads.
+struct Called {
+  int rows = 0;
+  bool gave_status = false, refuses = false, was_refused = false;
+};
+
+// Some calls are done.
+void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds, Called& called) {
   std::size_t ok = 0, refused = 0;
   const int before = complaints();  // one of a row is enough
   for (std::uint64_t seed = 0; seed < rounds && complaints() == before; ++seed) {
@@ -50,6 +41,9 @@ void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds)
     row.call(m);
     ok += m.ok();
     refused += m.refused();
+    called.was_refused |= m.told() > 0;
+    called.gave_status |= m.gave_status();
+    called.refuses |= m.gave_status() && m.refuses();
   }
   if (complaints() > before) return;
   EXPECT_GT(ok, rounds / 10) << name << " hardly ever works";
@@ -58,38 +52,39 @@ void misuse(const MisuseRow& row, const std::string& name, std::uint64_t rounds)
 
 }  // namespace
 
-std::set<std::string> declared_functions(const std::function<bool(const std::string&)>& headers) {
-  return declared(headers);
-}
-
-void expect_a_row_of_each(const std::vector<MisuseRow>& rows, const std::function<bool(const std::string&)>& headers) {
-  const std::set<std::string> all = declared(headers);
-  EXPECT_GT(all.size(), 40u);
-  std::set<std::string> there;
-  for (const MisuseRow& row : rows) there.insert(row.function);
-  for (const std::string& name : all) EXPECT_TRUE(there.count(name)) << name << " has no row";
-  for (const std::string& name : there) EXPECT_TRUE(all.count(name)) << name << " is no public function";
-}
-
-void expect_each_named_in(const char* document, const std::function<bool(const std::string&)>& headers) {
-  std::ifstream in(in_source(document));
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  for (const std::string& name : declared(headers))
-    EXPECT_NE(text.find("`" + name + "`"), std::string::npos) << document << " does not name " << name;
-}
-
-void misuse_all(const std::vector<MisuseRow>& rows) {
-#if defined(__aarch64__)
-  const std::uint64_t rounds = 1000;  // emulated
-#else
-  const std::uint64_t rounds = in_long_form() ? 50000 : 3000;
-#endif
-  std::map<std::string, int> row_of;
-  for (const MisuseRow& row : rows) {
-    const int number = row_of[row.function]++;
-    misuse(row, row.function + (number > 0 ? " " + std::to_string(number + 1) : ""), rounds);
+std::vector<PublicFunction> functions_in(const char* description) {
+  std::vector<PublicFunction> out;
+  std::ifstream in(in_source(description));
+  const std::regex row(R"(^(?:fn (\w+\.)?(\w+)\((.*)\) -> (\w+).*|no (\w+): ..........*))");
+  std::smatch found;
+  for (std::string line; std::getline(in, line);) {
+    if (!std::regex_match(line, found, row)) continue;
+    const bool is_there = found[2].matched;
+    out.push_back(
+        {is_there ? found[2] : found[5], !is_there || found[1].matched || found[3].length() > 0, found[4] == "status"});
   }
-  std::printf("%zu rows, %zu calls\n", rows.size(), rows.size() * rounds);
+  return out;
+}
+
+void expect_rows_of(const char* description, const std::vector<MisuseRow>& rows) {
+  std::map<std::string, Called> all_called;
+  for (const MisuseRow& row : rows) {
+    Called& called = all_called[row.function];
+    const std::string number = called.rows++ > 0 ? " " + std::to_string(called.rows) : "";
+    misuse(row, row.function + number, rounds_of_each(), called);
+  }
+  std::set<std::string> all;
+  for (const PublicFunction& f : functions_in(description)) {
+    all.insert(f.name);
+    const Called& called = all_called[f.name];
+    EXPECT_TRUE(!f.has_arguments || called.rows > 0) << f.name << " has no row";
+    EXPECT_TRUE(!f.gives_status || called.gave_status) << f.name << ": its row does not look at the Status";
+    EXPECT_EQ(called.refuses, called.was_refused)
+        << f.name << (called.refuses ? " is never" : " is, after all,") << " refused";
+  }
+  EXPECT_GT(all.size(), 40u);
+  for (const auto& [name, called] : all_called) EXPECT_TRUE(all.count(name)) << name << " is no public function";
+  std::printf("%zu rows, %zu calls\n", rows.size(), rows.size() * rounds_of_each());
 }
 
 }  // namespace marrow::test
