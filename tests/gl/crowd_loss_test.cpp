@@ -34,9 +34,9 @@ out vec4 colour;
 void main() { colour = colour_of_one; }
 )";
 
-// The newt, many times, in rows over the picture: what a game has of a crowd.
+// The arm, many times, in rows over the picture, as a game has crowds. It is small: each loss draws it three times.
 struct Parade {
-  Parade() : model(*cook_model(newt_glb())), mesh(model.file.mesh(0)), reel(skeleton(), clips(), 20) {
+  Parade() : model(*cook_model(in_golden("tiny.gltf"))), mesh(model.file.mesh(0)), reel(skeleton(), clips(), 20) {
     programs.roles[0] = {kVertex, kFragment, {}};
     const Geometry& g = mesh.geometry;
     const float scale = 0.3f / (g.box_max[0] - g.box_min[0]);

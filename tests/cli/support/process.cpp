@@ -138,8 +138,8 @@ Ran run_program(const std::vector<std::string>& program_and_arguments, std::chro
   return ran;
 }
 
-RunningMarrow::RunningMarrow(const std::vector<std::string>& arguments) {
-  std::vector<std::string> all = {program()};
+RunningMarrow::RunningMarrow(const std::vector<std::string>& arguments, const std::string& other_program) {
+  std::vector<std::string> all = {other_program.empty() ? program() : other_program};
   all.insert(all.end(), arguments.begin(), arguments.end());
   child_ = start(all, folder_ / "out", folder_ / "err");
 }

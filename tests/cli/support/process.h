@@ -45,10 +45,10 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// The program while it runs; killed at the end if it still does.
+// The program, or another that is looked for as a shell does, while it runs; killed at the end if it still does.
 class RunningMarrow {
  public:
-  explicit RunningMarrow(const std::vector<std::string>& arguments);
+  explicit RunningMarrow(const std::vector<std::string>& arguments, const std::string& other_program = "");
   ~RunningMarrow();
   RunningMarrow(const RunningMarrow&) = delete;
   RunningMarrow& operator=(const RunningMarrow&) = delete;
