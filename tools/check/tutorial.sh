@@ -8,6 +8,7 @@ PATH=$(dirname "$(realpath "$1")"):$PATH
 programs=$MARROW/tests/examples/tutorial work=${2:-$MARROW/build}/tutorial
 pages="docs/tutorial/hello.md docs/tutorial/window.md docs/tutorial/gpu.md docs/tutorial/feet.md docs/tutorial/look.md
   docs/tutorial/crowd.md docs/tutorial/lost.md docs/tutorial/shipping.md"
+export CMAKE_TOOLCHAIN_FILE=$MARROW/cmake/quick.cmake
 export MARROW PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work CXXFLAGS="-Wall -Wextra -Wconversion -Wsign-conversion"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 if command -v ninja >/dev/null; then export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}; fi
@@ -47,6 +48,7 @@ drawn() {
 shown() {
   (cd "$MARROW" && PYTHONPATH=tools/docs python3 -c "import sys, blocks, snippets
 blocks.run_by = lambda page: None
+snippets.FOLDERS = ['tests/examples/tutorial']
 sys.exit(snippets.main())" $pages)
 }
 shown || fail "a page shows what is in no program"

@@ -11,6 +11,7 @@ work="$here/build/unity"
 tests="$here/tests/platform/unity"
 page="$here/docs/platforms/unity.md"
 skipped=0
+export CMAKE_TOOLCHAIN_FILE=$here/cmake/quick.cmake
 mkdir -p "$work"
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=${CMAKE_C_COMPILER_LAUNCHER:-ccache}

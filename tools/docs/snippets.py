@@ -13,6 +13,7 @@ import textwrap
 
 import blocks
 
+FOLDERS = ["tests", "platform", "tools", "shaders"]
 LANGUAGES = {"cpp": (".cpp", ".h"), "c": (".c", ".h"), "cmake": (".txt", ".cmake", ".sh"), "glsl": (".glsl", ".cpp", ".h"), "js": (".mjs", ".js", ".html", ".cjs"),
              "ts": (".ts",), "rust": (".rs",), "csharp": (".cs",), "swift": (".swift",), "java": (".java",),
              "gdscript": (".gd",), "python": (".py",)}
@@ -22,7 +23,7 @@ LANGUAGES = {"cpp": (".cpp", ".h"), "c": (".c", ".h"), "cmake": (".txt", ".cmake
 def sources(endings):
     """What stands in the files with these endings, each line without its indentation."""
     found = []
-    for folder in ("tests", "platform", "tools", "shaders"):
+    for folder in FOLDERS:
         for path in (blocks.ROOT / folder).rglob("*"):
             if path.suffix in endings and path.is_file():
                 found.append("\n" + "\n".join(line.strip() for line in path.read_text(errors="replace").split("\n")) + "\n")
