@@ -205,10 +205,11 @@ foreach(source ${stages})
   set_target_properties(marrow_stage_${stage} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/stages)
   marrow_warnings(marrow_stage_${stage})
 endforeach()
-# What checks the manual, on small pages that are made for it.
+# What checks the manual, on small pages that are made for it; what chooses the kits that run.
 if(MARROW_PYTHON AND NOT MARROW_SANITIZE)
   add_test(NAME docs COMMAND ${MARROW_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/docs/checks_test.py)
-  set_tests_properties(docs PROPERTIES LABELS docs)
+  add_test(NAME kits COMMAND ${MARROW_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/docs/kits_test.py)
+  set_tests_properties(docs kits PROPERTIES LABELS docs)
 endif()
 if(MARROW_PYTHON AND NOT MARROW_SANITIZE)  # under which cooking takes minutes
   add_test(NAME stages COMMAND ${MARROW_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/examples/stages/check.py $<TARGET_FILE:marrow>

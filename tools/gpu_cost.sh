@@ -11,7 +11,7 @@
 #   --if-changed  does nothing where the shaders are still those that the table is of
 # A name is path/deformer/influences/attributes/pass. How to read the figures: docs/performance.md, "What phones'
 # compilers say". They are the compilers' static models, not times. All comes from Debian's packages and stays in
-# build/gpu-cost; where they cannot be had it says so and exits with 0.
+# build/gpu-cost; where they cannot be had it says so and exits with 3.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 usage() { sed -n '6,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 1; }
@@ -28,7 +28,7 @@ if [ "$mode" = --if-changed ] && python3 tools/gpu_cost/costs.py --unchanged; th
   echo "gpu_cost: the shaders are those of the table" >&2
   exit 0
 fi
-skip() { echo "SKIPPED: what phones' compilers say: $1" >&2; exit 0; }
+skip() { echo "SKIPPED: what phones' compilers say: $1" >&2; exit 3; }
 
 tools/install.sh tools/packages/build.txt tools/packages/gpu-cost.txt || skip "some packages cannot be installed"
 folder=$PWD/build/gpu-cost
@@ -58,7 +58,7 @@ if [ ! -e "$folder/v3d_noop.so" ] || [ "$root/.packages" -nt "$folder/v3d_noop.s
   done
 fi
 
-{ cmake -G Ninja -S . -B "$folder/build" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64.cmake" -DCMAKE_BUILD_TYPE=Release \
+{ cmake -G Ninja -C cmake/quick.cmake -S . -B "$folder/build" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/aarch64.cmake" -DCMAKE_BUILD_TYPE=Release \
   -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GPU_COST=ON --no-warn-unused-cli &&
   cmake --build "$folder/build" --target marrow_gpu_cost; } >"$folder/build.log" 2>&1 ||
   { tail -30 "$folder/build.log" >&2; exit 2; }

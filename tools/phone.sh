@@ -5,7 +5,7 @@
 #   --out DIR    the folder; out/phone without. What is there of an older kit is replaced
 #   --ndk NDK    for Android, by the NDK in this folder; the environment's ANDROID_NDK does the same. Untried
 # Without an NDK the programs are for GNU/Linux on ARM: boards and Linux phones with glibc, not Android.
-# Builds in build/phone and, for what the kit carries, by the preset release.
+# Builds in build/phone and, for what the kit carries, by the preset release, if MARROW_PROGRAM names no program there.
 set -euo pipefail
 usage() { sed -n '4,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 1; }
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -44,8 +44,8 @@ arguments() {  # arm64 or armv7
 linking="-static-libstdc++ -static-libgcc" kind="GNU/Linux with glibc; for Android give --ndk"
 if [ -n "$ndk" ]; then linking="" kind="Android 8 and newer, untried"; fi
 
-quietly cmake --preset release
-quietly cmake --build --preset release --target marrow marrow_bits
+marrow=${MARROW_PROGRAM:-build/release/tools/marrow}
+[ -n "${MARROW_PROGRAM:-}" ] || { quietly cmake --preset release && quietly cmake --build --preset release --target marrow marrow_bits; }
 kit=build/phone/kit
 rm -rf $kit && mkdir -p $kit
 for abi in arm64 armv7; do
@@ -59,11 +59,11 @@ for abi in arm64 armv7; do
   cp "build/phone/${ndk:+android-}$abi"/{tools/phone/marrow_phone,tests/bits/marrow_bits} $kit/$abi/
 done
 
-build/release/tools/marrow sample -o $kit/newt.glb
-quietly build/release/tools/marrow cook $kit/newt.glb -o $kit/newt.mrw --mesh-codec none
+"$marrow" sample -o $kit/newt.glb
+quietly "$marrow" cook $kit/newt.glb -o $kit/newt.mrw --mesh-codec none
 rm $kit/newt.glb
 # What the bits are here, and which Marrow this is.
-build/release/tests/bits/marrow_bits >build/phone/bits.txt ||
+"$(dirname "$marrow")/../tests/bits/marrow_bits" >build/phone/bits.txt ||
   { echo "phone: the bits differ on this machine: see build/phone/bits.txt" >&2; exit 1; }
 sed -n 's/^bits \([0-9A-F]*\)$/\1/p' build/phone/bits.txt >$kit/kit.txt
 git describe --always --dirty 2>/dev/null >>$kit/kit.txt || echo unknown >>$kit/kit.txt
