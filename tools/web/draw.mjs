@@ -9,7 +9,7 @@ import { execFileSync, spawn } from 'node:child_process';
 
 // Shares of all pixels. Edges within the picture differ, as `marrow render` averages samples of linear colours and a
 // canvas does not.
-const kMostWrong = 0.005, kLeastInside = 0.05, kMost_s = 120;
+const kMostWrong = 0.005, kLeastInside = 0.05, kMost_s = 400;
 const kNearer = 1.5;  // as many pixels must differ from the picture by the other deformer
 const kWidth = 640, kHeight = 480, kDistance_m = 4.6, kFrames = 32, kDt_s = 1 / 64;  // exact in binary
 const kCases = ['ssd', 'as'].flatMap((deformer) => ['ubo', 'texture', 'cpu'].map((how) => ({
