@@ -249,6 +249,32 @@ TEST(StatedErrors, RestCountsRoundedWeights) {
   EXPECT_EQ(stated(Cooked(file.path, lossless()), "meshes", "max_position_error_m"), 0);
 }
 
+// A target takes vertices 20 m away, and weights that are rounded by 1.2e-4 go with joints 3 and 4 m apart, one of them
+// turned: the same rounding, on twenty metres more.
+TEST(StatedErrors, TargetsCountRoundedWeights) {
+  cook::SceneDocument d;
+  const std::vector<int> joints = chain(d, -1, 0.1F);
+  node_of(d, joints[1])["rotation"] = {0, 0, 0.6, 0.8};
+  std::vector<float> bind;
+  for (const float apart : {0.0F, 3.0F, -4.0F})
+    bind.insert(bind.end(), {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, apart, 2 * apart, 0, 1});
+  skin(d, joints, 0.1F, bind);
+  std::vector<float> changes;
+  for (int v = 0; v < 9; ++v) changes.insert(changes.end(), {20, 0.1F * static_cast<float>(v), 0});
+  d.b.root["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", d.b.positions(changes)}});
+  d.b.root["meshes"][0]["weights"] = {0.5};
+  const SourceFile file(d);
+  const Reference reference(file.path);
+  const Cooked cooked(file.path, cook::CookOptions{});
+  const double position = stated(cooked, "meshes", "max_position_error_m");
+  const double target = stated(cooked, "meshes", "max_target_error_m");
+  const double alone = farthest(reference.rest({1}), cooked.pose(cooked.file().clip_count(), 0, Deformer::ssd, {1}));
+  EXPECT_GT(alone, 1e-3) << "weights move it";
+  EXPECT_LE(alone, position + target + kFloats);
+  EXPECT_LE(rest_error(reference, cooked), position + kFloats);
+  EXPECT_LE(target, 1.1 * alone) << "measured, not only bounded";
+}
+
 // Targets that take vertices 300 units away, weighed by a clip; 16 bits of that are 5 mm each.
 struct Face {
   Face() {
@@ -303,6 +329,82 @@ TEST(StatedErrors, MorphTargetsAreReportedTruly) {
       EXPECT_LE(real, said + (codec == cook::MeshCodec::none ? 0 : position) + kNoise) << raw;
       EXPECT_LE(said, 4 * real);
     }
+}
+
+// A body of three joints, of which the clip of 40 keys turns the second.
+struct Swaying {
+  Swaying() {
+    joints = {d.node("a"), 0, 0};
+    joints[1] = d.node("b", joints[0], {0, 1, 0});
+    joints[2] = d.node("c", joints[1], {0, 1, 0});
+    d.clip("sway");
+    sway(d, joints[1], "rotation", 0.3F);
+    skin(d, joints, 1);
+  }
+  // Another channel of the clip.
+  void add(int node, const char* path, const char* interpolation, const std::vector<float>& times, int values) {
+    Json& animation = d.b.root["animations"][0];
+    animation["channels"].push_back(
+        {{"sampler", animation["samplers"].size()}, {"target", {{"node", node}, {"path", path}}}});
+    animation["samplers"].push_back(
+        {{"input", d.b.times(times)}, {"output", values}, {"interpolation", interpolation}});
+  }
+  cook::SceneDocument d;
+  std::vector<int> joints;
+};
+
+cook::CookOptions clips_alone() {
+  cook::CookOptions out;
+  out.mesh_codec = cook::MeshCodec::none;
+  return out;
+}
+
+// For 3 ms a joint is ninety times as far from the one that turns: between the moments of an even rate.
+TEST(StatedErrors, BothSidesOfAJumpAreLookedAt) {
+  Swaying of;
+  const std::vector<float> times = {0, 0.51F, 0.513F, 1};
+  of.add(of.joints[2], "translation", "STEP", times,
+         of.d.b.numbers<float>(cook::kF32, "VEC3", 3, {0, 1, 0, 0, 90, 0, 0, 1, 0, 0, 1, 0}));
+  const SourceFile file(of.d);
+  const Reference reference(file.path);
+  cook::CookOptions options = clips_alone();
+  options.clip_error.push_back({"", 1e-3, false});
+  const Cooked cooked(file.path, options);
+  double real = 0;
+  for (const float time_s : {0.5F, 0.51F, 0.511F, 0.513F * (1 - 0x1p-21F), 0.513F, 0.7F})
+    real =
+        std::max(real, farthest(reference.at(0, static_cast<double>(time_s)), cooked.pose(0, time_s, Deformer::ssd)));
+  const double said = stated(cooked, "clips", "max_vertex_error_m");
+  EXPECT_LE(said, 1e-3);
+  EXPECT_LE(real, 1.1 * said + kFloats);
+}
+
+// A clip weighs two targets of ten metres by 1.5 each: what a joint's turn is off by counts thirty times as far out.
+TEST(StatedErrors, ClipsAreMeasuredAsTheyWeighMorphTargets) {
+  Swaying of;
+  const float along = 10;
+  for (int t = 0; t < 2; ++t) {
+    std::vector<float> changes;
+    for (int v = 0; v < 9; ++v) changes.insert(changes.end(), {along, 0.1F * static_cast<float>(v), 0});
+    of.d.b.root["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", of.d.b.positions(changes)}});
+  }
+  const int body = static_cast<int>(of.d.b.root["nodes"].size()) - 1;
+  of.add(body, "weights", "STEP", {0, 0.71F, 0.72F},
+         of.d.b.numbers<float>(cook::kF32, "SCALAR", 1, {0, 0, 1.5F, 1.5F, 0, 0}));
+  const SourceFile file(of.d);
+  const Reference reference(file.path);
+  cook::CookOptions options = clips_alone();
+  options.clip_error.push_back({"", 1e-2, false});
+  const Cooked cooked(file.path, options);
+  double real = 0;
+  for (int i = 0; i < 40; ++i) {
+    const float time_s = 0.71F + 0.00025F * static_cast<float>(i);
+    real =
+        std::max(real, farthest(reference.at(0, static_cast<double>(time_s)), cooked.pose(0, time_s, Deformer::ssd)));
+  }
+  const double said = stated(cooked, "clips", "max_vertex_error_m");
+  EXPECT_LE(said, 1e-2 + 3 * stated(cooked, "meshes", "max_target_error_m") + kFloats);
+  EXPECT_LE(real, 1.1 * said + kFloats);
 }
 
 // A move of an arm in centimetres, its armature scaled to metres, for a character in metres: joints go where the move's

@@ -245,7 +245,9 @@ void Maker::spoil_rest() {
         node.translation = times(node.translation, random_.between(0.8, 1.25));
       }
     }
-  if (has(SceneKind::additive_over_zero) && chance(0.5))
+  // A scale of 0 is mended to a millionth, which is not little where scales are as small.
+  if (has(SceneKind::additive_over_zero) && chance(0.5) && !has(SceneKind::uneven_rests) &&
+      !has(SceneKind::scale_within))
     scene_.nodes[static_cast<std::size_t>(skeletons_[0].back())].scale = {0, 0, 0};
 }
 

@@ -24,6 +24,7 @@ using cook::MeshCodec;
 
 constexpr double kLossless = 2e-5;
 constexpr std::size_t kLooks = 6;
+constexpr std::size_t kKeys = 2;  // of the looks, at a key and just before one
 
 cook::RawScene read(const std::string& text) {
   return cook::read_gltf("scene.gltf", std::as_bytes(std::span(text.data(), text.size())));
@@ -73,6 +74,17 @@ std::vector<std::vector<float>> cycles_of(const Source& source) {
   return out;
 }
 
+// The first key that some channel has after that, or what is just before it: most jumps are at keys.
+float key_beside(const SourceAnimation& animation, float time_s, bool before) {
+  double out = 1e9;
+  for (const SourceChannel& c : animation.channels) {
+    const auto after = std::ranges::upper_bound(c.times_s, static_cast<double>(time_s));
+    if (after != c.times_s.end()) out = std::min(out, *after);
+  }
+  const auto key_s = static_cast<float>(out < 1e9 ? out : static_cast<double>(time_s));
+  return before ? key_s * (1 - 0x1p-21F) : key_s;
+}
+
 std::vector<Moment> moments_of(const Reference& reference, std::uint32_t seed) {
   Random random(seed);
   std::vector<Moment> out;
@@ -86,7 +98,8 @@ std::vector<Moment> moments_of(const Reference& reference, std::uint32_t seed) {
     const double last_s = reference.duration_s(a);
     for (std::size_t m = 0; m < kLooks; ++m) {
       const double share = m == 0 ? 0 : m == 1 ? 1 : random.between(0, 1);
-      const auto time_s = static_cast<float>(first_s + share * (last_s - first_s));
+      auto time_s = static_cast<float>(first_s + share * (last_s - first_s));
+      if (m + kKeys >= kLooks) time_s = key_beside(animation, time_s, m + 1 < kLooks);
       const auto at_s = static_cast<double>(time_s);
       out.push_back({a,
                      animation.name,
@@ -126,13 +139,13 @@ class Game {
   // Sets the pose of a skeleton. Returns what is said of its vertices and of its joints.
   struct Stated {
     double vertices = 0, joints = 0;
-    double base = 0;  // of vertices of what an additive clip is laid on, which is part of both
+    double base = 0;           // of vertices of what an additive clip is laid on, which is part of both
+    bool is_lossless = false;  // keys that stay as they are
   };
   Stated pose(std::uint32_t skeleton, const Moment& moment);
   const std::vector<Affine>& joints() const { return model_; }
   // Of a mesh that the pose is of; three a slot.
-  // weight: of all its morph targets together.
-  std::vector<float> skin(const Mesh& mesh, const Moment& moment, double& weight) const;
+  std::vector<float> skin(const Mesh& mesh, const Moment& moment) const;
 
  private:
   void lay_on(const Skeleton& skeleton, std::uint32_t index, const Played& played, float time_s, Stated& stated);
@@ -167,6 +180,7 @@ Game::Stated Game::pose(std::uint32_t index, const Moment& moment) {
   model_.resize(skeleton.joint_count);
   const Played played = find(character_, pack_, moment.clip, index);
   Stated stated{played.stated("max_vertex_error_m"), played.stated("max_error_m"), 0};
+  stated.is_lossless = stated.vertices == 0 && stated.joints == 0;
   if (played.of != nullptr && played.view().additive)
     lay_on(skeleton, index, played, moment.time_s, stated);
   else if (played.of != nullptr)
@@ -175,7 +189,7 @@ Game::Stated Game::pose(std::uint32_t index, const Moment& moment) {
   return stated;
 }
 
-std::vector<float> Game::skin(const Mesh& mesh, const Moment& moment, double& weight) const {
+std::vector<float> Game::skin(const Mesh& mesh, const Moment& moment) const {
   std::vector<float> weights(mesh.targets.size);
   const Played played = find(character_, pack_, moment.clip, mesh.skeleton);
   std::vector<std::uint32_t> channels(mesh.targets.size, kNoChannel);
@@ -188,8 +202,6 @@ std::vector<float> Game::skin(const Mesh& mesh, const Moment& moment, double& we
   require(morph_weights(mesh, channels, values, weights));
   for (std::size_t t = 0; t < weights.size() && !moment.cycle.empty(); ++t)
     weights[t] = moment.cycle[t % moment.cycle.size()];
-  weight = 0;
-  for (const float w : weights) weight += std::fabs(static_cast<double>(w));
   AlignedBlock memory(morphed_bytes(mesh.geometry));
   MorphedGeometry morphed;
   require(make_morphed(mesh.geometry, {memory.data(), memory.size()}, morphed));
@@ -205,6 +217,7 @@ std::vector<float> Game::skin(const Mesh& mesh, const Moment& moment, double& we
 
 // What is compared, and with what.
 enum class Cooking { lossless, clips, packed, packed_clips };
+constexpr const char* kCookings[] = {"lossless", "clips", "packed", "packed clips"};
 
 class Comparison {
  public:
@@ -227,6 +240,7 @@ class Comparison {
   const Reference& reference_;
   const std::vector<Moment>& moments_;
   SceneErrors& out_;
+  Cooking how_ = Cooking::lossless;
 };
 
 CookOptions Comparison::options(Cooking how) const {
@@ -245,9 +259,9 @@ void Comparison::note(double& worst, double real, double stated, double floor, c
   // NaN, and an error where there can be none, are as wrong as can be.
   const double ratio = most > 0 && real < 1e30 ? real / most : real == 0 ? 0 : 1e30;
   if (ratio > out_.largest())
-    out_.worst = std::string(what) + " of \"" + moment.clip + "\" at " + std::to_string(moment.time_s) +
-                 " s: " + std::to_string(real * 1000) + " mm real, " + std::to_string(stated * 1000) + " said, " +
-                 std::to_string(floor * 1000) + " of floats";
+    out_.worst = std::string(kCookings[static_cast<std::size_t>(how_)]) + ": " + what + " of \"" + moment.clip +
+                 "\" at " + std::to_string(moment.time_s) + " s: " + std::to_string(real * 1000) + " mm real, " +
+                 std::to_string(stated * 1000) + " said, " + std::to_string(floor * 1000) + " of floats";
   worst = std::max(worst, ratio);
 }
 
@@ -268,11 +282,7 @@ void Comparison::joints(const Skeleton& skeleton, const File& file, const Game& 
 void Comparison::mesh(Cooking how, const Game& game, std::uint32_t index, const Loaded& character, const Moment& moment,
                       std::size_t first, const Game::Stated& stated) {
   const Mesh mesh = character.file.mesh(index);
-  double weight = 0;
-  const std::vector<float> got = game.skin(mesh, moment, weight);
-  // The cooker looks at vertices where one target takes them at weight 1. More of them take vertices farther from their
-  // joints, and the error of a joint's turn grows with that, at most so much.
-  const double farther = std::max(1.0, weight);
+  const std::vector<float> got = game.skin(mesh, moment);
   const nlohmann::ordered_json& said = character.report["meshes"][index];
   const double at_rest = said["max_position_error_m"].get<double>() +
                          (moment.cycle.empty() ? 0 : said["max_target_error_m"].get<double>());
@@ -290,8 +300,11 @@ void Comparison::mesh(Cooking how, const Game& game, std::uint32_t index, const 
       note(out_.lossless, real, kLossless / kMostRatio * reference_.diagonal() + of_targets, floor, "lossless", moment);
     } else if (moment.clip.empty()) {
       note(out_.rest, real, at_rest, floor, "at rest", moment);
+    } else if (how == Cooking::clips && stated.is_lossless) {
+      note(out_.lossless, real, kLossless / kMostRatio * reference_.diagonal() + stated.vertices, floor, "a raw clip",
+           moment);
     } else if (how == Cooking::clips) {
-      note(out_.vertices, real, stated.vertices * farther, floor, "a vertex", moment);
+      note(out_.vertices, real, stated.vertices, floor, "a vertex", moment);
       // What the rounding of morph targets and of their weights does is said, not promised.
       if (mesh.targets.empty()) note(out_.promise, real, clip_error_m() + stated.base, floor, "the promise", moment);
     }
@@ -302,7 +315,7 @@ void Comparison::moment(Cooking how, const Loaded& character, const Loaded* pack
   Game game(scene_, character, pack);
   for (std::uint32_t s = 0; s < character.file.skeleton_count(); ++s) {
     const Game::Stated stated = game.pose(s, moment);
-    if ((how == Cooking::clips || how == Cooking::packed_clips) && !moment.clip.empty())
+    if ((how == Cooking::clips || how == Cooking::packed_clips) && !moment.clip.empty() && !stated.is_lossless)
       joints(character.file.skeleton(s), character.file, game, moment, stated.joints);
     std::size_t first = 0;
     for (std::uint32_t m = 0; m < character.file.mesh_count(); ++m) {
@@ -328,6 +341,7 @@ void Comparison::hold_promise(Cooking how, const nlohmann::ordered_json& clips) 
 }
 
 void Comparison::run(Cooking how) {
+  how_ = how;
   CookOptions plain = options(how), with_changes = plain;
   for (const auto& [clip, over] : scene_.additive) with_changes.additive.push_back({clip, over});
   const Loaded character(cook::cook_scene(read(scene_.character), with_changes));

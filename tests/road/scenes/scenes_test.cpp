@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::uint32_t kScenes = 300;
 
-// Between jumps splines may swing further than at the quarters of steps and the keys, where the cooker looks at them.
-double most_ratio(const RandomScene& scene) {
-  return scene.has[static_cast<std::size_t>(SceneKind::interpolations)] ? 1.3 : kMostRatio;
-}
-
 struct KindResult {
   std::size_t count = 0, refused = 0, broken = 0, coded = 0, compared = 0;
   SceneErrors worst;
@@ -32,7 +27,7 @@ void add(const SceneErrors& errors, const RandomScene& scene, KindResult& to) {
   to.refused += !errors.refused.empty();
   to.coded += errors.coded;
   to.compared += errors.compared;
-  to.broken += errors.largest() > most_ratio(scene);
+  to.broken += errors.largest() > kMostRatio;
   SceneErrors& w = to.worst;
   w.lossless = std::max(w.lossless, errors.lossless);
   w.vertices = std::max(w.vertices, errors.vertices);
@@ -84,7 +79,7 @@ TEST(RandomScenes, AreAsGoodAsIsSaid) {
     const RandomScene scene = random_scene(number);
     const SceneErrors errors = measure(scene);
     add(errors, scene, results[static_cast<std::size_t>(scene.kind)]);
-    EXPECT_LE(errors.largest(), most_ratio(scene)) << described(scene) << ": " << errors.worst;
+    EXPECT_LE(errors.largest(), kMostRatio) << described(scene) << ": " << errors.worst;
     // Nothing times a scale of 0 is more than 0: only such changes cannot be had.
     EXPECT_TRUE(errors.refused.empty() || scene.has[static_cast<std::size_t>(SceneKind::additive_over_zero)])
         << described(scene) << ": " << errors.refused;

@@ -99,7 +99,10 @@ void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
   for (const Mesh& mesh : carried.meshes)
     if (mesh.skeleton == skeleton) meshes.push_back(mesh);
   Promise watched = to.promise;
-  to.hung = hang(meshes, to.rig, watched);
+  std::vector<MorphedMesh> morphed;
+  for (const MorphedMesh& one : carried.morphed)
+    if (one.mesh.skeleton == skeleton) morphed.push_back(one);
+  to.hung = hang(meshes, morphed, to.rig, watched);
   for (const BuiltNode& node : carried.nodes)
     if (node.skeleton == skeleton && node.joint != kNoJoint) {
       const auto& rows = node.joint_from_node.rows;
@@ -108,8 +111,10 @@ void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
   if (to.promise.of_vertices) to.promise = std::move(watched);
 }
 
-std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltSkeleton>& skeletons,
-                                  const Carried& carried, const CookOptions& options) {
+// channels: a clip's, as they are.
+std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltClip>& channels,
+                                  const std::vector<BuiltSkeleton>& skeletons, const Carried& carried,
+                                  const CookOptions& options) {
   std::map<std::uint32_t, Rigged> rigged;
   for (const BuiltClip& clip : clips)
     rigged.try_emplace(clip.skeleton, Rigged{Rig(skeletons[clip.skeleton]), 0, {}, {}});
@@ -126,7 +131,7 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
   deform::Steps steps(options.clip_progress, clips.size());
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     const Rigged& of = rigged.at(clips[i].skeleton);
-    compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung, options.effort);
+    compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung, options.effort, channels[i]);
     steps.one_more();
   });
   return clips;
@@ -149,16 +154,21 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
     clips[i].additive = references[i].name.empty() && parts[i].clip.additive ? "rest" : references[i].name;
     clips[i].reference = references[i].pose;
   }
+  std::vector<BuiltClip> channels(clips.size());
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    channels[i].duration_s = clips[i].duration_s;
+    add_channels(parts[i].clip, true, channels[i]);
+  }
   if (options.raw_clips)
     for (BuiltClip& clip : clips) clip.raw_because = "--clip-codec raw";
   if (!options.raw_clips) {
     check_clip_error_rules(built.skeletons, options, notes);
-    clips = compressed(std::move(clips), built.skeletons, carried, options);
+    clips = compressed(std::move(clips), channels, built.skeletons, carried, options);
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
     clips[i].error.vertex_error_m +=
-        morph_error_m(parts[i].clip, clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
+        morph_error_m(channels[i], clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
   }
   return clips;
 }

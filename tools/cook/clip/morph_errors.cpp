@@ -5,7 +5,8 @@
 #include <set>
 
 #include "common/check_status.h"
-#include "cook/clip/build_channels.h"
+#include "cook/clip/measure/channel_values.h"
+#include "cook/clip/measure/source_curves.h"
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
 #include "marrow/local_to_model.h"
@@ -16,37 +17,18 @@ namespace {
 
 constexpr int kPoses = 64;  // that tell how large a clip makes a mesh
 
-// A clip's channels by name, at any time.
-class Channels {
- public:
-  Channels(const BuiltClip& clip, const Skeleton& skeleton) : names_(clip.channel_names), clip_(view(clip, skeleton)) {
-    values_.resize(names_.size());
-  }
-  void go_to(float time_s) { tools::check(sample_channels(clip_, time_s, values_)); }
-  // kNone: no channel drives it.
-  int find(const std::string& name) const {
-    const auto found = std::ranges::find(names_, name);
-    return found == names_.end() ? kNone : static_cast<int>(found - names_.begin());
-  }
-  double value(int channel, double rest) const {
-    return channel == kNone ? rest : static_cast<double>(values_[to_index(channel)]);
-  }
-
- private:
-  const std::vector<std::string>& names_;
-  Clip clip_;
-  std::vector<float> values_;
-};
-
-// Keys and the quarters between.
-std::set<float> moments_of(const RawClip& source) {
+// Keys, what is just before them and the quarters between.
+std::set<float> moments_of(const BuiltClip& source) {
   std::set<float> out = {0.0f};
-  for (const RawScalar& scalar : source.scalars)
-    for (std::size_t k = 0; k < scalar.times_s.size(); ++k) {
-      const float next = scalar.times_s[std::min(k + 1, scalar.times_s.size() - 1)];
+  for (const Channel& channel : source.channels) {
+    const float* const times = source.times_s.data() + channel.first_time;
+    for (std::uint32_t k = 0; k < channel.key_count; ++k) {
+      const float next = times[std::min(k + 1, channel.key_count - 1)];
+      out.insert(just_before(times[k]));
       for (int quarter = 0; quarter < 4; ++quarter)
-        out.insert(scalar.times_s[k] + (next - scalar.times_s[k]) * 0.25f * static_cast<float>(quarter));
+        out.insert(times[k] + (next - times[k]) * 0.25f * static_cast<float>(quarter));
     }
+  }
   return out;
 }
 
@@ -67,7 +49,8 @@ double largest_scale(const Mesh& mesh, const BuiltClip& clip, const Skeleton& sk
 }
 
 // The largest sum over targets, in the mesh's units.
-double largest_sum(const MorphedMesh& mesh, const std::set<float>& moments, Channels& source, Channels& cooked) {
+double largest_sum(const MorphedMesh& mesh, const std::set<float>& moments, ChannelValues& source,
+                   ChannelValues& cooked) {
   std::vector<std::pair<int, int>> channels;  // a target: of both
   for (const MorphedMesh::Target& target : mesh.targets)
     channels.emplace_back(source.find(target.channel), cooked.find(target.channel));
@@ -89,14 +72,11 @@ double largest_sum(const MorphedMesh& mesh, const std::set<float>& moments, Chan
 
 }  // namespace
 
-double morph_error_m(const RawClip& source, const BuiltClip& clip, const BuiltSkeleton& skeleton,
+double morph_error_m(const BuiltClip& source, const BuiltClip& clip, const BuiltSkeleton& skeleton,
                      const std::vector<MorphedMesh>& meshes) {
   if (std::ranges::none_of(meshes, [&](const MorphedMesh& m) { return m.mesh.skeleton == clip.skeleton; })) return 0;
   const Skeleton joints = view(skeleton);
-  BuiltClip exact;
-  exact.duration_s = clip.duration_s;
-  add_channels(source, true, exact);
-  Channels wanted(exact, joints), cooked(clip, joints);
+  ChannelValues wanted(source), cooked(clip);
   const std::set<float> moments = moments_of(source);
   double worst = 0;
   for (const MorphedMesh& mesh : meshes) {

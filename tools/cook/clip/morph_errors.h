@@ -2,13 +2,12 @@
 #pragma once
 
 #include "cook/scene/built.h"
-#include "cook/scene/raw.h"
 
 namespace marrow::cook {
 
-// At worst, scene units, over the keys of `source` and the quarters between. clip: what became of it; meshes: of all
-// skeletons.
-double morph_error_m(const RawClip& source, const BuiltClip& clip, const BuiltSkeleton& skeleton,
+// At worst, scene units, over the keys of `source`, which has the channels as they were, and the quarters between.
+// clip: what became of it; meshes: of all skeletons.
+double morph_error_m(const BuiltClip& source, const BuiltClip& clip, const BuiltSkeleton& skeleton,
                      const std::vector<MorphedMesh>& meshes);
 
 }  // namespace marrow::cook

@@ -121,8 +121,10 @@ void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& opti
 
 MeshError worst_of(const MeshError& a, const MeshError& b) {
   MeshError out = a;
-  out.targets.resize(std::max(a.targets.size(), b.targets.size()), 0);
-  for (std::size_t t = 0; t < b.targets.size(); ++t) out.targets[t] = std::max(out.targets[t], b.targets[t]);
+  for (std::vector<double> MeshError::*const field : {&MeshError::targets, &MeshError::targets_rest_m}) {
+    (out.*field).resize(std::max((a.*field).size(), (b.*field).size()), 0);
+    for (std::size_t t = 0; t < (b.*field).size(); ++t) (out.*field)[t] = std::max((out.*field)[t], (b.*field)[t]);
+  }
   for (double MeshError::*const field :
        {&MeshError::position, &MeshError::normal_deg, &MeshError::uv, &MeshError::weight, &MeshError::bind,
         &MeshError::rest_m, &MeshError::multi_weight, &MeshError::pose_space})

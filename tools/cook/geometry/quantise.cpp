@@ -250,31 +250,55 @@ double weight_error(const Binding& b, const RoundedBinding& r, std::int32_t one)
   return worst;
 }
 
-// The farthest that a vertex is from where the source has it when all joints rest. What is rounded stands in `out`
-// already, but for the weights.
-double rest_error(const RawPrimitive& p, const std::vector<Binding>& bindings,
-                  const std::vector<RoundedBinding>& vertices, std::int32_t one, const MeshGrid& grid,
-                  OwnedStreams& out) {
-  if (grid.rest.empty()) return 0;
-  const Stream& s = *out.find(StreamKind::position);
-  const std::vector<std::int32_t>& steps = *out.values_of(StreamKind::position);
+// Vectors as their stream has them; of a target that moves nothing there is none.
+std::vector<glm::dvec3> rounded_vectors(const OwnedStreams& out, StreamKind kind, std::uint32_t target,
+                                        std::size_t count) {
+  std::vector<glm::dvec3> vectors(count, glm::dvec3(0));
+  for (std::size_t i = 0; i < out.streams.size(); ++i) {
+    const Stream& s = out.streams[i];
+    if (s.kind != kind || s.target != target || s.attribute != 0) continue;
+    const std::int32_t nothing = is_centred(kind) ? 1 << (s.bits - 1) : 0;
+    for (std::size_t n = 0; n < 3 * count; ++n)
+      vectors[n / 3][static_cast<int>(n % 3)] =
+          double{s.origin[n % 3] + static_cast<float>(out.values[i][n] - nothing) * s.step};
+  }
+  return vectors;
+}
+
+// The farthest that a vertex is from where the source has it when all joints rest, its weights rounded, too. w: 1 of
+// places, 0 of changes.
+double rest_error(const std::vector<glm::vec3>& source, const std::vector<glm::dvec3>& rounded, double w,
+                  const std::vector<Binding>& bindings, const std::vector<RoundedBinding>& vertices, std::int32_t one,
+                  const MeshGrid& grid) {
   double worst = 0;
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    glm::dvec3 rounded_at;
-    for (int c = 0; c < 3; ++c)
-      rounded_at[c] = double{s.origin[c] + static_cast<float>(steps[3 * v + static_cast<std::size_t>(c)]) * s.step};
+  for (std::size_t v = 0; v < source.size(); ++v) {
+    if (w == 0 && source[v] == glm::vec3(0) && rounded[v] == glm::dvec3(0)) continue;  // most, of a face
     const auto place = [&](std::uint16_t entry, const glm::dvec3& at) {
-      return glm::dvec3(grid.rest[entry] * glm::dvec4(at, 1));
+      return glm::dvec3(grid.rest[entry] * glm::dvec4(at, w));
     };
     glm::dvec3 off(0);
     for (std::size_t j = 0; j < bindings[v].set.size(); ++j)
-      off -= bindings[v].weights[j] * place(bindings[v].set[j], p.positions[v]);
+      off -= bindings[v].weights[j] * place(bindings[v].set[j], source[v]);
     const RoundedBinding& r = vertices[v];
     for (std::size_t j = 0; j < r.weights.size(); ++j)
-      off += static_cast<double>(r.weights[j]) / one * place(r.kept.set[j], rounded_at);
+      off += static_cast<double>(r.weights[j]) / one * place(r.kept.set[j], rounded[v]);
     worst = std::max(worst, glm::length(off));
   }
   return worst;
+}
+
+// Of positions and of what morph targets change of them. All stand in `out`.
+void measure_rest(const RawPrimitive& p, const std::vector<Binding>& bindings,
+                  const std::vector<RoundedBinding>& vertices, std::int32_t one, const MeshGrid& grid,
+                  const OwnedStreams& out, MeshError& error) {
+  if (grid.rest.empty()) return;
+  const auto measured = [&](const std::vector<glm::vec3>& source, StreamKind kind, std::uint32_t target) {
+    return rest_error(source, rounded_vectors(out, kind, target, source.size()), kind == StreamKind::position ? 1 : 0,
+                      bindings, vertices, one, grid);
+  };
+  error.rest_m = measured(p.positions, StreamKind::position, 0);
+  for (std::size_t t = 0; t < p.targets.size(); ++t)
+    error.targets_rest_m.push_back(measured(p.targets[t].positions, StreamKind::target, static_cast<std::uint32_t>(t)));
 }
 
 void add_residuals(const std::vector<RoundedBinding>& vertices, const MeshGrid& grid, OwnedStreams& out) {
@@ -302,9 +326,10 @@ std::uint32_t weight_bits(double allowed) {
   return bits;
 }
 
-void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings, const MeshGrid& grid, double allowed,
-                    OwnedStreams& out, MeshError& error) {
-  const std::uint32_t bits = weight_bits(allowed);
+// Returns the vertices' rounded influences.
+std::vector<RoundedBinding> add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings,
+                                           const MeshGrid& grid, std::uint32_t bits, OwnedStreams& out,
+                                           MeshError& error) {
   const std::int32_t one = (1 << bits) - 1;
   std::vector<RoundedBinding> vertices;
   std::vector<Binding> kept;
@@ -315,7 +340,6 @@ void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings,
     out.mesh.influences = std::max(out.mesh.influences, static_cast<std::uint32_t>(kept.back().set.size()));
     error.weight = std::max(error.weight, weight_error(bindings[v], vertices.back(), one));
   }
-  error.rest_m = rest_error(p, bindings, vertices, one, grid, out);
   add_joints(kept, out);
   if (out.mesh.influences > 1) {
     out.add(StreamKind::weights, out.mesh.influences - 1, bits).step = weight_step(bits);
@@ -324,6 +348,7 @@ void add_influences(const RawPrimitive& p, const std::vector<Binding>& bindings,
         out.values_of(StreamKind::weights)->push_back(j + 1 < r.weights.size() ? r.weights[j] : 0);
   }
   add_residuals(vertices, grid, out);
+  return vertices;
 }
 
 // One attribute of a morph target, on steps no finer than 16 bits allow. False if nothing moves by half a step.
@@ -437,8 +462,10 @@ OwnedStreams quantised_streams(const RawPrimitive& p, const std::vector<Binding>
   }
   add_uvs(p, precision.uv_error, out, error);
   add_colours(p, out);
-  add_influences(p, bindings, grid, precision.weight_error, out, error);
+  const std::uint32_t bits = weight_bits(precision.weight_error);
+  const std::vector<RoundedBinding> vertices = add_influences(p, bindings, grid, bits, out, error);
   add_targets(p, grid.step, glm::radians(precision.normal_error_deg), out, error);
+  measure_rest(p, bindings, vertices, (1 << bits) - 1, grid, out, error);
   return out;
 }
 

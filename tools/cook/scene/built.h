@@ -82,9 +82,10 @@ struct MeshError {
   double normal_deg = 0;
   double uv = 0;
   double weight = 0;
-  std::vector<double> targets;  // of each morph target's positions, at weight 1; none: the same as the source's
-  double bind = 0;              // by inverse binds that follow from the rest pose
-  double rest_m = 0;            // of vertices with several joints at rest, their weights rounded too; scene units
+  std::vector<double> targets;         // of each morph target's positions, at weight 1; none: the same as the source's
+  std::vector<double> targets_rest_m;  // the same where vertices have several joints at rest, as rest_m
+  double bind = 0;                     // by inverse binds that follow from the rest pose
+  double rest_m = 0;  // of vertices with several joints at rest, their weights rounded too; scene units
   // Of a vertex by multi-weight enveloping, in poses that take no joint's origin further from the root than the
   // diagonal of the mesh's box, and scale nothing; and of one by pose-space deformation, before the blend.
   double multi_weight = 0, pose_space = 0;

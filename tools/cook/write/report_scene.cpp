@@ -66,17 +66,24 @@ void report_learning(const LearnReport& learnt, const MeshError& error, double s
   mesh["pose_space"]["examples"] = learnt.pose_space.examples;
 }
 
-// Where the mesh stands at rest, its morph targets weighed as then.
-double rest_error_m(const BuiltMesh& mesh, const MeshError& error) {
-  double more = error.bind;
-  for (std::size_t t = 0; t < std::min(mesh.targets.size(), error.targets.size()); ++t)
-    more += std::fabs(static_cast<double>(mesh.targets[t].rest)) * error.targets[t];
-  return std::max(error.position * mesh.scene_scale, error.rest_m) + more * mesh.scene_scale;
+// Of a morph target alone, at weight 1.
+double target_error_m(const BuiltMesh& mesh, const MeshError& error, std::size_t target) {
+  const double at_rest = target < error.targets_rest_m.size() ? error.targets_rest_m[target] : 0;
+  return std::max(error.targets[target] * mesh.scene_scale, at_rest);
 }
 
-// Of any target at weight 1.
-double target_error(const MeshError& error) {
-  return error.targets.empty() ? 0.0 : *std::ranges::max_element(error.targets);
+// Where the mesh stands at rest, its morph targets weighed as then.
+double rest_error_m(const BuiltMesh& mesh, const MeshError& error) {
+  double more = error.bind * mesh.scene_scale;
+  for (std::size_t t = 0; t < std::min(mesh.targets.size(), error.targets.size()); ++t)
+    more += std::fabs(static_cast<double>(mesh.targets[t].rest)) * target_error_m(mesh, error, t);
+  return std::max(error.position * mesh.scene_scale, error.rest_m) + more;
+}
+
+double worst_target_error_m(const BuiltMesh& mesh, const MeshError& error) {
+  double worst = 0;
+  for (std::size_t t = 0; t < error.targets.size(); ++t) worst = std::max(worst, target_error_m(mesh, error, t));
+  return worst;
 }
 
 // A mesh's bytes are its own section's and, for the first mesh that uses it, its geometry's.
@@ -101,7 +108,7 @@ ordered_json report_meshes(const BuiltScene& built, const WrittenFile& written) 
                    {"max_normal_error_deg", geometry.error.normal_deg},
                    {"max_uv_error", geometry.error.uv},
                    {"max_weight_error", geometry.error.weight},
-                   {"max_target_error_m", target_error(geometry.error) * mesh.scene_scale}});
+                   {"max_target_error_m", worst_target_error_m(mesh, geometry.error)}});
     if (mesh.source_triangles > 0) out.back()["source_triangles"] = mesh.source_triangles;
     if (mesh.parts > 1)
       out.back()["split"] = {{"part", mesh.part}, {"parts", mesh.parts}, {"doubled_vertices", mesh.doubled}};

@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "cook/clip/compress/source_curves.h"
+#include "cook/clip/measure/source_curves.h"
 
 namespace marrow::cook {
 

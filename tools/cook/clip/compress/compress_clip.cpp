@@ -9,15 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "common/check_status.h"
 #include "cook/clip/compress/choose_steps.h"
 #include "cook/clip/compress/constant.h"
 #include "cook/clip/compress/grid.h"
 #include "cook/clip/compress/pack_tracks.h"
 #include "cook/clip/compress/round_keys.h"
-#include "marrow/blend.h"
-#include "marrow/local_to_model.h"
-#include "marrow/sample.h"
+#include "cook/clip/measure/clip_measure.h"
 
 namespace marrow::cook {
 namespace {
@@ -29,10 +26,9 @@ constexpr std::size_t kMostBelow = 128, kMostMovedBelow = 500'000;
 constexpr std::size_t kStretch = 96;  // intervals that have the same steps, at most
 // Lengths of segments that are tried: the fewest bytes in memory win. Each divides a stretch.
 constexpr std::size_t kSegmentIntervals[] = {kStretch, 48, 32, 24, 16};
-constexpr double kStillShare = 0.05;              // of the promise, below which a movement does not count
-constexpr double kShare = 0.97;                   // of the promise, that the search may use up
-constexpr int kMostTries = 6;                     // with ever less of it, until the vertices keep theirs
-constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
+constexpr double kStillShare = 0.05;  // of the promise, below which a movement does not count
+constexpr double kShare = 0.97;       // of the promise, that the search may use up
+constexpr int kMostTries = 6;         // with ever less of it, until the vertices keep theirs
 
 // The tracks that stay raw, with the times and values that they use.
 BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
@@ -69,11 +65,10 @@ BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
 class Compressor {
  public:
   Compressor(const BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Grid& grid,
-             const Promise& promise, const Hung& hung, Effort effort)
+             const Promise& promise, const ClipMeasure& measure, Effort effort)
       : clip_(clip),
-        skeleton_(skeleton),
         rig_(rig),
-        hung_(hung),
+        measure_(measure),
         effort_(effort),
         curves_(clip, skeleton),
         grid_(grid),
@@ -83,7 +78,10 @@ class Compressor {
       for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
         source_[j].push_back(curves_.at(j, grid_.exact_time_of(e)));
     }
-    list_measured();
+    std::vector<float> moments_s;  // rounded as the runtime's argument is, so that both are on the same side of a jump
+    for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
+      moments_s.push_back(static_cast<float>(grid_.exact_time_of(e)));
+    measured_s_ = measure.moments(moments_s);
     sort_tracks(promise);
   }
 
@@ -92,20 +90,16 @@ class Compressor {
   BuiltClip keep_keys(const Promise& promise) const;
 
  private:
-  void list_measured();
   bool stays(std::size_t joint, TrackPath path, const Transform& at, double most) const;
   Transform middle(std::size_t joint) const;
   std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, double most_off) const;
   void sort_tracks(const Promise& promise);
   std::optional<BuiltCoded> code(const Promise& promise) const;
   BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
-  void pose(const Clip& clip, float time_s, std::vector<SoaTransform>& local) const;
-  ClipError measure(const BuiltClip& out, const Promise& promise) const;
 
   const BuiltClip& clip_;
-  const BuiltSkeleton& skeleton_;
   const Rig& rig_;
-  const Hung& hung_;
+  const ClipMeasure& measure_;
   Effort effort_;
   SourceCurves curves_;
   Grid grid_;
@@ -194,67 +188,6 @@ void Compressor::sort_tracks(const Promise& promise) {
   for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
 }
 
-// Moments, rounded as the runtime's argument is, so that both are on the same side of a jump; and keys that are not
-// there.
-void Compressor::list_measured() {
-  for (std::size_t e = 0; e <= intervals_ * kMoments; ++e)
-    measured_s_.push_back(static_cast<float>(grid_.exact_time_of(e)));
-  const auto moments = static_cast<std::ptrdiff_t>(measured_s_.size());
-  for (const float key_s : key_times(clip_)) {
-    const auto end = measured_s_.begin() + moments, after = std::lower_bound(measured_s_.begin(), end, key_s);
-    const float near = key_s * 0x1p-22f;
-    const bool is_there =
-        (after != end && *after - key_s <= near) || (after != measured_s_.begin() && key_s - after[-1] <= near);
-    if (!is_there) measured_s_.push_back(key_s);
-  }
-}
-
-// As a game plays it: an additive clip's change is added to the pose that it was taken from.
-void Compressor::pose(const Clip& clip, float time_s, std::vector<SoaTransform>& local) const {
-  const Skeleton skeleton = view(skeleton_);
-  tools::check(sample(skeleton, clip, time_s, local));
-  if (clip_.additive.empty()) return;
-  const std::vector<SoaTransform>& reference = clip_.reference.empty() ? skeleton_.rest : clip_.reference;
-  std::vector<AdditiveTransform> change(local.size());
-  tools::check(make_additive(skeleton, local, reference, change));
-  local = reference;
-  tools::check(add(skeleton, {change}, local));
-}
-
-// Of the joints at every moment; of the vertices too, or at every few where that would be too many, as long as the
-// joints keep the promise.
-ClipError Compressor::measure(const BuiltClip& out, const Promise& promise) const {
-  const Skeleton skeleton = view(skeleton_);
-  const Clip clip = view(out, skeleton);
-  const std::size_t moments = measured_s_.size(), stride = 1 + hung_.slots * moments / kMostSkinned;
-  std::vector<SoaTransform> local(skeleton.soa_size());
-  std::vector<World> source(rig_.size()), decoded(rig_.size());
-  VertexErrors vertices(hung_);
-  VertexError vertex;
-  ClipError worst;
-  for (std::size_t e = 0; e < moments; ++e) {
-    const double time_s = static_cast<double>(measured_s_[e]);
-    pose(clip, measured_s_[e], local);
-    BuiltSkeleton posed;
-    posed.rest = local;
-    posed.parents = skeleton_.parents;
-    const std::vector<Transform> transforms = rest_transforms(posed);
-    for (std::size_t j = 0; j < rig_.size(); ++j) {
-      const bool root = rig_.parents[j] == kNone;
-      const auto up = static_cast<std::size_t>(rig_.parents[j]);
-      source[j] = rig_.place(j, root ? nullptr : &source[up], curves_.at(j, time_s));
-      decoded[j] = rig_.place(j, root ? nullptr : &decoded[up], transforms[j]);
-      const double error = shell_error(source[j], decoded[j], promise.shell);
-      const double share = error / promise.error[j];
-      if (!(share <= worst.share)) worst = {error, share, j, time_s};
-    }
-    if (e % stride == 0 && worst.share <= 1) vertices.add(source, decoded, vertex);
-  }
-  worst.vertex_error_m = vertex.error_m;
-  worst.vertex_share = vertex.share;
-  return worst;
-}
-
 double worst_share(const ClipError& error, const Promise& promise) {
   return std::max(error.share, promise.of_vertices ? error.vertex_share : 0.0);
 }
@@ -304,7 +237,7 @@ std::optional<BuiltClip> Compressor::compress(const Promise& promise, double sha
     if (!coded) return std::nullopt;  // a finer grid may help
     out.coded = std::move(*coded);
   }
-  out.error = measure(out, promise);
+  out.error = measure_.measure(out, measured_s_, promise);
   return out;
 }
 
@@ -313,7 +246,7 @@ BuiltClip Compressor::keep_keys(const Promise& promise) const {
   double share = 1;
   for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
     BuiltClip out = with_rounded_keys(clip_, rig_, promise, share);
-    out.error = measure(out, promise);
+    out.error = measure_.measure(out, measured_s_, promise);
     if (worst_share(out.error, promise) <= 1) return out;
   }
   return clip_;
@@ -371,9 +304,10 @@ std::string why_it_strays(const Strayed& strayed) {
 }  // namespace
 
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
-                   const Hung& hung, Effort effort) {
+                   const Hung& hung, Effort effort, const BuiltClip& channels) {
   if (clip.tracks.empty()) return;
   std::string why = "its curves jump, or are all at one time";
+  const ClipMeasure measure(clip, channels, skeleton, rig, hung);
   std::optional<Compressor> compressor;
   Strayed strayed;
   for (const Grid& grid : grids(clip)) {
@@ -381,7 +315,7 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
     if (rig.size() * (grid.intervals * kMoments + 1) > kMostTransforms) continue;
     why = "its joints hang too deep, one below the other";
     if (hangs_too_deep(clip, rig, grid.intervals * kMoments + 1)) continue;
-    compressor.emplace(clip, skeleton, rig, grid, promise, hung, effort);
+    compressor.emplace(clip, skeleton, rig, grid, promise, measure, effort);
     std::optional<BuiltClip> made = compress_on(*compressor, clip, promise, strayed);
     if (made && bytes_of(*made) < bytes_of(clip)) {
       clip = std::move(*made);

@@ -4,7 +4,7 @@
 #include <set>
 #include <vector>
 
-#include "cook/scene/built.h"
+#include "cook/clip/measure/source_curves.h"
 
 namespace marrow::cook {
 
@@ -16,10 +16,6 @@ struct Grid {
   // Moments are kMoments an interval.
   double exact_time_of(std::size_t moment) const;
 };
-
-// A STEP track that changes cannot be blended between frames, nor can one with different keys at one time, but for the
-// rounding of floats. Exporters write STEP for what is constant but for that.
-bool jumps(const BuiltClip& clip, const Track& track);
 
 // The times of the keys that are to be coded.
 std::set<float> key_times(const BuiltClip& clip);

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "cook/clip/compress/rig.h"
+#include "cook/clip/measure/rig.h"
 #include "cook/scene/built.h"
 
 namespace marrow::cook {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "cook/clip/compress/rig.h"
+#include "cook/clip/measure/rig.h"
 #include "math/linear.h"
 
 namespace marrow::cook {

@@ -1,6 +1,7 @@
-#include "cook/clip/compress/source_curves.h"
+#include "cook/clip/measure/source_curves.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -23,6 +24,29 @@ glm::dvec4 unit(glm::dvec4 q) {
 }
 
 }  // namespace
+
+double rounding_at(float time_s) {
+  return std::max(1e-6, static_cast<double>(time_s) * 0x1p-22);
+}
+
+bool jumps(const BuiltClip& clip, const Track& track) {
+  constexpr float kRounding = 1e-6f;
+  const bool is_step = track.interpolation == Interpolation::step;
+  const std::size_t width = format::floats_per_key(track.path, track.interpolation), part = width / 3;
+  const bool is_cubic = track.interpolation == Interpolation::cubic_spline;
+  const std::size_t from = is_cubic ? part : 0, to = is_cubic ? 2 * part : width;  // the key's value
+  const float* const times = clip.times_s.data() + track.first_time;
+  const float* const values = clip.values.data() + track.first_value;
+  float largest = track.path == TrackPath::translation ? 0.0f : 1.0f;
+  for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::fabs(values[i]));
+  for (std::size_t k = 1; k < track.key_count; ++k) {
+    if (!is_step && static_cast<double>(times[k]) - static_cast<double>(times[k - 1]) > rounding_at(times[k])) continue;
+    const float *key = values + k * width, *other = is_step ? values : key - width;
+    for (std::size_t i = from; i < to; ++i)
+      if (!(std::fabs(key[i] - other[i]) <= kRounding * largest)) return true;
+  }
+  return false;
+}
 
 SourceCurves::SourceCurves(const BuiltClip& clip, const BuiltSkeleton& skeleton)
     : clip_(&clip), rest_(rest_transforms(skeleton)), tracks_(skeleton.parents.size()) {

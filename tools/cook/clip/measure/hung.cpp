@@ -1,4 +1,4 @@
-#include "cook/clip/compress/hung.h"
+#include "cook/clip/measure/hung.h"
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/aligned_bytes.h"
 #include "common/check_status.h"
 #include "cook/scene/matrices.h"
-#include "marrow/morph.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 
@@ -166,7 +164,7 @@ std::vector<float> farthest_skin(const Geometry& g) {
 }
 
 HungMesh hung_mesh(const Mesh& mesh, const Promise& promise) {
-  HungMesh out{mesh, {}, {}, strictness_of(mesh, promise)};
+  HungMesh out{mesh, {}, {}, {}, strictness_of(mesh, promise)};
   if (mesh.geometry.as_residual == nullptr) return out;
   out.coordinates.resize(as_coordinate_count(mesh.geometry));
   tools::check(as_coordinates(mesh.geometry, out.coordinates));
@@ -189,12 +187,12 @@ bool has(const HungMesh& hung, int deformer) {
   const Geometry& g = hung.mesh.geometry;
   return deformer == kSsd || (deformer == kAs && !hung.coordinates.empty()) ||
          (deformer == kMwe && g.mwe_residual != nullptr) ||
-         (deformer == kPsd && !g.pose_space.examples.empty() && hung.skin.empty());
+         (deformer == kPsd && !g.pose_space.examples.empty() && hung.skin.empty() && hung.targets.empty());
 }
 
 }  // namespace
 
-Hung hang(const std::vector<Mesh>& meshes, const Rig& rig, Promise& promise) {
+Hung hang(const std::vector<Mesh>& meshes, const std::vector<MorphedMesh>& morphed, const Rig& rig, Promise& promise) {
   Hung out;
   std::vector<Farthest> farthest(rig.size());
   for (const Mesh& mesh : meshes) {
@@ -206,6 +204,11 @@ Hung hang(const std::vector<Mesh>& meshes, const Rig& rig, Promise& promise) {
     out.meshes.push_back(hung_mesh(moved, promise));
     out.meshes.back().skin = std::move(skin);
   }
+  for (const MorphedMesh& one : morphed) {
+    out.meshes.push_back(hung_mesh(one.mesh, promise));
+    out.meshes.back().targets = one.targets;
+  }
+  out.is_weighed = !morphed.empty();
   for (const HungMesh& hung : out.meshes) {
     add_points(hung.mesh, farthest);
     for (int deformer = kSsd; deformer < kDeformings; ++deformer)
@@ -220,33 +223,66 @@ void hang(std::size_t joint, const glm::dvec3& place, const Rig& rig, Promise& p
   promise.watch(joint, {place, 1}, rig);
 }
 
-VertexErrors::VertexErrors(const Hung& hung) : hung_(hung) {
+VertexErrors::VertexErrors(const Hung& hung, const BuiltClip& channels)
+    : hung_(hung), values_(channels), weighed_(hung.meshes.size()) {
   std::size_t slots = 0;
-  for (const HungMesh& h : hung.meshes) slots = std::max<std::size_t>(slots, h.mesh.geometry.slot_count);
+  for (std::size_t m = 0; m < hung.meshes.size(); ++m) {
+    const HungMesh& of = hung.meshes[m];
+    slots = std::max<std::size_t>(slots, of.mesh.geometry.slot_count);
+    if (of.targets.empty()) continue;
+    Weighed& weighed = weighed_[m];
+    weighed.memory = tools::AlignedBytes(morphed_bytes(of.mesh.geometry));
+    tools::check(make_morphed(of.mesh.geometry, {weighed.memory.data(), weighed.memory.size()}, weighed.morphed));
+    for (const MorphedMesh::Target& target : of.targets) weighed.channels.push_back(values_.find(target.channel));
+    weighed.weights.resize(of.targets.size());
+    weighed.coordinates.resize(of.coordinates.size());
+  }
   here_.resize(3 * slots);
   there_.resize(3 * slots);
 }
 
-void VertexErrors::skin(const HungMesh& hung, const std::vector<World>& pose, int deformer, std::vector<float>& out) {
-  joints_.clear();
-  for (const World& w : pose) joints_.push_back(to_affine(w));
-  palette_.resize(hung.mesh.palette_size());
-  tools::check(build_palette(hung.mesh, joints_, palette_));
-  const SkinOutput to{{out.data(), std::size_t{3} * hung.mesh.geometry.slot_count}};
-  if (deformer == kSsd) return tools::check(skin_ssd(hung.mesh, palette_, to));
-  if (deformer == kAs) return tools::check(skin_as(hung.mesh, hung.coordinates, palette_, to));
-  if (deformer == kMwe) return tools::check(skin_mwe(hung.mesh, palette_, to));
-  distances_.resize(psd_distance_count(hung.mesh.geometry));
-  tools::check(psd_distances(hung.mesh.geometry, palette_, distances_));
-  tools::check(skin_psd(hung.mesh, distances_, palette_, to));
+// False: it is as without targets.
+bool VertexErrors::weigh(const HungMesh& hung, Weighed& to) {
+  bool moves = false;
+  for (std::size_t t = 0; t < to.weights.size(); ++t) {
+    to.weights[t] = static_cast<float>(values_.value(to.channels[t], hung.targets[t].rest));
+    moves = moves || to.weights[t] != 0;
+  }
+  if (!moves) return false;
+  tools::check(morph(to.weights, to.morphed));
+  if (!to.coordinates.empty()) tools::check(as_coordinates(to.morphed.geometry, to.coordinates));
+  return true;
 }
 
-void VertexErrors::add(const std::vector<World>& source, const std::vector<World>& other, VertexError& worst) {
-  for (const HungMesh& hung : hung_.meshes)
+void VertexErrors::skin(const Mesh& mesh, const std::vector<float>& coordinates, const std::vector<World>& pose,
+                        int deformer, std::vector<float>& out) {
+  joints_.clear();
+  for (const World& w : pose) joints_.push_back(to_affine(w));
+  palette_.resize(mesh.palette_size());
+  tools::check(build_palette(mesh, joints_, palette_));
+  const SkinOutput to{{out.data(), std::size_t{3} * mesh.geometry.slot_count}};
+  if (deformer == kSsd) return tools::check(skin_ssd(mesh, palette_, to));
+  if (deformer == kAs) return tools::check(skin_as(mesh, coordinates, palette_, to));
+  if (deformer == kMwe) return tools::check(skin_mwe(mesh, palette_, to));
+  distances_.resize(psd_distance_count(mesh.geometry));
+  tools::check(psd_distances(mesh.geometry, palette_, distances_));
+  tools::check(skin_psd(mesh, distances_, palette_, to));
+}
+
+VertexError VertexErrors::at(const std::vector<World>& source, const std::vector<World>& other, float time_s) {
+  VertexError out;
+  values_.go_to(time_s);
+  for (std::size_t m = 0; m < hung_.meshes.size(); ++m) {
+    const HungMesh& hung = hung_.meshes[m];
+    const bool is_weighed = !hung.targets.empty();
+    if (is_weighed && !weigh(hung, weighed_[m])) continue;
+    Mesh mesh = hung.mesh;
+    if (is_weighed) mesh.geometry = weighed_[m].morphed.geometry;
+    const std::vector<float>& coordinates = is_weighed ? weighed_[m].coordinates : hung.coordinates;
     for (int deformer = kSsd; deformer < kDeformings; ++deformer) {
       if (!has(hung, deformer)) continue;
-      skin(hung, source, deformer, here_);
-      skin(hung, other, deformer, there_);
+      skin(mesh, coordinates, source, deformer, here_);
+      skin(mesh, coordinates, other, deformer, there_);
       double largest = 0, share = 0;
       const float *here = here_.data(), *there = there_.data();
       for (const double strictness : hung.strictness) {
@@ -256,9 +292,11 @@ void VertexErrors::add(const std::vector<World>& source, const std::vector<World
         largest = std::max(largest, sum);
         share = std::max(share, sum * strictness);
       }
-      worst.error_m = std::max(worst.error_m, std::sqrt(largest));
-      worst.share = std::max(worst.share, std::sqrt(share));
+      out.error_m = std::max(out.error_m, std::sqrt(largest));
+      out.share = std::max(out.share, std::sqrt(share));
     }
+  }
+  return out;
 }
 
 }  // namespace marrow::cook

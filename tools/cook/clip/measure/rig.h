@@ -6,7 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec4.hpp>
 
-#include "cook/clip/compress/source_curves.h"
+#include "cook/clip/measure/source_curves.h"
 
 namespace marrow::cook {
 

@@ -1,4 +1,4 @@
-#include "cook/clip/compress/rig.h"
+#include "cook/clip/measure/rig.h"
 
 #include <algorithm>
 #include <cmath>
