@@ -152,8 +152,7 @@ std::vector<float> ClipMeasure::moments(const std::vector<float>& of_grid) const
       add(channels_.times_s[channel.first_time + k], both_sides);
   }
   std::ranges::sort(out);
-  const auto behind = std::ranges::unique(out);
-  out.erase(behind.begin(), behind.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
