@@ -157,7 +157,8 @@ std::vector<MisuseRow> rows_of_instances() {
        [](Misuse& m) {
          Marching marching(m);
          const std::vector<CrowdInstance> instances = {instance_of(m), instance_of(m)};
-         m.returned(set_instances(gl_stage().api, marching.crowd, frames_of(m), m.index(1), m.in(instances)));
+         m.returned(
+             set_instances(gl_stage().api, marching.crowd, frames_of(m), m.index(1), m.in(instances, Length::any)));
        }},
       {"blend_crowd",
        [](Misuse& m) {

@@ -60,13 +60,15 @@ Mesh skinned_mesh_of(Misuse& m, const Mesh& good = stage().mesh) {
   Mesh mesh = m.either(good, Mesh{});
   Geometry& g = mesh.geometry;
   if (m.spoils("another mesh's geometry")) --mesh.joint_count;
-  if (m.spoils("vertices off their boundary")) ++g.skin;
+  // Where there are any: no pointer may be moved from null.
+  const auto move = [](auto*& first) { first += first != nullptr ? 1 : 0; };
+  if (m.spoils("vertices off their boundary")) move(g.skin);
   if (!has_normals(m)) {
     g.normals = g.tangents = nullptr;
     return mesh;
   }
-  if (m.spoils("normals off their boundary")) ++g.normals;
-  if (m.spoils("tangents off their boundary")) ++g.tangents;
+  if (m.spoils("normals off their boundary")) move(g.normals);
+  if (m.spoils("tangents off their boundary")) move(g.tangents);
   if (m.spoils("normals that are not there")) g.normals = nullptr;
   if (m.spoils("tangents that are not there")) g.tangents = nullptr;
   return mesh;
