@@ -3,7 +3,8 @@
 mod marrow;
 
 use marrow::*;
-use std::ffi::{c_char, c_int, c_uint, c_void, CStr};
+use std::ffi::CStr;
+use std::os::raw::{c_char, c_int, c_uint, c_void};
 use std::ptr::{null, null_mut};
 
 #[link(name = "EGL")]
