@@ -6,13 +6,11 @@ set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 marrow_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
-  unit/cook/gltf/draco_test.cpp
-  unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp
-  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp
-  unit/cook/gltf/refusals_test.cpp
+  unit/cook/gltf/draco_test.cpp unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp
+  unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
-  unit/options/settings_schema_test.cpp
-  unit/options/settings_test.cpp unit/options/shape_settings_test.cpp unit/unpack/memory_patterns_test.cpp
+  unit/options/settings_schema_test.cpp unit/options/settings_test.cpp unit/options/shape_settings_test.cpp
+  unit/unpack/memory_patterns_test.cpp
   unit/unpack/steps_test.cpp unit/unpack/tools_cap_test.cpp)
 # Without the cooker, so that what runs under sanitizers each time compiles soon.
 target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marrow_goldens nlohmann_json::nlohmann_json

@@ -30,8 +30,8 @@ struct Hung {
 };
 
 // meshes: of one skeleton, every level of detail of each; morphed: those of them with targets. What they point into
-// outlives what is returned. promise: says
-// how far vertices may stray, each the mean of its joints by weight; gets the points and reaches of the joints.
+// outlives what is returned. promise: says how far vertices may stray, each the mean of its joints by weight; gets the
+// points and reaches of the joints.
 Hung hang(const std::vector<Mesh>& meshes, const std::vector<MorphedMesh>& morphed, const Rig& rig, Promise& promise);
 
 // A kept node's place, in its joint's space.
