@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes a release of the commit that is checked out: sees that all agrees on its version, and writes the archives of the
 # sources and of the amalgamation, with checksums, to a new folder. Tags nothing and pushes nothing: docs/versions.md.
-# usage: tools/release.sh OUTDIR [--test]      (--test: all tests first, about two hours)
+# usage: tools/release.sh OUTDIR [--test]      (--test: all tests first, more than an hour)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 [ $# -ge 1 ] && [ "${2:---test}" = --test ] || { sed -n '4s/^# //p' "$0" >&2; exit 1; }

@@ -3,7 +3,7 @@
 # usage: tools/test.sh              every test of behaviour once, optimised; under sanitizers what reads others' bytes
 #        tools/test.sh ci           what continuous integration runs: on other drivers, more under sanitizers, the manual,
 #                                   and the kits that have changed
-#        tools/test.sh all          every preset, kit and model, as before a release: about two hours
+#        tools/test.sh all          every preset, kit and model, as before a release: more than an hour
 #        tools/test.sh PRESET ...   all tests of these presets: test release asan tsan scalar aarch64 dev
 #        tools/test.sh PART ...     a warm loop: builds and runs these alone, by preset dev. A PART is runtime format misuse ik input
 #                                   cook workflow deform road bench cli view gl; GTEST_FILTER=PATTERN picks tests of it
