@@ -1,10 +1,22 @@
 # Tests of the cooker and of the program; included where the tools are built.
+# Tests of the tools wait for what they call: to optimise them saves nothing. What most of them include is read once.
+add_library(marrow_tools_test_headers OBJECT support/headers.cpp)
+target_link_libraries(marrow_tools_test_headers PUBLIC marrow_test_support fmt::fmt nlohmann_json::nlohmann_json)
+target_compile_options(marrow_tools_test_headers PRIVATE -O0)
+target_precompile_headers(marrow_tools_test_headers PRIVATE <gtest/gtest.h> <nlohmann/json.hpp> <fmt/format.h> <algorithm>
+  <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <set> <span> <sstream> <string>
+  <unordered_map> <vector>)
+function(marrow_tools_test name label)
+  marrow_test_binary(${name} ${label} ${ARGN})
+  target_compile_options(${name} PRIVATE -O0)
+  target_precompile_headers(${name} REUSE_FROM marrow_tools_test_headers)
+endfunction()
 # Names of their own that another test's file has as well.
 set_source_files_properties(road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
   road/stated_errors_test.cpp
   road/scenes/made_scene.cpp road/scenes/random_scene.cpp road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-marrow_test(marrow_input_tests input
+marrow_tools_test(marrow_input_tests input
   unit/cook/clip/bvh_read_test.cpp unit/cook/gltf/chosen_scene_test.cpp unit/cook/gltf/clips_test.cpp
   unit/cook/gltf/draco_test.cpp unit/cook/gltf/files_test.cpp unit/cook/gltf/geometry_test.cpp
   unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp unit/cook/gltf/refusals_test.cpp
@@ -16,7 +28,7 @@ marrow_test(marrow_input_tests input
 target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marrow_goldens nlohmann_json::nlohmann_json
   draco::draco meshoptimizer::meshoptimizer)
 
-marrow_test(marrow_cook_tests cook
+marrow_tools_test(marrow_cook_tests cook
   unit/cook/gltf/looks_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
   unit/cook/clip/channels_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
@@ -42,17 +54,12 @@ if(MARROW_SANITIZE)
   set_tests_properties(cook.1 PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=1")
 endif()
 marrow_begin_first(cook)
-# Optimising documents built from initialiser lists takes most of a minute and saves nothing.
-foreach(target marrow_input_tests marrow_cook_tests)
-  target_compile_options(${target} PRIVATE -O0)
-  set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
-endforeach()
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco
   meshoptimizer::meshoptimizer)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
-marrow_test(marrow_workflow_tests workflow
+marrow_tools_test(marrow_workflow_tests workflow
   unit/common/elementary_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
   unit/terminal/warnings_test.cpp unit/text/nearest_test.cpp unit/text/quantity_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_jobs marrow_sample)
@@ -61,11 +68,11 @@ if(MARROW_SANITIZE)
 endif()
 
 # What `marrow bench` runs; the command itself is tested with the program.
-marrow_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp)
+marrow_tools_test(marrow_bench_tests bench unit/bench/vertices_test.cpp unit/bench/workload_test.cpp)
 target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 
 # Offline deformers and fits, against the papers' own properties.
-marrow_test(marrow_deform_tests deform
+marrow_tools_test(marrow_deform_tests deform
   unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp
   unit/deform/eigen_skin_test.cpp unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp
@@ -84,16 +91,17 @@ target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)
 add_library(marrow_reference STATIC road/source.cpp road/reference.cpp)
 target_include_directories(marrow_reference PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(marrow_reference PUBLIC nlohmann_json::nlohmann_json PRIVATE draco::draco)
+target_compile_options(marrow_reference PRIVATE ${MARROW_NUMERIC_FLAGS})
 marrow_warnings(marrow_reference)
 
-marrow_test(marrow_road_tests road
+marrow_tools_test(marrow_road_tests road
   road/bounds_test.cpp road/channels_test.cpp road/characters_test.cpp road/clip_test.cpp road/codec_test.cpp
   road/cooked.cpp road/export_test.cpp road/feet_test.cpp road/outfits_test.cpp road/reference_test.cpp
   road/road_test.cpp road/sample_test.cpp road/scenes/made_scene.cpp road/scenes/random_scene.cpp
   road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp road/split_test.cpp road/stated_errors_test.cpp)
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
 
-marrow_test(marrow_cli_tests cli
+marrow_tools_test(marrow_cli_tests cli
   cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp
   cli/bvh_test.cpp cli/cache_test.cpp cli/clip_pack_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
   cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/info_test.cpp cli/kinds_test.cpp
@@ -118,7 +126,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 # What `marrow view` reckons beside its window.
 if(MARROW_GLES AND TARGET marrow_view)
-  marrow_test(marrow_view_tests view unit/view/painting_test.cpp unit/view/paint_test.cpp unit/view/view_test.cpp)
+  marrow_tools_test(marrow_view_tests view unit/view/painting_test.cpp unit/view/paint_test.cpp unit/view/view_test.cpp)
   target_link_libraries(marrow_view_tests PRIVATE marrow_view)
 endif()
 # It takes the place of malloc, as sanitizers do.
@@ -147,8 +155,8 @@ set_tests_properties(cook.own_functions PROPERTIES LABELS cook)
 if(MARROW_SANITIZE)
   set_tests_properties(cli PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*:CliCache.WhatCounts:CliCache.Counts*:CliCache.StaysBelowItsSize:Bench.Hashes*:Bench.SamplesEveryClip*:Bench.Unpacks*:ProgressTest.AnInterruptedCookLeavesTheOldFiles")
 endif()
-target_compile_options(marrow_cli_tests PRIVATE -O0)
-set_target_properties(marrow_cli_tests PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+
+
 add_dependencies(marrow_cli_tests marrow)
 marrow_begin_first(cli road)
 

@@ -64,10 +64,13 @@ class Marcher {
       const std::uint32_t c = crossing(in[1], out[1]), d = crossing(in[1], out[0]);
       emit(a, b, c, outward);
       emit(a, c, d, outward);
-    } else if (in.size() == 1) {
-      emit(crossing(in[0], out[0]), crossing(in[0], out[1]), crossing(in[0], out[2]), outward);
     } else {
-      emit(crossing(in[0], out[0]), crossing(in[1], out[0]), crossing(in[2], out[0]), outward);
+      // Vertices are numbered as they are made: one after another, whatever order a compiler has for arguments.
+      const bool one_in = in.size() == 1;
+      const std::uint32_t c = one_in ? crossing(in[0], out[2]) : crossing(in[2], out[0]);
+      const std::uint32_t b = one_in ? crossing(in[0], out[1]) : crossing(in[1], out[0]);
+      const std::uint32_t a = crossing(in[0], out[0]);
+      emit(a, b, c, outward);
     }
   }
 
