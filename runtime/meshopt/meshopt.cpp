@@ -4,6 +4,7 @@
 #include <meshoptimizer.h>
 
 #include "core/byte_reader.h"
+#include "core/step.h"
 #include "unpack/streams.h"
 
 namespace marrow {
@@ -34,27 +35,39 @@ void spread(const Stream& s, std::uint32_t vertex_count) {
   spread<Number, 256>(s, vertex_count);
 }
 
+Status decode_stream(Span<const unsigned char> part, const Stream& s, std::uint32_t vertex_count) {
+  const std::size_t number_bytes = s.bits <= 8 ? 1 : s.bits <= 16 ? 2 : 4;
+  const std::size_t stride = padded(s.components * number_bytes);
+  if (meshopt_decodeVertexBuffer(s.values, vertex_count, stride, part.data, part.size) != 0) return Status::bad_data;
+  if (number_bytes == 1) spread<std::uint8_t>(s, vertex_count);
+  if (number_bytes == 2) spread<std::uint16_t>(s, vertex_count);
+  return Status::ok;
+}
+
+// Indices, then stream by stream; in steps of as many as are worth one.
 Status decode(Span<const std::byte> bytes, const MeshStreams& out) {
+  Decoding in_one_go;
+  Decoding& work = out.decoding != nullptr ? *out.decoding : in_one_go;
   ByteReader reader(bytes.data, bytes.size);
-  const auto take = [&] {
-    const Span<const std::byte> part = reader.take_bytes(reader.take_varint());
-    return Span<const unsigned char>(reinterpret_cast<const unsigned char*>(part.data), part.size);
-  };
-  const Span<const unsigned char> indices = take();
-  if (reader.failed() || meshopt_decodeIndexBuffer(out.indices, std::size_t{out.triangle_count} * 3,
-                                                   sizeof(std::uint32_t), indices.data, indices.size) != 0)
-    return Status::bad_data;
-  for (std::uint32_t i = 0; i < out.stream_count; ++i) {
-    const Stream& s = out.streams[i];
-    const std::size_t number_bytes = s.bits <= 8 ? 1 : s.bits <= 16 ? 2 : 4;
-    const std::size_t stride = padded(s.components * number_bytes);
-    const Span<const unsigned char> part = take();
-    if (reader.failed() || meshopt_decodeVertexBuffer(s.values, out.vertex_count, stride, part.data, part.size) != 0)
-      return Status::bad_data;
-    if (number_bytes == 1) spread<std::uint8_t>(s, out.vertex_count);
-    if (number_bytes == 2) spread<std::uint16_t>(s, out.vertex_count);
+  std::uint64_t numbers = 0;
+  while (work.parts <= out.stream_count && (out.decoding == nullptr || numbers * sizeof(std::int32_t) < kStepBytes)) {
+    const Span<const std::byte> taken = reader.take_bytes(reader.take_varint());
+    if (reader.failed()) return Status::bad_data;
+    const Span<const unsigned char> part(reinterpret_cast<const unsigned char*>(taken.data), taken.size);
+    if (work.parts == 0) {
+      const std::size_t count = std::size_t{out.triangle_count} * 3;
+      if (meshopt_decodeIndexBuffer(out.indices, count, sizeof(std::uint32_t), part.data, part.size) != 0)
+        return Status::bad_data;
+      numbers += count;
+    } else {
+      const Stream& s = out.streams[work.parts - 1];
+      if (decode_stream(part, s, out.vertex_count) != Status::ok) return Status::bad_data;
+      numbers += std::uint64_t{out.vertex_count} * s.components;
+    }
+    ++work.parts;
   }
-  return reader.left() == 0 ? Status::ok : Status::bad_data;
+  work.read += static_cast<std::uint32_t>(bytes.size - reader.left());
+  return work.parts <= out.stream_count || reader.left() == 0 ? Status::ok : Status::bad_data;
 }
 
 }  // namespace

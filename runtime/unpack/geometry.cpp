@@ -234,6 +234,31 @@ std::uint64_t most_section_bytes(const MeshStreams& mesh) {
   return bytes + std::uint64_t{mesh.joint_count} * (8 * std::uint64_t{mesh.example_count} + 2);
 }
 
+// Reads what stands in front of the codec's bytes and the map; takes memory for all that is to be decoded.
+const char* begin_streams(Span<const std::byte> record, Span<std::byte> scratch, GeometryInWork& out) {
+  ByteReader reader(record.data, record.size);
+  out.scratch = {scratch.data, 0, scratch.size};
+  Memory& memory = out.scratch;
+  MeshStreams& mesh = out.streams;
+  if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
+  mesh.indices = memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3).data;
+  for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
+    mesh.streams[i].values =
+        memory.take<std::int32_t>(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components).data;
+  mesh.source_map = memory.take<std::uint32_t>(mesh.source_vertex_count).data;
+  out.decoding.read = static_cast<std::uint32_t>(record.size - reader.left());
+  return memory.failed ? "memory_bytes too small" : nullptr;
+}
+
+// Which vertex each of the source has become: a step of that, or all of it. False if the record ends too soon.
+bool map_source(Span<const std::byte> record, const MeshStreams& mesh, Decoding& work, bool a_step) {
+  const std::uint32_t count = mesh.source_vertex_count, end = a_step ? step_end(work.mapped, count) : count;
+  ByteReader reader(record.data + work.read, record.size - work.read);
+  for (; work.mapped < end; ++work.mapped) mesh.source_map[work.mapped] = reader.take_varint();
+  work.read = static_cast<std::uint32_t>(record.size - reader.left());
+  return !reader.failed();
+}
+
 }  // namespace
 
 const char* read_geometry_record(ByteReader& reader, Memory& memory, MeshStreams& out) {
@@ -271,23 +296,18 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh) {
 }
 
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            GeometryInWork& out, Status& decoded) {
-  ByteReader reader(record.data, record.size);
-  out = {};
-  out.scratch = {scratch.data, 0, scratch.size};
-  Memory& memory = out.scratch;
+                            GeometryInWork& out, Status& decoded, bool* done) {
+  if (out.streams.streams == nullptr)
+    if (const char* const rule = begin_streams(record, scratch, out)) return rule;
   MeshStreams& mesh = out.streams;
-  if (const char* const rule = read_geometry_record(reader, memory, mesh)) return rule;
-  mesh.indices = memory.take<std::uint32_t>(std::uint64_t{mesh.triangle_count} * 3).data;
-  for (std::uint32_t i = 0; i < mesh.stream_count; ++i)
-    mesh.streams[i].values =
-        memory.take<std::int32_t>(std::uint64_t{mesh.vertex_count} * mesh.streams[i].components).data;
-  std::uint32_t* const source_map = memory.take<std::uint32_t>(mesh.source_vertex_count).data;
-  if (memory.failed) return "memory_bytes too small";
-  for (std::uint32_t i = 0; i < mesh.source_vertex_count; ++i) source_map[i] = reader.take_varint();
-  mesh.source_map = source_map;
-  if (reader.failed()) return "a record that ends too soon";
-  decoded = decoder.decode({reader.at(), reader.left()}, mesh);
+  Decoding& work = out.decoding;
+  if (!map_source(record, mesh, work, done != nullptr)) return "a record that ends too soon";
+  if (done != nullptr) *done = false;
+  if (work.mapped < mesh.source_vertex_count) return nullptr;
+  mesh.decoding = done != nullptr ? &work : nullptr;
+  decoded = decoder.decode({record.data + work.read, record.size - work.read}, mesh);
+  mesh.decoding = nullptr;
+  if (done != nullptr) *done = work.parts == 0 || work.parts > mesh.stream_count;
   if (decoded == Status::ok) return nullptr;
   return decoded == Status::out_of_memory ? to_string(decoded) : "damaged mesh data";
 }

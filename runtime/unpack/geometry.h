@@ -35,6 +35,7 @@ std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 struct GeometryInWork {
   Memory scratch;
   MeshStreams streams;
+  Decoding decoding;
   ResidualInWork* residual = nullptr;  // begun
   ArrangingInWork arranging;
   Arrangement arrangement;
@@ -42,9 +43,10 @@ struct GeometryInWork {
 };
 
 // A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them
-// follow. Returns null, or the rule that is broken; `decoded` is what the codec says.
+// follow. Returns null, or the rule that is broken; `decoded` is what the codec says. With `done` it is a step of that,
+// if the codec can stop; without, all of it. `out` is {} at first.
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
-                            GeometryInWork& out, Status& decoded);
+                            GeometryInWork& out, Status& decoded, bool* done = nullptr);
 
 // Goes on with a residual that stands apart, of which a large mesh's takes several steps; without one there is nothing
 // to do. Returns null, or the rule that is broken.

@@ -67,6 +67,13 @@ struct ResidualApart {
   Span<const std::byte> bits;
 };
 
+// How far a record's decoding has come.
+struct Decoding {
+  std::uint32_t read = 0;    // of the record's bytes
+  std::uint32_t mapped = 0;  // of the source's vertices
+  std::uint32_t parts = 0;   // of the codec, if it can stop: indices, then stream by stream
+};
+
 struct MeshStreams {
   std::uint32_t flags = 0;  // format::GeometryFlags
   std::uint32_t vertex_count = 0;
@@ -74,9 +81,9 @@ struct MeshStreams {
   std::uint32_t joint_count = 0;  // palette entries
   std::uint32_t influences = 1;   // the most of any vertex
   std::uint32_t source_vertex_count = 0;
-  std::uint32_t* indices = nullptr;           // 3 a triangle
-  const std::uint32_t* source_map = nullptr;  // the vertex that each of the source has become
-  std::uint32_t target_count = 0;  // morph targets; their streams follow, in the order of targets and attributes
+  std::uint32_t* indices = nullptr;     // 3 a triangle
+  std::uint32_t* source_map = nullptr;  // the vertex that each of the source has become
+  std::uint32_t target_count = 0;       // morph targets; their streams follow, in the order of targets and attributes
   std::uint32_t mwe_root = 0;
   std::uint32_t example_count = 0;  // of pose-space deformation; their streams come last
   float sigma = 0;
@@ -85,6 +92,7 @@ struct MeshStreams {
   ResidualApart apart;
   Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
+  Decoding* decoding = nullptr;  // where a codec that can stop goes on with it, a step a call; null: all in one go
 
   const Stream* find(StreamKind kind) const {
     for (std::uint32_t i = 0; i < stream_count; ++i) {

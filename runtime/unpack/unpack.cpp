@@ -250,7 +250,7 @@ class Unpacker {
         return Status::unsupported;
       }
       Status decoded = Status::ok;
-      rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh, decoded);
+      rule = decode_geometry(record_.bytes, *decoder, scratch(), mesh, decoded, &stage_done);
       if (decoded == Status::out_of_memory) return decoded;
     } else if (stage_ == MeshStage::finishing) {
       rule = finish_streams(mesh, stage_done);

@@ -367,45 +367,30 @@ double farthest_at(const std::vector<float>& times_s, const Reference& reference
   return out;
 }
 
-// For 3 ms a joint is ninety times as far from the one that turns: between the moments of an even rate.
-TEST(StatedErrors, BothSidesOfAJumpAreLookedAt) {
-  Swaying of;
-  const std::vector<float> times = {0, 0.51F, 0.513F, 1};
-  of.add(of.joints[2], "translation", "STEP", times,
-         of.d.b.numbers<float>(cook::kF32, "VEC3", 3, {0, 1, 0, 0, 90, 0, 0, 1, 0, 0, 1, 0}));
-  const SourceFile file(of.d);
-  const Reference reference(file.path);
-  cook::CookOptions options = clips_alone();
-  options.clip_error.push_back({"", 1e-3, false});
-  const Cooked cooked(file.path, options);
-  const double real = farthest_at({0.5F, 0.51F, 0.511F, 0.513F * (1 - 0x1p-21F), 0.513F, 0.7F}, reference, cooked);
-  const double said = stated(cooked, "clips", "max_vertex_error_m");
-  EXPECT_LE(said, 1e-3);
-  EXPECT_LE(real, 1.1 * said + kFloats);
-}
-
-// A clip weighs two targets of ten metres by 1.5 each: what a joint's turn is off by counts thirty times as far out.
+// A clip weighs two targets of ten metres by 7.5 each: what a joint's turn is off by counts fifteen times as far out as
+// where one of them takes a vertex. The targets themselves are not rounded: all vertices go as far.
 TEST(StatedErrors, ClipsAreMeasuredAsTheyWeighMorphTargets) {
   Swaying of;
   const float along = 10;
   for (int t = 0; t < 2; ++t) {
     std::vector<float> changes;
-    for (int v = 0; v < 9; ++v) changes.insert(changes.end(), {along, 0.1F * static_cast<float>(v), 0});
+    for (int v = 0; v < 9; ++v) changes.insert(changes.end(), {along, 0, 0});
     of.d.b.root["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", of.d.b.positions(changes)}});
   }
   const int body = static_cast<int>(of.d.b.root["nodes"].size()) - 1;
   of.add(body, "weights", "STEP", {0, 0.71F, 0.72F},
-         of.d.b.numbers<float>(cook::kF32, "SCALAR", 1, {0, 0, 1.5F, 1.5F, 0, 0}));
+         of.d.b.numbers<float>(cook::kF32, "SCALAR", 1, {0, 0, 7.5F, 7.5F, 0, 0}));
   const SourceFile file(of.d);
   const Reference reference(file.path);
   cook::CookOptions options = clips_alone();
-  options.clip_error.push_back({"", 1e-2, false});
+  options.clip_error.push_back({"", 0.1, false});
   const Cooked cooked(file.path, options);
   std::vector<float> times_s;
   for (int i = 0; i < 40; ++i) times_s.push_back(0.71F + 0.00025F * static_cast<float>(i));
   const double real = farthest_at(times_s, reference, cooked);
   const double said = stated(cooked, "clips", "max_vertex_error_m");
-  EXPECT_LE(said, 1e-2 + 3 * stated(cooked, "meshes", "max_target_error_m") + kFloats);
+  EXPECT_GT(real, 0.005);
+  EXPECT_LE(said, 0.1 + 15 * stated(cooked, "meshes", "max_target_error_m") + kFloats);
   EXPECT_LE(real, 1.1 * said + kFloats);
 }
 

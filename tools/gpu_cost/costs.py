@@ -156,15 +156,31 @@ def tell(costs):
         print(name.ljust(width), *cells)
 
 
-def texts():
-    """What the programs are made of, as a hash: of shaders, and of the sources that put them together.
+# What makes the programs' texts: shaders, and of sources the functions that put them together.
+SHADERS = ("skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag")
+FUNCTIONS = {
+    "runtime/gles3/program.cpp": ("Text preamble(", "Words words_read(", "Status compile_program("),
+    "runtime/gles3/preskin.cpp": ("Status build_preskin(",),
+    "runtime/gles3/crowd/crowd.cpp": ("Status build_crowd_program(",),
+    "runtime/gles3/self_test/self_test_result.cpp": ("GpuFamily family_of(",),
+}
 
-    Without comments, and without the paths of headers: the compilers see neither."""
+
+def function(begin, path):
+    """Its text, without checks of calls: from the line that begins so to the brace that closes it."""
+    found = re.search(rf"^{re.escape(begin)}.*?^}}$", (ROOT / path).read_text(), re.M | re.S)
+    if found is None:
+        raise SystemExit(f"gpu_cost: {path} has no {begin[:-1]}: say in tools/gpu_cost/costs.py what makes the texts now")
+    return re.sub(r"\bMARROW_(REQUIRE|REQUIRE_GOOD|MARK)\b[^;]*;", "", found[0])
+
+
+def texts():
+    """What the programs are made of, as a hash. Not comments: the compilers do not see them."""
     made_of = hashlib.sha256()
-    sources = ["runtime/gles3/program.cpp", "runtime/gles3/preskin.cpp", "runtime/gles3/crowd/crowd.cpp", "tools/gpu_cost/gpu_cost.cpp"]
-    shaders = ["skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag"]
-    for name in sources + [f"shaders/{name}" for name in shaders]:
-        for line in (ROOT / name).read_text().splitlines():
+    parts = [(HERE / "gpu_cost.cpp").read_text(), *((ROOT / "shaders" / name).read_text() for name in SHADERS)]
+    parts += [function(begin, path) for path, begins in FUNCTIONS.items() for begin in begins]
+    for part in parts:
+        for line in part.splitlines():
             code = line.split("//")[0].strip()
             if code and not code.startswith("#include"):
                 made_of.update(code.encode() + b"\n")

@@ -1,10 +1,14 @@
 #include "image/apng.h"
 
+#include <png.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <utility>
+
+#include "common/failure.h"
 
 namespace marrow::tools {
 namespace {
@@ -47,24 +51,65 @@ void for_each_chunk(std::span<const std::byte> png, const Take& take) {
 
 }  // namespace
 
-Apng::Area Apng::changed(const Image& frame) const {
-  if (last_.rgb.empty()) return {0, 0, frame.width, frame.height};
+Apng::Apng(std::uint32_t frame_count, Palette palette)
+    : frame_count_(frame_count), palette_(std::move(palette)), entries_(4 * (1 + Palette::kMost), 0xFF) {
+  std::fill_n(entries_.begin(), 4, std::uint8_t{0});
+  for (std::size_t i = 0; i < palette_.colours.size(); ++i)
+    std::ranges::copy(palette_.colours[i], entries_.begin() + static_cast<std::ptrdiff_t>(4 * (i + 1)));
+}
+
+std::vector<std::uint8_t> Apng::coloured(const Image& frame) const {
+  std::vector<std::uint8_t> out = shown_;
+  out.resize(frame.rgb.size() / 3);
+  std::size_t at = 0;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x, ++at) {
+      const std::uint8_t* const colour = frame.pixel(x, y);
+      if (!shown_.empty() && std::equal(colour, colour + 3, last_.pixel(x, y))) continue;
+      out[at] = static_cast<std::uint8_t>(1 + palette_.index(colour, x, y));
+    }
+  return out;
+}
+
+Apng::Area Apng::changed(const Image& frame, const std::vector<std::uint8_t>& pixels) const {
+  if (shown_.empty()) return {0, 0, frame.width, frame.height};
   int left = frame.width, right = 0, top = frame.height, bottom = 0;
   for (int y = 0; y < frame.height; ++y) {
-    const std::uint8_t* const row = frame.pixel(0, y);
-    const std::uint8_t* const old = last_.pixel(0, y);
-    const std::ptrdiff_t bytes = std::ptrdiff_t{3} * frame.width;
-    const std::ptrdiff_t first = std::mismatch(row, row + bytes, old).first - row;
-    if (first == bytes) continue;
-    std::ptrdiff_t end = bytes;
+    const std::uint8_t* const row = pixels.data() + std::ptrdiff_t{y} * frame.width;
+    const std::uint8_t* const old = shown_.data() + std::ptrdiff_t{y} * frame.width;
+    const auto first = static_cast<int>(std::mismatch(row, row + frame.width, old).first - row);
+    if (first == frame.width) continue;
+    int end = frame.width;
     while (row[end - 1] == old[end - 1]) --end;
-    left = std::min(left, static_cast<int>(first / 3));
-    right = std::max(right, static_cast<int>((end + 2) / 3));
+    left = std::min(left, first);
+    right = std::max(right, end);
     top = std::min(top, y);
     bottom = y + 1;
   }
   // A frame cannot be empty.
   return bottom == 0 ? Area{0, 0, 1, 1} : Area{left, top, right - left, bottom - top};
+}
+
+// What is as before is written as nothing: that takes least.
+Bytes Apng::encode(const Area& area, int width, const std::vector<std::uint8_t>& pixels) const {
+  std::vector<std::uint8_t> part;
+  for (int y = area.y; y < area.y + area.height; ++y)
+    for (int x = area.x; x < area.x + area.width; ++x) {
+      const auto at = static_cast<std::size_t>(std::ptrdiff_t{y} * width + x);
+      part.push_back(!shown_.empty() && pixels[at] == shown_[at] ? 0 : pixels[at]);
+    }
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(area.width);
+  header.height = static_cast<png_uint_32>(area.height);
+  header.format = PNG_FORMAT_RGBA_COLORMAP;
+  header.colormap_entries = static_cast<png_uint_32>(entries_.size() / 4);
+  Bytes bytes(PNG_IMAGE_PNG_SIZE_MAX(header));
+  png_alloc_size_t size = bytes.size();
+  if (png_image_write_to_memory(&header, bytes.data(), &size, 0, part.data(), 0, entries_.data()) == 0)
+    throw Failure(Exit::internal, "PNG", "", header.message, "please report this");
+  bytes.resize(size);
+  return bytes;
 }
 
 void Apng::put_control(const Area& area, std::uint16_t ticks) {
@@ -73,17 +118,16 @@ void Apng::put_control(const Area& area, std::uint16_t ticks) {
   for (const int number : {area.width, area.height, area.x, area.y}) put(data, static_cast<std::uint32_t>(number));
   put(data, ticks, 2);
   put(data, kTicksPerSecond, 2);
-  put(data, 0, 1);  // afterwards the frame stays where it is
-  put(data, 0, 1);  // and it replaces what was there
+  put(data, 0, 1);                       // afterwards the frame stays where it is
+  put(data, shown_.empty() ? 0 : 1, 1);  // the first replaces what was there, others lie over it
   put_chunk(bytes_, "fcTL", data);
 }
 
 void Apng::add(const Image& frame, std::uint16_t ticks) {
-  const bool first = last_.rgb.empty();
-  const Area area = changed(frame);
-  Image part(area.width, area.height);
-  paste(part, frame, -area.x, -area.y);
-  const Bytes png = encode_png(part);
+  const bool first = shown_.empty();
+  std::vector<std::uint8_t> pixels = coloured(frame);
+  const Area area = changed(frame, pixels);
+  const Bytes png = encode(area, frame.width, pixels);
   if (first) bytes_.assign(png.begin(), png.begin() + kSignatureBytes);
   bool controlled = false;
   for_each_chunk(png, [&](std::string_view type, std::span<const std::byte> data, std::span<const std::byte> chunk) {
@@ -108,6 +152,7 @@ void Apng::add(const Image& frame, std::uint16_t ticks) {
     }
   });
   last_ = frame;
+  shown_ = std::move(pixels);
 }
 
 std::vector<std::byte> Apng::finish() {

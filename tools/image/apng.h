@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "image/image.h"
+#include "image/few_colours.h"
 
 namespace marrow::tools {
 
@@ -15,11 +15,11 @@ class Apng {
   // Parts of a second that frames are timed in.
   static constexpr std::uint16_t kTicksPerSecond = 10000;
 
-  // That plays again and again. frame_count: how often add() will be called, at least once.
-  explicit Apng(std::uint32_t frame_count) : frame_count_(frame_count) {}
+  // That plays again and again, in these colours. frame_count: how often add() will be called, at least once.
+  Apng(std::uint32_t frame_count, Palette palette);
 
-  // All of one size. Of a frame only the rectangle that differs from the one before it is written. ticks: how long it
-  // is shown. Throws Failure (internal) if the encoder fails.
+  // All of one size. Of a frame only the rectangle that differs from the one before it is written, and there only the
+  // pixels that do. ticks: how long it is shown. Throws Failure (internal) if the encoder fails.
   void add(const Image& frame, std::uint16_t ticks);
 
   // The file. Precondition: all frames are there.
@@ -29,12 +29,17 @@ class Apng {
   struct Area {
     int x, y, width, height;
   };
-  Area changed(const Image& frame) const;
+  std::vector<std::uint8_t> coloured(const Image& frame) const;
+  Area changed(const Image& frame, const std::vector<std::uint8_t>& pixels) const;
+  std::vector<std::byte> encode(const Area& area, int width, const std::vector<std::uint8_t>& pixels) const;
   void put_control(const Area& area, std::uint16_t ticks);
 
   std::uint32_t frame_count_;
   std::uint32_t sequence_ = 0;
+  Palette palette_;
+  std::vector<std::uint8_t> entries_;  // red, green, blue, opacity: nothing first, then the palette's
   Image last_;
+  std::vector<std::uint8_t> shown_;  // of the last frame, an entry a pixel
   std::vector<std::byte> bytes_;
 };
 

@@ -84,6 +84,12 @@ const Emptied kEmptied[] = {
      [](SceneDocument& d) {
        set_indices(d, 0, {0, 1});
      }},
+    {"no indices", [](SceneDocument& d) { set_indices(d, 1, {}); }},
+    {"a strip of no indices, skinned",
+     [](SceneDocument& d) {
+       set_indices(d, 0, {});
+       primitive(d.b.root, 0)["mode"] = 5;
+     }},
     {"triangles of one vertex",
      [](SceneDocument& d) {
        set_indices(d, 1, {0, 0, 0, 1, 1, 1});
@@ -161,6 +167,12 @@ const Emptied kEmptied[] = {
     // Clips.
     {"no clips", [](SceneDocument& d) { d.b.root["animations"] = Json::array(); }},
     {"no channels", [](SceneDocument& d) { d.b.root["animations"][0]["channels"] = Json::array(); }},
+    {"no keys",
+     [](SceneDocument& d) {
+       Json& sampler = d.b.root["animations"][0]["samplers"][0];
+       sampler = {{"input", d.b.numbers<float>(kF32, "SCALAR", 1, {})},
+                  {"output", d.b.numbers<float>(kF32, "VEC4", 4, {})}};
+     }},
     {"no channels and no samplers",
      [](SceneDocument& d) {
        for (Json& clip : d.b.root["animations"]) clip["channels"] = clip["samplers"] = Json::array();

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <meshoptimizer.h>
 
 #include "cook/geometry/symbol_encoder.h"
 #include "core/step.h"
+#include "marrow/meshopt.h"
 #include "support/fan.h"
 #include "unpack/clip/bounds_codec.h"
 #include "unpack/records.h"
@@ -72,7 +74,8 @@ Stepped step_through(const OneRecord& record) {
   out.memory = std::make_unique<AlignedBlock>(sizes.memory_bytes);
   std::memset(out.memory->data(), 0, out.memory->size());  // pages are the game's to have
   Unpacking work;
-  out.status = begin_unpack(bytes, {kPlainDecoder, 1}, {out.memory->data(), out.memory->size()}, work, &out.error);
+  const MeshDecoder decoders[] = {kPlainDecoder[0], meshopt_decoder()};
+  out.status = begin_unpack(bytes, {decoders, 2}, {out.memory->data(), out.memory->size()}, work, &out.error);
   for (; out.status == Status::ok && work.file.empty(); ++out.steps) {
     const double begin_s = processor_s();
     out.status = unpack_step(work, &out.error);
@@ -286,6 +289,90 @@ TEST(Steps, OfADenseMesh) {
   const Stepped it = step_through(mesh.record([](std::uint32_t, std::uint32_t i) { return i; }));
   EXPECT_EQ(it.status, Status::bad_data) << "the bits are none";
   EXPECT_GE(it.steps, 50) << "two joints, thirty times 753 vertices with 750 neighbours each";
+}
+
+// A strip of triangles on two joints, in the order in which its codec gives them; each vertex of the source is the
+// first one here, so that the map to them is long, too.
+class LargeStrip {
+ public:
+  static constexpr std::uint32_t kVertices = 360'000, kSource = 300'000;
+
+  LargeStrip() {
+    for (std::uint32_t v = 0; v < kVertices; ++v) {
+      positions_.insert(positions_.end(), {v, v % 7, 1});
+      joints_.push_back(v % 2);
+      if (v + 2 < kVertices) indices_.insert(indices_.end(), {v, v + 1, v + 2});
+    }
+    std::vector<unsigned char> part(meshopt_encodeIndexBufferBound(indices_.size(), kVertices));
+    part.resize(meshopt_encodeIndexBuffer(part.data(), part.size(), indices_.data(), indices_.size()));
+    EXPECT_EQ(meshopt_decodeIndexBuffer(indices_.data(), indices_.size(), 4, part.data(), part.size()), 0)
+        << "it may turn triangles round";
+    add_part(part);
+    for (const std::vector<std::uint32_t>* const numbers : {&positions_, &joints_}) {
+      const std::size_t stride = 4 * numbers->size() / kVertices;
+      part.resize(meshopt_encodeVertexBufferBound(kVertices, stride));
+      part.resize(meshopt_encodeVertexBuffer(part.data(), part.size(), numbers->data(), kVertices, stride));
+      add_part(part);
+    }
+  }
+  OneRecord record(bool by_meshopt) const {
+    Bytes b;
+    for (const std::size_t n : {std::size_t{format::kHasSourceSlots}, std::size_t{kVertices}, indices_.size() / 3,
+                                std::size_t{2}, std::size_t{1}, std::size_t{kSource}})
+      add_varint(b, n);
+    b.u8(24).f32(0).f32(0).f32(0).f32(1);
+    b.add(std::vector<std::byte>(kSource));
+    if (by_meshopt) {
+      b.add(coded_.all);
+    } else {
+      for (const std::vector<std::uint32_t>* const numbers : {&indices_, &positions_, &joints_})
+        for (const std::uint32_t n : *numbers) b.u32(n);
+    }
+    GeometryNeeds needs{};
+    EXPECT_EQ(measure_geometry_record({b.all.data(), b.all.size()}, needs), nullptr);
+    format::GeometryHeader h{};
+    h.flags = format::kHasSourceSlots;
+    h.vertex_count = kVertices;
+    h.source_vertex_count = kSource;
+    h.block_count = h.influence_blocks = 2 * (kVertices / 2 / 4);
+    h.run_count = h.set_count = h.joint_count = 2;
+    h.index_count = static_cast<std::uint32_t>(indices_.size());
+    return {format::kGeometries, by_meshopt ? std::uint32_t{packed::kMeshopt} : kPlain, b.all, layout(h).bytes,
+            needs.scratch_bytes};
+  }
+
+ private:
+  void add_part(const std::vector<unsigned char>& part) {
+    add_varint(coded_, part.size());
+    for (const unsigned char byte : part) coded_.u8(byte);
+  }
+  std::vector<std::uint32_t> indices_, positions_, joints_;
+  Bytes coded_;
+};
+
+int decoding_steps(const OneRecord& record, const MeshDecoder& decoder) {
+  AlignedBlock scratch(static_cast<std::size_t>(record.scratch_bytes));
+  GeometryInWork mesh;
+  Status decoded = Status::ok;
+  int steps = 0;
+  for (bool done = false; !done && steps < 100; ++steps)
+    EXPECT_EQ(decode_geometry({record.bytes.data(), record.bytes.size()}, decoder, {scratch.data(), scratch.size()},
+                              mesh, decoded, &done),
+              nullptr);
+  return steps;
+}
+
+TEST(Steps, OfALargeMeshByMeshopt) {
+  const LargeStrip strip;
+  const OneRecord of_numbers = strip.record(false), of_bits = strip.record(true);
+  EXPECT_EQ(decoding_steps(of_numbers, kPlainDecoder[0]), 3) << "of its map 131 072 numbers each";
+  EXPECT_EQ(decoding_steps(of_bits, meshopt_decoder()), 3 + 2) << "indices and positions are 4 MiB and more";
+  const Stepped plain = step_through(of_numbers), coded = step_through(of_bits);
+  ASSERT_EQ(plain.status, Status::ok) << plain.error.rule;
+  ASSERT_EQ(coded.status, Status::ok) << coded.error.rule;
+  EXPECT_EQ(coded.steps, plain.steps + 2);
+  ASSERT_EQ(plain.section.size, coded.section.size);
+  EXPECT_EQ(std::memcmp(plain.section.data, coded.section.data, coded.section.size), 0);
 }
 
 }  // namespace

@@ -19,10 +19,11 @@ namespace marrow::tools {
 namespace {
 
 constexpr double kMostFrames = 3600;
-// Of an APNG, which is in memory until it is whole (a picture's encoder takes at most 3 bytes a pixel, mostly a third),
-// and of a GIF, whose frames ffmpeg keeps until it has seen the last one's colours.
+// Of an APNG, which is in memory until it is whole (at most a byte a pixel, mostly a tenth), and of a GIF, whose frames
+// ffmpeg keeps until it has seen the last one's colours.
 constexpr std::size_t kMostPixels = std::size_t{1} << 30;
-constexpr double kMostGifFps = 50;  // what is faster, browsers play at 10
+constexpr double kMostGifFps = 50;    // what is faster, browsers play at 10
+constexpr std::size_t kSamples = 16;  // frames of which an APNG has the colours
 constexpr double kTurnDegPerS = 60;
 constexpr double kRadPerDeg = 0.017453292519943295;
 
@@ -71,12 +72,20 @@ class NumberedFrames : public Reel {
 
 class AnimatedPng : public Reel {
  public:
-  AnimatedPng(const std::string& output, const Movie& movie)
-      : output_(output), movie_(movie), apng_(static_cast<std::uint32_t>(movie.instants.size())) {}
+  AnimatedPng(const std::string& output, const Movie& movie, Sitting& sitting)
+      : output_(output), movie_(movie), apng_(static_cast<std::uint32_t>(movie.instants.size()), palette(sitting)) {}
   void add(std::size_t number, const Image& frame) override { apng_.add(frame, ticks(movie_, number)); }
   void finish() override { write_file_atomically(output_, apng_.finish()); }
 
  private:
+  Palette palette(Sitting& sitting) const {
+    std::vector<Image> samples;
+    const std::size_t count = movie_.instants.size();
+    for (std::size_t i = 0; i < count; i += (count + kSamples - 1) / kSamples)
+      samples.push_back(sitting.glimpse(movie_.instants[i]));
+    return Palette::of(samples);
+  }
+
   const std::string& output_;
   const Movie& movie_;
   Apng apng_;
@@ -105,11 +114,11 @@ void expect_small_enough(const RenderArguments& arguments, const Movie& movie, c
                   "lower --fps, or write an .mp4");
 }
 
-std::unique_ptr<Reel> make_reel(const RenderArguments& arguments, const Movie& movie, const Sitting& sitting) {
+std::unique_ptr<Reel> make_reel(const RenderArguments& arguments, const Movie& movie, Sitting& sitting) {
   if (std::optional<FrameNames> names = parse_frame_names(arguments.output))
     return std::make_unique<NumberedFrames>(std::move(*names));
   expect_small_enough(arguments, movie, sitting);
-  if (!is_film(arguments.output)) return std::make_unique<AnimatedPng>(arguments.output, movie);
+  if (!is_film(arguments.output)) return std::make_unique<AnimatedPng>(arguments.output, movie, sitting);
   return std::make_unique<Video>(
       arguments.output, Film::Shape{sitting.width(), sitting.height(), movie.instants.size(), movie.duration_s});
 }
@@ -186,8 +195,8 @@ std::string movie_size(const std::string& output, const std::string& size) {
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
   const Movie movie = plan_movie(arguments, sitting.play());
   const std::size_t frames = movie.instants.size();
-  const std::unique_ptr<Reel> reel = make_reel(arguments, movie, sitting);
   sitting.agree_on_heat(movie.instants);
+  const std::unique_ptr<Reel> reel = make_reel(arguments, movie, sitting);
   {
     Progress progress;
     for (std::size_t i = 0; i < frames; ++i) {

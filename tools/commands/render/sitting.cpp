@@ -169,9 +169,14 @@ void Sitting::warn_of_misses() const {
 }
 
 Image Sitting::shoot(const Instant& instant) {
+  Image image = glimpse(instant);
+  note_misses();
+  return image;
+}
+
+Image Sitting::glimpse(const Instant& instant) {
   if (arguments_.springs) swing_to(instant.time_s);
   pose_at(instant.time_s);
-  note_misses();
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
   std::vector<Drawable> drawables = drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);

@@ -34,6 +34,8 @@ class Sitting {
 
   // With a legend of colours, and marks at the goals of inverse kinematics, if there are any.
   Image shoot(const Instant& instant);
+  // The same picture, which does not count among those of warn_of_misses().
+  Image glimpse(const Instant& instant);
 
   // After the last picture: says on stderr which goals were not reached.
   void warn_of_misses() const;

@@ -121,6 +121,9 @@ const Fault kFaults[] = {
     {"[" ADD("/meshes/0/weights", "[]") "]", Kind::mended, "empty-array", "/meshes/0/weights"},
     {"[" ADD(PRIMITIVE "/targets", "[]") "]", Kind::mended, "empty-array", PRIMITIVE "/targets"},
     {"[" ADD("/accessors/14/min", "[]") "]", Kind::mended, "empty-array", "/accessors/14/min"},
+    {"[" ADD("/accessors/14/count", "0") "]", Kind::mended, "empty-accessor", "/accessors/14/count"},
+    {"[" ADD("/bufferViews/14/byteLength", "0") "," ADD("/accessors/14/count", "0") "]", Kind::mended,
+     "empty-buffer-view", "/bufferViews/14/byteLength"},
     {"[" ADD("/extensionsUsed", R"(["ACME_a","ACME_a"])") "]", Kind::mended, "duplicate-entry", "/extensionsUsed/1"},
     {"[" ADD("/extensionsUsed", R"(["FB_ngon_encoding"])") "," ADD("/extensionsRequired",
                                                                    R"(["FB_ngon_encoding"])") "]",
@@ -237,6 +240,12 @@ const Refusal kRefusals[] = {
      ATTRIBUTES "/JOINTS_0", "wrong component type"},
     {"[" ADD("/accessors/4/type", R"("MAT3")") "," ADD("/accessors/4/componentType", "5121") "]", Exit::invalid,
      "/skins/0/inverseBindMatrices", "wrong accessor"},
+    {"[" ADD("/accessors/5/count", "0") "]", Exit::invalid, "/animations/0/channels/0/sampler", "differ in count"},
+    {"[" ADD("/accessors/6/count", "0") "]", Exit::invalid, "/animations/0/channels/0/sampler", "differ in count"},
+    {"[" ADD("/accessors/0/count", "0") "," ADD("/accessors/1/count", "0") "," ADD("/accessors/2/count", "0") "]",
+     Exit::invalid, ATTRIBUTES, "no vertices"},
+    {"[" ADD("/accessors/4/count", "0") "]", Exit::invalid, "/skins/0/inverseBindMatrices", "0 for"},
+    {"[" ADD("/bufferViews/14/byteLength", "0") "]", Exit::invalid, "/accessors/14", "beyond the bufferView's end"},
     {"[" ADD("/accessors/6/componentType", "5122") "]", Exit::invalid, "/animations/0/channels/0/sampler",
      "wrong output"},
     {"[" ADD("/buffers/0/uri", R"("DATA:application/octet-stream,a%2Fb%aF")") "]", Exit::invalid,
@@ -267,6 +276,33 @@ TEST(GltfRules, WhatHasNoSensibleMeaningIsRefused) {
     ++checked;
   }
   EXPECT_EQ(checked, std::size(kRefusals));
+}
+
+// glTF has no accessors without elements, but exporters write channels of no keys: these move nothing, others do.
+TEST(GltfRules, ChannelsWithoutKeysAreLeftOut) {
+  std::size_t checked = 0;
+  for (const char* spline : {"LINEAR", "STEP", "CUBICSPLINE"}) {
+    Builder b = skinned();
+    Json& animation = b.root["animations"][0];
+    animation["samplers"].push_back({{"input", b.numbers<float>(kF32, "SCALAR", 1, {})},
+                                     {"output", b.numbers<float>(kF32, "VEC3", 3, {})},
+                                     {"interpolation", spline}});
+    animation["channels"].push_back({{"sampler", 1}, {"target", {{"node", 1}, {"path", "scale"}}}});
+    const RawScene scene = read(b);
+    EXPECT_TRUE(warns(scene, "empty-accessor", "/accessors/7/count"));
+    EXPECT_TRUE(warns(scene, "empty-buffer-view", "/bufferViews/8/byteLength"));
+    EXPECT_TRUE(warns(scene, "channel-without-keys", "/animations/0/channels/1/sampler"));
+    EXPECT_EQ(scene.warnings.size(), 5u) << "two accessors, two views, one channel";
+    ASSERT_EQ(scene.clips.size(), 1u);
+    ASSERT_EQ(scene.clips[0].channels.size(), 1u);
+    EXPECT_EQ(scene.clips[0].channels[0].node, 2);
+    animation["channels"].erase(0);
+    const RawScene still = read(b);
+    EXPECT_TRUE(still.clips.empty());
+    EXPECT_TRUE(warns(still, "clip-dropped", "/animations/0"));
+    ++checked;
+  }
+  EXPECT_EQ(checked, 3u);
 }
 
 TEST(GltfRules, LongListsAndPathsAreCutOff) {

@@ -24,7 +24,7 @@ struct Accessor {
   Component component = Component::f32;
   Shape shape = Shape::unknown;
   bool normalised = false;
-  std::uint64_t count = 0;
+  std::uint64_t count = 0;          // 0: without data
   int view = -1;                    // index of the base data's buffer view
   std::uint64_t offset = 0;         // in the view
   const std::byte* base = nullptr;  // nullptr: zeros

@@ -39,6 +39,10 @@ class Checker {
   Accessor check() {
     read_type();
     if (accessor_.shape == Shape::unknown) return accessor_;
+    if (accessor_.count == 0) {
+      report_.mend(under(where_, "count"), "empty-accessor", "glTF 2.0 demands an element");
+      return accessor_;
+    }
     read_base();
     if (json_.contains("sparse")) read_sparse(json_.at("sparse"));
     read_bounds();

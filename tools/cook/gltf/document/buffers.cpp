@@ -52,6 +52,7 @@ class Loader {
     View added;
     added.offset = offset;
     added.length = view.at("byteLength").get<std::uint64_t>();
+    if (added.length == 0) report_.mend(under(where, "byteLength"), "empty-buffer-view", "glTF 2.0 demands a byte");
     added.stride = static_cast<std::uint32_t>(count_or(view, "byteStride", 0));
     added.target = static_cast<std::int64_t>(count_or(view, "target", 0));
     check_stride(added, where);

@@ -29,6 +29,8 @@ class AnimationChecker {
       const auto number = document_.user_numbers.find({index_, c});
       const bool is_number = number != document_.user_numbers.end();
       is_number ? check_number(channel, where) : check_channel(channel, where);
+      if (accessor(animation_.samplers[static_cast<std::size_t>(channel.sampler)].input).count == 0)
+        report_.mend(under(where, "sampler"), "channel-without-keys", "it moves nothing; left out");
     }
   }
 
@@ -48,6 +50,7 @@ class AnimationChecker {
     if (input.shape != Shape::scalar || input.component != Component::f32) {
       report_.invalid(input_where, "wrong accessor", "times are float scalars; export again");
     }
+    if (input.count == 0) return;
     if (!input.has_bounds) report_.mend(input_where, "bounds-missing", "times need min and max; computed instead");
     if (sampler.interpolation == "CUBICSPLINE" && input.count < 2) {
       report_.mend(input_where, "too-few-keys", "a cubic spline needs two keys; held at the one there is");

@@ -114,6 +114,7 @@ class MeshChecker {
   void check_primitive(const Primitive& primitive, const std::string& where) {
     const std::string attributes = under(where, "attributes");
     const std::uint64_t count = accessor(primitive.attributes.begin()->second).count;
+    if (count == 0) report_.invalid(attributes, "no vertices", "leave the primitive out; export again");
     for (const auto& [name, index] : primitive.attributes) {
       const std::string here = under(attributes, name);
       if (accessor(index).count != count) {

@@ -29,7 +29,7 @@ constexpr Property kAccessor[] = {index_of("bufferView", "bufferViews"),
                                   count_of("byteOffset", 0),
                                   code("componentType", true),
                                   flag("normalized"),
-                                  count_of("count", 1, true),
+                                  count_of("count", 0, true),  // 1, but exporters write keys of nothing
                                   text("type", true),
                                   numbers("max", 1, 16),
                                   numbers("min", 1, 16),
@@ -73,7 +73,7 @@ constexpr Property kBufferViewExtensions[] = {object("EXT_meshopt_compression", 
 constexpr Schema kBufferViewExtensionsSchema{kBufferViewExtensions, true};
 constexpr Property kBufferView[] = {index_of("buffer", "buffers", true),
                                     count_of("byteOffset", 0),
-                                    count_of("byteLength", 1, true),
+                                    count_of("byteLength", 0, true),
                                     {.name = "byteStride", .kind = Kind::integer, .min = 4, .max = 252},
                                     code("target", false),
                                     object("extensions", kBufferViewExtensionsSchema)};
