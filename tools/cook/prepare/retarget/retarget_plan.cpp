@@ -89,14 +89,6 @@ glm::dquat turn_about_y(int degrees) {
   return degrees == 180 ? glm::dquat(0, 0, 1, 0) : glm::dquat(half, 0, degrees > 0 ? half : -half, 0);
 }
 
-// The shortest turn that takes one direction to another; both of length 1.
-glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
-  const double w = 1 + glm::dot(from, to);
-  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
-  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return {0, glm::normalize(glm::cross(from, other))};
-}
-
 // About an axis, by the angle with this cosine and sine.
 glm::dquat roll(const glm::dvec2& angle, const glm::dvec3& axis) {
   if (1 + angle.x < 1e-9) return {0, axis};
@@ -247,6 +239,13 @@ std::vector<char> moved_nodes(const RawScene& capture) {
 
 }  // namespace
 
+glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
+  const double w = 1 + glm::dot(from, to);
+  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
+  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return {0, glm::normalize(glm::cross(from, other))};
+}
+
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_joint,
                            const RawScene& capture) {
   RetargetPlan out;
@@ -266,7 +265,7 @@ RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>
     within[j] = 1;
     carried.push_back(j);
   }
-  for (Legs& legs : find_legs(out.joints, carried, captured)) {
+  for (Legs& legs : find_legs(out.joints, carried, capture.nodes, captured)) {
     const std::size_t joint = carried[out.carried.size()];
     const double scale =
         legs.tops.empty() ? scale_below(out.joints, joint, captured) : legs.length / legs.captured_length;
