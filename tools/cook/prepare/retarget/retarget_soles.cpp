@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kAround = 12, kSlopes = 4;  // ways aslant and level, in which a point may be the farthest
 constexpr double kQuarterTurn = 1.5707963267948966;
+constexpr double kHardlyCarried = 0.1;
 
 using Ways = std::array<glm::dvec3, kAround * kSlopes + 1>;
 
@@ -31,8 +32,8 @@ Ways ways_down() {
 }
 
 // A part of a sole, and its points that are farthest in each way.
-struct Farthest {
-  explicit Farthest(SolePart& of) : part(&of) { along.fill(-std::numeric_limits<double>::infinity()); }
+struct Outermost {
+  explicit Outermost(SolePart& of) : part(&of) { along.fill(-std::numeric_limits<double>::infinity()); }
   void add(const SolePoint& point, const Ways& ways) {
     for (std::size_t i = 0; i < ways.size(); ++i) {
       const double length = glm::dot(point.rest, ways[i]);
@@ -93,27 +94,26 @@ Feet find_parts(const RetargetPlan& plan, const Legs& legs) {
   return out;
 }
 
-// Where most of a vertex's weight is; kNone: not in a foot.
+// The part of a foot that a vertex follows most; kNone: hardly any. Heels may follow the shin more than the foot.
 int part_of(const SolePoint& point, const std::vector<int>& part_of_joint) {
   std::map<int, double> weights;
-  for (const SolePoint::Share& share : point.shares) weights[part_of_joint[share.joint]] += share.coordinate.w;
+  for (const SolePoint::Share& share : point.shares)
+    if (part_of_joint[share.joint] != kNone) weights[part_of_joint[share.joint]] += share.coordinate.w;
   const auto most = std::ranges::max_element(weights, {}, [](const auto& of) { return of.second; });
-  return most == weights.end() ? kNone : most->first;
+  return most == weights.end() || most->second < kHardlyCarried ? kNone : most->first;
 }
 
-void add_mesh(Mesh mesh, const Feet& feet, const std::vector<glm::dmat4>& at_rest, std::vector<Farthest>& farthest) {
+void add_mesh(Mesh mesh, const Feet& feet, const std::vector<glm::dmat4>& at_rest, std::vector<Outermost>& farthest) {
   const Ways ways = ways_down();
   mesh.geometry.as_residual = nullptr;  // as linear blend skinning has it
   SolePoint point;
   for_each_vertex(mesh.geometry, [&](std::size_t, const std::vector<Influence>& influences) {
     point.shares.clear();
-    bool is_near = false;
     for (const Influence& i : influences)
       for_each_joint(mesh, i.entry, [&](std::uint16_t joint, const Affine& bind, double share) {
         point.shares.push_back({joint, transformed(bind, i.coordinate) * share});
-        is_near = is_near || feet.part_of_joint[joint] != kNone;
       });
-    const int part = is_near ? part_of(point, feet.part_of_joint) : kNone;
+    const int part = part_of(point, feet.part_of_joint);
     if (part == kNone) return;
     point.rest = point.at(at_rest);
     farthest[to_index(part)].add(point, ways);
@@ -162,12 +162,12 @@ glm::dvec3 SolePoint::at(const std::vector<glm::dmat4>& scene_from_joint) const 
 
 std::vector<Sole> find_soles(const RetargetPlan& plan, const Legs& legs, const std::vector<Mesh>& meshes) {
   Feet feet = find_parts(plan, legs);
-  std::vector<Farthest> farthest;
+  std::vector<Outermost> farthest;
   for (const auto& [sole, part] : feet.parts) farthest.emplace_back(feet.soles[sole].parts[part]);
   Puppet rest(plan.joints.size());
   rest.pose(plan);
   for (const Mesh& mesh : meshes) add_mesh(mesh, feet, rest.scene_from_joint, farthest);
-  for (const Farthest& of : farthest) of.finish();
+  for (const Outermost& of : farthest) of.finish();
   for (Sole& sole : feet.soles) finish(plan, rest.scene_from_joint, sole);
   return std::move(feet.soles);
 }

@@ -81,50 +81,63 @@ void move_ankle(const RetargetPlan& plan, std::size_t top, std::size_t ankle, do
   puppet.wanted[knee] = arc(shin / b, glm::normalize(new_shin)) * puppet.turns[knee];
 }
 
-// What is to become of a foot.
-struct Standing {
-  double place = 0;   // the ankle's, as high as its counterpart and the sole want it
-  double lowest = 0;  // the sole's lowest above the ankle
+// A foot of a frame: where its ankle and its sole's lowest go.
+class Foot {
+ public:
+  Foot(const RetargetPlan& plan, const Legs& legs, const Sole& sole, const FootHeights& heights)
+      : sole_(sole), top_(legs.tops[sole.leg]), captured_lowest_(heights.lowest[sole.leg]) {
+    const double leg = legs.length / static_cast<double>(legs.tops.size());
+    share_ = std::clamp((kHardly - captured_lowest_ / leg) / (kHardly - kFull), 0.0, 1.0);
+    height_ = heights.ankle[sole.leg] + plan.joints[ankle()].place.y - sole.ground;
+  }
+  std::size_t ankle() const { return sole_.parts[0].joint; }
+
+  void bend_part(const RetargetPlan& plan, std::size_t part, Puppet& puppet) const {
+    const double above_ankle = puppet.place(sole_.parts[part].joint).y - puppet.place(ankle()).y;
+    bend(plan, sole_, sole_.parts[part], height_ + above_ankle - floor(), puppet);
+  }
+  void bend_toes(const RetargetPlan& plan, Puppet& puppet) const {
+    for (std::size_t part = 1; part < sole_.parts.size(); ++part) bend_part(plan, part, puppet);
+  }
+  // Returns by how much the character is to be raised so that the leg keeps its length. `nearest`: of all feet.
+  double find_place(const Puppet& puppet, double ground, double nearest) {
+    lowest_ = lowest_of(sole_, puppet);
+    const double above = height_ + lowest_;
+    const double moved = above < floor() ? floor() - above : std::min(0.0, captured_lowest_ - above);
+    place_ = ground + height_ + moved;
+    least_ = ground + floor() - lowest_;
+    return place_ - puppet.place(ankle()).y + captured_lowest_ - nearest;
+  }
+  void move(const RetargetPlan& plan, double raised, Puppet& puppet) const {
+    const double now = puppet.place(ankle()).y + raised;
+    const glm::dquat moved = puppet.turns[ankle()] * glm::conjugate(plan.joints[ankle()].turn);
+    move_ankle(plan, top_, ankle(), std::max(share_ * (place_ - now), least_ - now), moved * sole_.forward, puppet);
+  }
+
+ private:
+  // What the sole may not come below, above the ground.
+  double floor() const { return share_ * captured_lowest_; }
+
+  const Sole& sole_;
+  std::size_t top_;
+  double captured_lowest_, share_ = 0, height_ = 0, lowest_ = 0, place_ = 0, least_ = 0;
 };
 
 }  // namespace
 
 double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>& soles, const FootHeights& heights,
              Puppet& puppet) {
-  double ground = std::numeric_limits<double>::infinity(), nearest = ground;
+  double ground = std::numeric_limits<double>::infinity(), raised = ground;
   for (const Sole& sole : soles) ground = std::min(ground, sole.ground);
-  for (const double height : heights.lowest) nearest = std::min(nearest, height);
-  std::vector<Standing> standing;
-  const auto height_of = [&](const Sole& sole) {
-    return heights.ankle[sole.leg] + plan.joints[sole.parts[0].joint].place.y - sole.ground;
-  };
-  for (const Sole& sole : soles) bend(plan, sole, sole.parts[0], height_of(sole), puppet);
+  const double nearest = *std::ranges::min_element(heights.lowest);
+  std::vector<Foot> feet;
+  for (const Sole& sole : soles) feet.emplace_back(plan, legs, sole, heights);
+  for (const Foot& foot : feet) foot.bend_part(plan, 0, puppet);
   puppet.pose(plan);
-  for (const Sole& sole : soles)
-    for (std::size_t p = 1; p < sole.parts.size(); ++p) {
-      const double above_ankle = puppet.place(sole.parts[p].joint).y - puppet.place(sole.parts[0].joint).y;
-      bend(plan, sole, sole.parts[p], height_of(sole) + above_ankle, puppet);
-    }
+  for (const Foot& foot : feet) foot.bend_toes(plan, puppet);
   puppet.pose(plan);
-  double raised = std::numeric_limits<double>::infinity();
-  for (const Sole& sole : soles) {
-    const double height = height_of(sole), lowest = lowest_of(sole, puppet);
-    const double above = height + lowest;
-    const double moved = above < 0 ? -above : std::min(0.0, heights.lowest[sole.leg] - above);
-    standing.push_back({ground + height + moved, lowest});
-    raised = std::min(raised,
-                      standing.back().place - puppet.place(sole.parts[0].joint).y + heights.lowest[sole.leg] - nearest);
-  }
-  const double leg = legs.length / static_cast<double>(legs.tops.size());
-  for (std::size_t s = 0; s < soles.size(); ++s) {
-    const Sole& sole = soles[s];
-    const std::size_t ankle = sole.parts[0].joint;
-    const double now = puppet.place(ankle).y + raised;
-    const double share = std::clamp((kHardly - heights.lowest[sole.leg] / leg) / (kHardly - kFull), 0.0, 1.0);
-    const double up = std::max(share * (standing[s].place - now), ground - standing[s].lowest - now);
-    const glm::dquat moved = puppet.turns[ankle] * glm::conjugate(plan.joints[ankle].turn);
-    move_ankle(plan, legs.tops[sole.leg], ankle, up, moved * sole.forward, puppet);
-  }
+  for (Foot& foot : feet) raised = std::min(raised, foot.find_place(puppet, ground, nearest));
+  for (const Foot& foot : feet) foot.move(plan, raised, puppet);
   puppet.pose(plan);
   return raised;
 }
