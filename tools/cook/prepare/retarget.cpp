@@ -109,7 +109,7 @@ void pose(Capture& c, std::size_t frame) {
 }
 
 // The keys that joints have got.
-struct Keys {
+struct CapturedKeys {
   std::vector<std::vector<glm::vec4>> turns, places;
 };
 
@@ -156,7 +156,7 @@ glm::dvec3 place_of(const RetargetPlan& plan, const CarriedJoint& carried, const
 
 // False if a place comes out beyond what a file may hold.
 bool carry(const RetargetPlan& plan, const std::vector<std::vector<Sole>>& soles, const Capture& capture,
-           Puppet& puppet, Keys& keys) {
+           Puppet& puppet, CapturedKeys& keys) {
   for (std::size_t c = 0; c < plan.carried.size(); ++c) {
     const CarriedJoint& carried = plan.carried[c];
     const RetargetJoint& joint = plan.joints[carried.joint];
@@ -257,10 +257,11 @@ void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
   keys.push_back(!keys.empty() && glm::dot(keys.back(), key) < 0 ? -key : key);
 }
 
-Keys play(RetargetPlan& plan, const RawScene& scene, const Character& character, const std::vector<Mesh>& meshes) {
+CapturedKeys play(RetargetPlan& plan, const RawScene& scene, const Character& character,
+                  const std::vector<Mesh>& meshes) {
   Capture capture = open_capture(scene);
   Puppet puppet(plan.joints.size());
-  Keys keys{std::vector<std::vector<glm::vec4>>(plan.joints.size()), {}};
+  CapturedKeys keys{std::vector<std::vector<glm::vec4>>(plan.joints.size()), {}};
   keys.places = keys.turns;
   std::vector<char> turns(plan.joints.size(), 0);  // ever
   const std::size_t frames = scene.clips.at(0).channels.at(0).times_s.size();
@@ -289,7 +290,8 @@ Keys play(RetargetPlan& plan, const RawScene& scene, const Character& character,
 }
 
 // The character's joints as a scene, which they move.
-Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character& character, Keys keys, RawScene scene) {
+Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character& character, CapturedKeys keys,
+              RawScene scene) {
   Matched out;
   out.built.skeletons = character.skeletons;
   RawClip& clip = scene.clips.at(0);
@@ -328,7 +330,7 @@ Matched retarget(const Character& character, RawScene capture, Notes& notes) {
   std::vector<Mesh> meshes;
   for (const Mesh& mesh : character.meshes)
     if (mesh.skeleton == to_index(pairing.skeleton)) meshes.push_back(mesh);
-  Keys keys = play(plan, capture, character, meshes);
+  CapturedKeys keys = play(plan, capture, character, meshes);
   return match(pairing, plan, character, std::move(keys), std::move(capture));
 }
 

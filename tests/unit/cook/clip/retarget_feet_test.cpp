@@ -305,5 +305,30 @@ TEST(Retarget, PalmsLieAsTheFiles) {
   }
 }
 
+// The rig's thumb hangs 50 degrees below the palm, the file's lies in its plane; three fingers lie alike.
+TEST(Retarget, ThumbsDoNotTwistPalms) {
+  Rig rig;
+  std::vector<Joint> body = kBody;
+  const glm::dvec3 fingers[] = {{9, 0, 3}, {9, 0, 0}, {9, 0, -3}}, thumb(4, 0, 4);
+  const char* const names[] = {"LeftIndex", "LeftMiddle", "LeftRing"};
+  const char* const bones[] = {"rig:left_index", "rig:left_middle", "rig:left_ring"};
+  for (const std::size_t bone : {11U, 12U})
+    rig.bones[bone].place = rig.bones[10].place + glm::dvec3(bone == 11 ? 0.2 : 0.4, 0, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    insert(body, 12 + i, {names[i], 11, {fingers[i].x, fingers[i].y, fingers[i].z}, ""});
+    rig.bones.push_back({bones[i], 12, rig.bones[12].place + 0.01 * fingers[i]});
+  }
+  insert(body, 15, {"LeftThumb", 11, {thumb.x, thumb.y, thumb.z}, ""});
+  const glm::dquat hanging = glm::angleAxis(glm::radians(50.0), glm::dvec3(1, 0, 0));
+  rig.bones.push_back({"rig:left_thumb", 12, rig.bones[12].place + 0.01 * (hanging * thumb)});
+  const Onto onto(rig, body);
+  for (int f = 0; f < kFrames; ++f) {
+    const std::vector<Map> file = posed(body, f), pose = onto.at(f);
+    const Vec3 across = test::minus(place_of(file[12]), place_of(file[14]));
+    const Vec3 own = test::minus(place_of(pose[onto.joint(bones[0])]), place_of(pose[onto.joint(bones[2])]));
+    EXPECT_LE(test::angle_deg(across, own), 15) << f;
+  }
+}
+
 }  // namespace
 }  // namespace marrow::cook::mocap

@@ -133,8 +133,25 @@ struct Below {
   bool lie_about_one_way() const { return 2 * std::min(glm::length(own), glm::length(captured)) >= count; }
 };
 
-// By how much a hand rolls about the mean of its fingers, once that lies as the captured one's: as its fingers, and the
-// thumb most of all, lie about it. Cosine and sine; 0 of what has not several bones, or none that tell.
+// Of each joint with three bones or more, the captured one that is farthest from their mean: a hand's thumb, which
+// rests in the palm's plane in one skeleton and in front of it in another, and says little of the palm.
+std::vector<int> thumbs_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below) {
+  std::vector<int> out(joints.size(), kNone);
+  std::vector<double> least(joints.size(), 2);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (bones.own[j] == glm::dvec3(0)) continue;
+    const std::size_t up = to_index(joints[j].upper);
+    const double along = glm::dot(bones.captured[j], below[up].captured) / below[up].count;
+    if (below[up].count < 3 || along >= least[up]) continue;
+    least[up] = along;
+    out[up] = static_cast<int>(j);
+  }
+  return out;
+}
+
+// By how much a hand rolls about the mean of its fingers, once that lies as the captured one's: as its fingers lie
+// about it, and the thumb if there is only one other. Cosine and sine; 0 of what has not several bones, or none that
+// tell.
 std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below,
                                  const std::vector<glm::dquat>& arcs) {
   struct Spread {
@@ -142,10 +159,11 @@ std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const
     double own = 0, captured = 0;
   };
   std::vector<Spread> spreads(joints.size());
+  const std::vector<int> thumbs = thumbs_of(joints, bones, below);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (bones.own[j] == glm::dvec3(0)) continue;
     const std::size_t up = to_index(joints[j].upper);
-    if (below[up].count < 2 || !below[up].lie_about_one_way()) continue;
+    if (below[up].count < 2 || !below[up].lie_about_one_way() || thumbs[up] == static_cast<int>(j)) continue;
     const glm::dvec3 mean = glm::normalize(below[up].captured), own = arcs[up] * bones.own[j];
     const glm::dvec3 a = own - glm::dot(own, mean) * mean;
     const glm::dvec3 b = bones.captured[j] - glm::dot(bones.captured[j], mean) * mean;
