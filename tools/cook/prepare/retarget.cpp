@@ -12,6 +12,8 @@
 #include "common/failure.h"
 #include "cook/prepare/pair_joints.h"
 #include "cook/prepare/retarget/retarget_plan.h"
+#include "cook/prepare/retarget/retarget_puppet.h"
+#include "cook/prepare/retarget/retarget_stand.h"
 #include "cook/scene/matrices.h"
 #include "text/nearest.h"
 
@@ -23,12 +25,6 @@ constexpr std::uint64_t kFewPoses = 1u << 22;
 // twice the angle is how it rests.
 constexpr double kStands = 0.02, kCosineOf12Degrees = 0.9781476007338057;
 constexpr double kUnturned = 1 - 1e-9;  // of the cosine of half an angle
-
-// With the sign that is next to the key before it.
-void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
-  const glm::vec4 key(glm::dvec4(q.x, q.y, q.z, q.w));
-  keys.push_back(!keys.empty() && glm::dot(keys.back(), key) < 0 ? -key : key);
-}
 
 struct Pairing {
   int skeleton = kNone;
@@ -112,11 +108,9 @@ void pose(Capture& c, std::size_t frame) {
   }
 }
 
-// The character's joints in the scene at a frame, and the keys that they have got up to it.
-struct Puppet {
-  std::vector<glm::dquat> turns;
-  std::vector<glm::dmat4> scene_from_joint;
-  std::vector<std::vector<glm::vec4>> turn_keys, place_keys;
+// The keys that joints have got.
+struct CapturedKeys {
+  std::vector<std::vector<glm::vec4>> turns, places;
 };
 
 // Where the character of a joint stands.
@@ -130,84 +124,85 @@ glm::dquat captured_turn(const RetargetPlan& plan, const RetargetJoint& joint, c
   return plan.facing * capture.turns[to_index(joint.node)] * glm::conjugate(plan.facing);
 }
 
+FootHeights heights_above_ground(const CarriedJoint& carried, const Capture& capture) {
+  FootHeights out;
+  out.ankle.assign(carried.legs.tops.size(), std::numeric_limits<double>::infinity());
+  out.lowest = out.ankle;
+  for (const FootNode& node : carried.legs.nodes) {
+    const double height = carried.scale * (capture.places[node.node].y - carried.legs.ground[node.level]);
+    if (node.level == 0) out.ankle[node.leg] = std::min(out.ankle[node.leg], height);
+    out.lowest[node.leg] = std::min(out.lowest[node.leg], height);
+  }
+  return out;
+}
+
 // Where a carried joint goes in the scene, once all others are posed below its place at rest.
-glm::dvec3 place_of(const RetargetPlan& plan, const CarriedJoint& carried, const Capture& capture,
-                    const Puppet& puppet) {
+glm::dvec3 place_of(const RetargetPlan& plan, const CarriedJoint& carried, const std::vector<Sole>& soles,
+                    const Capture& capture, Puppet& puppet) {
   const auto captured = [&](std::size_t joint) { return capture.places[to_index(plan.joints[joint].node)]; };
   const glm::dvec3 origin = origin_of(plan, carried.joint);
   const Legs& legs = carried.legs;
   if (legs.tops.empty()) return origin + carried.scale * (plan.facing * captured(carried.joint));
   glm::dvec3 middle(0), captured_middle(0);
   for (const std::size_t top : legs.tops) {
-    middle += glm::dvec3(puppet.scene_from_joint[top][3]);
+    middle += puppet.place(top);
     captured_middle += captured(top);
   }
   const auto count = static_cast<double>(legs.tops.size());
   glm::dvec3 shift = origin + carried.scale * (plan.facing * captured_middle / count) - middle / count;
-  double lowest = std::numeric_limits<double>::infinity(), captured_lowest = lowest;
-  for (const FootJoint& foot : legs.feet) {
-    const double at_rest = plan.joints[foot.joint].place.y;
-    lowest = std::min(lowest, puppet.scene_from_joint[foot.joint][3].y - at_rest);
-    captured_lowest = std::min(captured_lowest, captured(foot.joint).y - legs.ground[foot.level]);
-  }
-  shift.y = carried.scale * captured_lowest - lowest;
-  return glm::dvec3(puppet.scene_from_joint[carried.joint][3]) + shift;
+  shift.y = stand(plan, legs, soles, heights_above_ground(carried, capture), puppet);
+  return puppet.place(carried.joint) + shift;
 }
 
 // False if a place comes out beyond what a file may hold.
-bool carry(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
-  for (const CarriedJoint& carried : plan.carried) {
+bool carry(const RetargetPlan& plan, const std::vector<std::vector<Sole>>& soles, const Capture& capture,
+           Puppet& puppet, CapturedKeys& keys) {
+  for (std::size_t c = 0; c < plan.carried.size(); ++c) {
+    const CarriedJoint& carried = plan.carried[c];
     const RetargetJoint& joint = plan.joints[carried.joint];
     const glm::dmat4& above =
         joint.parent == kNone ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
-    const glm::dvec3 place(glm::inverse(above) * glm::dvec4(place_of(plan, carried, capture, puppet), 1));
+    const glm::dvec3 place(glm::inverse(above) * glm::dvec4(place_of(plan, carried, soles[c], capture, puppet), 1));
     for (int axis = 0; axis < 3; ++axis)
       if (!(std::abs(place[axis]) <= double{format::kFarthest})) return false;
-    puppet.place_keys[carried.joint].emplace_back(glm::vec3(place), 0.0F);
+    keys.places[carried.joint].emplace_back(glm::vec3(place), 0.0F);
   }
   return true;
 }
 
+// Turns joints as their counterparts, and lets others rest.
 void pose(const RetargetPlan& plan, const Capture& capture, Puppet& puppet) {
   for (std::size_t j = 0; j < plan.joints.size(); ++j) {
     const RetargetJoint& joint = plan.joints[j];
-    const bool is_root = joint.parent == kNone;
-    const glm::dquat turn_above = is_root ? joint.turn_above : puppet.turns[to_index(joint.parent)];
-    const glm::dmat4 scene_above = is_root ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
-    Transform local = joint.rest;
-    if (joint.node != kNone) {
-      const glm::dquat turn = captured_turn(plan, joint, capture);
-      local.rotation = glm::normalize(glm::conjugate(turn_above) * turn * joint.aligned);
-      add_rotation(local.rotation, puppet.turn_keys[j]);
-    }
-    puppet.turns[j] = turn_above * local.rotation;
-    puppet.scene_from_joint[j] = scene_above * matrix_of(local);
+    puppet.is_turned[j] = joint.node != kNone ? 1 : 0;
+    if (joint.node != kNone) puppet.wanted[j] = captured_turn(plan, joint, capture) * joint.aligned;
   }
+  puppet.pose(plan);
 }
 
-// How high the joints of each captured foot are in the mean.
-std::vector<double> heights_of(const RetargetPlan& plan, const Legs& legs, const Capture& capture) {
+// How high the nodes of each captured foot are in the mean.
+std::vector<double> heights_of(const Legs& legs, const Capture& capture) {
   std::vector<double> heights(legs.tops.size(), 0), count(legs.tops.size(), 0);
-  for (const FootJoint& foot : legs.feet) {
-    heights[foot.leg] += capture.places[to_index(plan.joints[foot.joint].node)].y;
-    ++count[foot.leg];
+  for (const FootNode& node : legs.nodes) {
+    heights[node.leg] += capture.places[node.node].y;
+    ++count[node.leg];
   }
   for (std::size_t leg = 0; leg < heights.size(); ++leg) heights[leg] /= count[leg];
   return heights;
 }
 
 // Where the capture's feet are lowest in the clip: a leg. Finds the ground as well.
-std::vector<double> find_lowest(const RetargetPlan& plan, Capture& capture, std::size_t frames, Legs& legs) {
-  std::vector<double> joints(legs.ground.size(), std::numeric_limits<double>::infinity());
+std::vector<double> find_lowest(Capture& capture, std::size_t frames, Legs& legs) {
+  std::vector<double> nodes(legs.ground.size(), std::numeric_limits<double>::infinity());
   std::vector<double> feet(legs.tops.size(), std::numeric_limits<double>::infinity());
   for (std::size_t frame = 0; frame < frames; ++frame) {
     pose(capture, frame);
-    for (const FootJoint& foot : legs.feet)
-      joints[foot.level] = std::min(joints[foot.level], capture.places[to_index(plan.joints[foot.joint].node)].y);
-    const std::vector<double> heights = heights_of(plan, legs, capture);
+    for (const FootNode& node : legs.nodes)
+      nodes[node.level] = std::min(nodes[node.level], capture.places[node.node].y);
+    const std::vector<double> heights = heights_of(legs, capture);
     for (std::size_t leg = 0; leg < feet.size(); ++leg) feet[leg] = std::min(feet[leg], heights[leg]);
   }
-  find_ground(legs, std::move(joints));
+  find_ground(legs, std::move(nodes));
   return feet;
 }
 
@@ -229,12 +224,12 @@ bool rests_alike(const RetargetPlan& plan, std::size_t ankle) {
 
 // Where a captured foot stands, the character's stands as at rest: the capture's soles may not be level at rest.
 void level_feet(RetargetPlan& plan, Capture& capture, std::size_t frames, Legs& legs) {
-  const std::vector<double> lowest = find_lowest(plan, capture, frames, legs);
+  const std::vector<double> lowest = find_lowest(capture, frames, legs);
   const double near = kStands * legs.captured_length / static_cast<double>(legs.tops.size());
   std::vector<glm::dquat> sums(legs.feet.size(), glm::dquat(0, 0, 0, 0));
   for (std::size_t frame = 0; frame < frames; ++frame) {
     pose(capture, frame);
-    const std::vector<double> heights = heights_of(plan, legs, capture);
+    const std::vector<double> heights = heights_of(legs, capture);
     for (std::size_t f = 0; f < sums.size(); ++f) {
       const FootJoint& foot = legs.feet[f];
       if (heights[foot.leg] > lowest[foot.leg] + near) continue;
@@ -256,28 +251,46 @@ void level_feet(RetargetPlan& plan, Capture& capture, std::size_t frames, Legs& 
   }
 }
 
-Puppet play(RetargetPlan& plan, const RawScene& scene, const std::string& character) {
-  const std::size_t size = plan.joints.size();
+// With the sign that is next to the key before it.
+void add_rotation(const glm::dquat& q, std::vector<glm::vec4>& keys) {
+  const glm::vec4 key(glm::dvec4(q.x, q.y, q.z, q.w));
+  keys.push_back(!keys.empty() && glm::dot(keys.back(), key) < 0 ? -key : key);
+}
+
+CapturedKeys play(RetargetPlan& plan, const RawScene& scene, const Character& character,
+                  const std::vector<Mesh>& meshes) {
   Capture capture = open_capture(scene);
-  Puppet puppet{std::vector<glm::dquat>(size), std::vector<glm::dmat4>(size), {}, {}};
-  puppet.turn_keys.resize(size);
-  puppet.place_keys.resize(size);
+  Puppet puppet(plan.joints.size());
+  CapturedKeys keys{std::vector<std::vector<glm::vec4>>(plan.joints.size()), {}};
+  keys.places = keys.turns;
+  std::vector<char> turns(plan.joints.size(), 0);  // ever
   const std::size_t frames = scene.clips.at(0).channels.at(0).times_s.size();
-  for (CarriedJoint& carried : plan.carried)
-    if (!carried.legs.tops.empty()) level_feet(plan, capture, frames, carried.legs);
+  std::vector<std::vector<Sole>> soles(plan.carried.size());
+  for (std::size_t c = 0; c < soles.size(); ++c) {
+    Legs& legs = plan.carried[c].legs;
+    if (legs.tops.empty()) continue;
+    level_feet(plan, capture, frames, legs);
+    soles[c] = find_soles(plan, legs, meshes);
+  }
   for (std::size_t frame = 0; frame < frames; ++frame) {
     pose(capture, frame);
     pose(plan, capture, puppet);
-    if (!carry(plan, capture, puppet))
+    if (!carry(plan, soles, capture, puppet, keys))
       throw tools::Failure(tools::Exit::invalid, scene.source, "MOTION", "a place beyond 1e12",
-                           "in frame " + std::to_string(frame + 1) + ", at the size of " + character +
+                           "in frame " + std::to_string(frame + 1) + ", at the size of " + character.file +
                                "; check the offsets of the legs");
+    for (std::size_t j = 0; j < turns.size(); ++j) {
+      turns[j] = static_cast<char>(turns[j] | puppet.is_turned[j]);
+      add_rotation(puppet.local[j], keys.turns[j]);
+    }
   }
-  return puppet;
+  for (std::size_t j = 0; j < turns.size(); ++j)
+    if (turns[j] == 0) keys.turns[j].clear();
+  return keys;
 }
 
 // The character's joints as a scene, which they move.
-Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character& character, Puppet puppet,
+Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character& character, CapturedKeys keys,
               RawScene scene) {
   Matched out;
   out.built.skeletons = character.skeletons;
@@ -287,12 +300,12 @@ Matched match(const Pairing& pairing, const RetargetPlan& plan, const Character&
   scene.nodes.clear();
   scene.skins.clear();
   for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-    const auto add = [&](RawPath path, std::vector<glm::vec4>& keys) {
-      if (!keys.empty())
-        clip.channels.push_back({static_cast<int>(j), path, RawInterpolation::linear, times_s, std::move(keys)});
+    const auto add = [&](RawPath path, std::vector<glm::vec4>& values) {
+      if (!values.empty())
+        clip.channels.push_back({static_cast<int>(j), path, RawInterpolation::linear, times_s, std::move(values)});
     };
-    add(RawPath::translation, puppet.place_keys[j]);
-    add(RawPath::rotation, puppet.turn_keys[j]);
+    add(RawPath::translation, keys.places[j]);
+    add(RawPath::rotation, keys.turns[j]);
     RawNode& node = scene.nodes.emplace_back();
     node.name = character.skeletons[to_index(pairing.skeleton)].joint_names[j];
     node.parent = plan.joints[j].parent;
@@ -314,8 +327,11 @@ Matched retarget(const Character& character, RawScene capture, Notes& notes) {
     notes.warnings.push_back({"HIERARCHY", "turned",
                               character.file + " faces another way at rest; the clip is turned about y by " +
                                   std::to_string(plan.facing_deg) + " degrees"});
-  Puppet puppet = play(plan, capture, character.file);
-  return match(pairing, plan, character, std::move(puppet), std::move(capture));
+  std::vector<Mesh> meshes;
+  for (const Mesh& mesh : character.meshes)
+    if (mesh.skeleton == to_index(pairing.skeleton)) meshes.push_back(mesh);
+  CapturedKeys keys = play(plan, capture, character, meshes);
+  return match(pairing, plan, character, std::move(keys), std::move(capture));
 }
 
 }  // namespace marrow::cook

@@ -21,9 +21,9 @@ namespace marrow::cook {
 // that A is more than 30 (a hand, toes), else the identity (a head).
 //
 // Only the topmost joint that the capture carries moves from its place. Legs are the chains below it that part at one
-// joint (find_legs()). The middle of their tops goes along x and z as the captured one, scaled by the legs' length, and
-// along y so that the lowest joint of the feet is as high above its place at rest as the captured one above the ground,
-// scaled too (find_ground()). Where a captured foot is lowest it is level: A makes good up to 24 degrees.
+// joint (find_legs()). The middle of their tops goes along x and z as the captured one, scaled by the legs' length.
+// Along y, feet stand on the ground as the captured ones do (find_ground(), stand()): soles are vertices of the
+// character, where it has meshes. Where a captured foot is lowest it is level: A makes good up to 24 degrees.
 // Without legs the joint goes to the captured place, scaled by the length of the way down to its lowest joint, or by
 // that of all bones. If the two skeletons face otherwise at rest, the capture is turned about y by the quarter turns
 // between them, with a warning.

@@ -200,8 +200,11 @@ struct Rig {
 };
 
 struct Onto {
-  explicit Onto(const Rig& rig = {}, const std::vector<Joint>& body = kBody, const Motion& motion = number_of)
+  // `dress`: gives the character meshes, and what holds them.
+  explicit Onto(const Rig& rig = {}, const std::vector<Joint>& body = kBody, const Motion& motion = number_of,
+                const std::function<std::shared_ptr<const void>(Character&)>& dress = nullptr)
       : character(rig.character()) {
+    if (dress) character.holds = dress(character);
     CookOptions options = raw();
     options.clips_only = true;
     options.onto = std::make_shared<const Character>(character);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cook/scene/matrices.h"
 #include "unit/cook/clip/retarget_bodies.h"
 
 namespace marrow::cook::mocap {
@@ -154,6 +155,122 @@ TEST(Retarget, FeetStandWhereTheFilesDo) {
   EXPECT_EQ(compared, 2 * 2 * kFrames * 4);
 }
 
+// Both feet of the walker on their toes; then the left one; then that with its toes, and the other foot, in the air.
+constexpr double kHeelsUp = 40;
+double tiptoe(int frame, std::size_t joint, std::size_t, char kind) {
+  const double up = 7 * std::cos(kHeelsUp / 57.29577951308232) + 14 * std::sin(kHeelsUp / 57.29577951308232) - 7;
+  const double bent = std::acos(1 - up / 80) * 57.29577951308232;
+  if (joint == 0) return kind == 'z' ? 12.0 * frame : kind != 'y' ? 0 : 95 + (frame == 1 ? up : frame == 3 ? 2 : 0);
+  if (kind != 'X' || frame == 0 || frame == 4 || joint > 8 || joint % 4 == 0) return 0;
+  if (frame == 1) return joint % 4 == 3 ? kHeelsUp : 0;
+  if (joint > 4) return 0;
+  return joint == 1 ? -bent : joint == 2 ? 2 * bent : kHeelsUp - bent;
+}
+
+// Long boots on a rig's ankles and toes: corners, where the tip bends up, and what both joints carry halfway.
+class Boots {
+ public:
+  Boots(const Rig& rig, Character& character) : rig_(rig) {
+    const Skeleton skeleton = view(character.skeletons[0]);
+    names_ = character.skeletons[0].joint_names;
+    std::vector<Affine> rest(skeleton.joint_count);
+    EXPECT_EQ(local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, rest), Status::ok);
+    for (std::size_t j = 0; j < rest.size(); ++j) {
+      joints_.push_back(static_cast<std::uint16_t>(j));
+      inverse_bind_.push_back(to_affine(glm::inverse(to_matrix(rest[j]))));
+    }
+    for (const bool left : {true, false}) add_boot(left);
+    Mesh& mesh = character.meshes.emplace_back();
+    mesh.joint_count = skeleton.joint_count;
+    mesh.joints = joints_.data();
+    mesh.inverse_bind = inverse_bind_.data();
+    mesh.geometry.runs = {runs_.data(), static_cast<std::uint32_t>(runs_.size())};
+    mesh.geometry.sets = sets_.data();
+    mesh.geometry.skin = skin_.data();
+    mesh.geometry.vertex_count = static_cast<std::uint32_t>(runs_.size());
+    mesh.geometry.slot_count = 4 * mesh.geometry.vertex_count;
+  }
+  // The lowest y of a boot.
+  double lowest(bool left, const std::vector<Map>& pose) const {
+    double out = 1e9;
+    for (std::size_t v = left ? 0 : runs_.size() / 2; v < (left ? runs_.size() / 2 : runs_.size()); ++v) {
+      double y = 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        const glm::dmat4 bind = to_matrix(inverse_bind_[sets_[2 * v + k]]);
+        const glm::dvec3 at(bind * glm::dvec4(skin_[16 * v], skin_[16 * v + 4], skin_[16 * v + 8], 1));
+        const auto& row = pose[sets_[2 * v + k]].rows[1];
+        const double weight = static_cast<double>(skin_[16 * v + 12]);
+        y += (k == 0 ? weight : 1 - weight) * (row[0] * at.x + row[1] * at.y + row[2] * at.z + row[3]);
+      }
+      out = std::min(out, y);
+    }
+    return out;
+  }
+
+ private:
+  std::uint16_t joint(const std::string& name) const {
+    return static_cast<std::uint16_t>(std::ranges::find(names_, name) - names_.begin());
+  }
+  void add_boot(bool left) {
+    const std::string side = left ? "rig:left_" : "rig:right_";
+    const std::uint16_t ankle = joint(side + "foot");
+    const std::uint16_t toe = joint(side + "toe") < names_.size() ? joint(side + "toe") : ankle;
+    const double x = rig_.bones[left ? 3 : 6].place.x;
+    const glm::dvec3 corners[] = {
+        {-0.04, 0, -0.06}, {0, 0.05, -0.07}, {-0.05, 0, 0.08}, {-0.03, 0, 0.2}, {0, 0.04, 0.22}};
+    for (const glm::dvec3& corner : corners)
+      for (const double across : {-1.0, 1.0}) {
+        const double share = corner.z < 0 ? 1 : corner.z < 0.1 ? 0.5 : 0;
+        runs_.push_back({1, 2});
+        sets_.insert(sets_.end(), {ankle, toe});
+        skin_.resize(skin_.size() + 16);
+        float* const block = skin_.data() + skin_.size() - 16;
+        block[0] = static_cast<float>(3 + x + across * corner.x);
+        block[4] = static_cast<float>(corner.y);
+        block[8] = static_cast<float>(-2 + corner.z);
+        block[12] = static_cast<float>(share);
+      }
+  }
+
+  const Rig& rig_;
+  std::vector<std::string> names_;
+  std::vector<std::uint16_t> joints_, sets_;
+  std::vector<Affine> inverse_bind_;
+  std::vector<Run> runs_;
+  std::vector<float> skin_;
+};
+
+// With long toes that bend, with some that the file does not know, and with stiff boots.
+TEST(Retarget, SolesTouchTheGroundWhereTheFilesFeetDo) {
+  std::vector<Joint> strange = walker();
+  strange[4].name = "Nobody";
+  strange[8].name = "Noone";
+  struct Case {
+    Rig rig;
+    std::vector<Joint> body;
+  };
+  for (const auto& [rig, body] :
+       {Case{with_toes(), walker()}, Case{knight(), walker()}, Case{knight(), strange}, Case{Rig(), walker()}}) {
+    Onto onto(rig, body, tiptoe, [&rig = rig](Character& c) { return std::make_shared<Boots>(rig, c); });
+    const double leg =
+        (glm::length(rig.bones[2].place - rig.bones[1].place) + glm::length(rig.bones[3].place - rig.bones[2].place)) /
+        80;
+    const Boots boots(rig, onto.character);
+    for (int f = 0; f < kFrames; ++f) {
+      const std::vector<Map> file = posed(body, f, tiptoe), pose = onto.at(f);
+      for (const bool left : {true, false}) {
+        const std::size_t ankle = left ? 3 : 7;
+        const double heel = place_of(file[ankle])[1] - 10, ball = place_of(file[ankle + 1])[1] - 3;
+        EXPECT_NEAR(boots.lowest(left, pose), leg * std::min(heel, ball), 1e-4) << f << left;
+        // The heel is as high as the file's.
+        EXPECT_NEAR(place_of(pose[onto.joint(left ? "rig:left_foot" : "rig:right_foot")])[1],
+                    rig.bones[left ? 3 : 6].place.y + leg * heel, 0.015)
+            << f << left;
+      }
+    }
+  }
+}
+
 // The file rests with its palms forwards, the rig with them down: a quarter turn about the fingers' mean.
 TEST(Retarget, PalmsLieAsTheFiles) {
   Rig rig;
@@ -185,6 +302,31 @@ TEST(Retarget, PalmsLieAsTheFiles) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) trace += pose[elbow].rows[r][c] * plain[elbow].rows[r][c] * 1e4;
     EXPECT_NEAR(trace, 1 + std::sqrt(2.0), 1e-5) << "of columns 0.01 long";
+  }
+}
+
+// The rig's thumb hangs 50 degrees below the palm, the file's lies in its plane; three fingers lie alike.
+TEST(Retarget, ThumbsDoNotTwistPalms) {
+  Rig rig;
+  std::vector<Joint> body = kBody;
+  const glm::dvec3 fingers[] = {{9, 0, 3}, {9, 0, 0}, {9, 0, -3}}, thumb(4, 0, 4);
+  const char* const names[] = {"LeftIndex", "LeftMiddle", "LeftRing"};
+  const char* const bones[] = {"rig:left_index", "rig:left_middle", "rig:left_ring"};
+  for (const std::size_t bone : {11U, 12U})
+    rig.bones[bone].place = rig.bones[10].place + glm::dvec3(bone == 11 ? 0.2 : 0.4, 0, 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    insert(body, 12 + i, {names[i], 11, {fingers[i].x, fingers[i].y, fingers[i].z}, ""});
+    rig.bones.push_back({bones[i], 12, rig.bones[12].place + 0.01 * fingers[i]});
+  }
+  insert(body, 15, {"LeftThumb", 11, {thumb.x, thumb.y, thumb.z}, ""});
+  const glm::dquat hanging = glm::angleAxis(glm::radians(50.0), glm::dvec3(1, 0, 0));
+  rig.bones.push_back({"rig:left_thumb", 12, rig.bones[12].place + 0.01 * (hanging * thumb)});
+  const Onto onto(rig, body);
+  for (int f = 0; f < kFrames; ++f) {
+    const std::vector<Map> file = posed(body, f), pose = onto.at(f);
+    const Vec3 across = test::minus(place_of(file[12]), place_of(file[14]));
+    const Vec3 own = test::minus(place_of(pose[onto.joint(bones[0])]), place_of(pose[onto.joint(bones[2])]));
+    EXPECT_LE(test::angle_deg(across, own), 20) << f << ", as the thumb still counts in the fingers' mean";
   }
 }
 

@@ -66,13 +66,28 @@ Legs legs_below(const Chains& chains, std::size_t joint_above) {
   }
   for (std::size_t f = 0; f < out.feet.size(); ++f) {
     const FootJoint foot = out.feet[f];
-    const double y = chains.captured[to_index(joints[foot.joint].node)].y;
-    if (out.ground.size() <= foot.level) out.ground.push_back(y);
-    out.ground[foot.level] = std::min(out.ground[foot.level], y);
     for (const std::size_t child : chains.below[foot.joint]) out.feet.push_back({child, foot.level + 1, foot.leg});
   }
   if (!(out.length > 0) || !(out.captured_length > 0)) return {};
   return out;
+}
+
+// Nodes come after what they hang on.
+void add_nodes(const Joints& joints, const std::vector<RawNode>& nodes, const Places& captured, Legs& legs) {
+  std::vector<int> foot_of(nodes.size(), kNone);  // an index into `legs.nodes`
+  for (const FootJoint& foot : legs.feet)
+    if (foot.level == 0) foot_of[to_index(joints[foot.joint].node)] = static_cast<int>(foot.leg);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const int above = nodes[n].parent == kNone ? kNone : foot_of[to_index(nodes[n].parent)];
+    if (foot_of[n] == kNone && above == kNone) continue;
+    const FootNode node = foot_of[n] != kNone
+                              ? FootNode{n, 0, to_index(foot_of[n])}
+                              : FootNode{n, legs.nodes[to_index(above)].level + 1, legs.nodes[to_index(above)].leg};
+    foot_of[n] = static_cast<int>(legs.nodes.size());
+    legs.nodes.push_back(node);
+    if (legs.ground.size() <= node.level) legs.ground.push_back(captured[n].y);
+    legs.ground[node.level] = std::min(legs.ground[node.level], captured[n].y);
+  }
 }
 
 }  // namespace
@@ -82,10 +97,13 @@ bool lies_flat(const glm::dvec3& bone) {
 }
 
 std::vector<Legs> find_legs(const std::vector<RetargetJoint>& joints, const std::vector<std::size_t>& joints_above,
-                            const std::vector<glm::dvec3>& captured) {
+                            const std::vector<RawNode>& nodes, const std::vector<glm::dvec3>& captured) {
   const Chains chains(joints, captured);
   std::vector<Legs> out;
-  for (const std::size_t joint : joints_above) out.push_back(legs_below(chains, joint));
+  for (const std::size_t joint : joints_above) {
+    out.push_back(legs_below(chains, joint));
+    add_nodes(joints, nodes, captured, out.back());
+  }
   return out;
 }
 

@@ -89,14 +89,6 @@ glm::dquat turn_about_y(int degrees) {
   return degrees == 180 ? glm::dquat(0, 0, 1, 0) : glm::dquat(half, 0, degrees > 0 ? half : -half, 0);
 }
 
-// The shortest turn that takes one direction to another; both of length 1.
-glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
-  const double w = 1 + glm::dot(from, to);
-  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
-  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return {0, glm::normalize(glm::cross(from, other))};
-}
-
 // About an axis, by the angle with this cosine and sine.
 glm::dquat roll(const glm::dvec2& angle, const glm::dvec3& axis) {
   if (1 + angle.x < 1e-9) return {0, axis};
@@ -141,8 +133,25 @@ struct Below {
   bool lie_about_one_way() const { return 2 * std::min(glm::length(own), glm::length(captured)) >= count; }
 };
 
-// By how much a hand rolls about the mean of its fingers, once that lies as the captured one's: as its fingers, and the
-// thumb most of all, lie about it. Cosine and sine; 0 of what has not several bones, or none that tell.
+// Of each joint with three bones or more, the captured one that is farthest from their mean: a hand's thumb, which
+// rests in the palm's plane in one skeleton and in front of it in another, and says little of the palm.
+std::vector<int> thumbs_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below) {
+  std::vector<int> out(joints.size(), kNone);
+  std::vector<double> least(joints.size(), 2);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (bones.own[j] == glm::dvec3(0)) continue;
+    const std::size_t up = to_index(joints[j].upper);
+    const double along = glm::dot(bones.captured[j], below[up].captured) / below[up].count;
+    if (below[up].count < 3 || along >= least[up]) continue;
+    least[up] = along;
+    out[up] = static_cast<int>(j);
+  }
+  return out;
+}
+
+// By how much a hand rolls about the mean of its fingers, once that lies as the captured one's: as its fingers lie
+// about it, and the thumb if there is only one other. Cosine and sine; 0 of what has not several bones, or none that
+// tell.
 std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below,
                                  const std::vector<glm::dquat>& arcs) {
   struct Spread {
@@ -150,10 +159,11 @@ std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const
     double own = 0, captured = 0;
   };
   std::vector<Spread> spreads(joints.size());
+  const std::vector<int> thumbs = thumbs_of(joints, bones, below);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (bones.own[j] == glm::dvec3(0)) continue;
     const std::size_t up = to_index(joints[j].upper);
-    if (below[up].count < 2 || !below[up].lie_about_one_way()) continue;
+    if (below[up].count < 2 || !below[up].lie_about_one_way() || thumbs[up] == static_cast<int>(j)) continue;
     const glm::dvec3 mean = glm::normalize(below[up].captured), own = arcs[up] * bones.own[j];
     const glm::dvec3 a = own - glm::dot(own, mean) * mean;
     const glm::dvec3 b = bones.captured[j] - glm::dot(bones.captured[j], mean) * mean;
@@ -247,6 +257,13 @@ std::vector<char> moved_nodes(const RawScene& capture) {
 
 }  // namespace
 
+glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
+  const double w = 1 + glm::dot(from, to);
+  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
+  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return {0, glm::normalize(glm::cross(from, other))};
+}
+
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_joint,
                            const RawScene& capture) {
   RetargetPlan out;
@@ -266,7 +283,7 @@ RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>
     within[j] = 1;
     carried.push_back(j);
   }
-  for (Legs& legs : find_legs(out.joints, carried, captured)) {
+  for (Legs& legs : find_legs(out.joints, carried, capture.nodes, captured)) {
     const std::size_t joint = carried[out.carried.size()];
     const double scale =
         legs.tops.empty() ? scale_below(out.joints, joint, captured) : legs.length / legs.captured_length;

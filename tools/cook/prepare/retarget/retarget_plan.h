@@ -44,6 +44,9 @@ struct RetargetPlan {
   int facing_deg = 0;             // the same
 };
 
+// The shortest turn that takes one direction to another; both of length 1.
+glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to);
+
 // node_of_joint: as RetargetJoint::node, one a joint of the skeleton.
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_joint,
                            const RawScene& capture);
