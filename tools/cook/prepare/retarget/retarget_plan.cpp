@@ -15,7 +15,8 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kCosineOf15Degrees = 0.9659258262890683;
-constexpr double kNarrow = 0.02, kOneShape = 0.7;  // spreads of fingers that tell nothing of a roll are less than that
+// Of fingers that tell of a roll: they spread by 4 degrees or more, and alike.
+constexpr double kNarrow = 0.001, kOneShape = 0.7;
 constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than that, of their size, face nowhere
 
 using Joints = std::vector<RetargetJoint>;
@@ -133,18 +134,25 @@ struct Below {
   bool lie_about_one_way() const { return 2 * std::min(glm::length(own), glm::length(captured)) >= count; }
 };
 
-// Of each joint with three bones or more, the captured one that is farthest from their mean: a hand's thumb, which
-// rests in the palm's plane in one skeleton and in front of it in another, and says little of the palm.
-std::vector<int> thumbs_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below) {
+// Of each joint with three bones or more that lie about one way, the captured one that is farthest from their mean: a
+// hand's thumb, which rests in the palm's plane in one skeleton and in front of it in another, and says little of the
+// palm. It is taken out of the sums.
+std::vector<int> take_thumbs(const Joints& joints, const Bones& bones, std::vector<Below>& below) {
   std::vector<int> out(joints.size(), kNone);
   std::vector<double> least(joints.size(), 2);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (bones.own[j] == glm::dvec3(0)) continue;
     const std::size_t up = to_index(joints[j].upper);
     const double along = glm::dot(bones.captured[j], below[up].captured) / below[up].count;
-    if (below[up].count < 3 || along >= least[up]) continue;
+    if (below[up].count < 3 || !below[up].lie_about_one_way() || along >= least[up]) continue;
     least[up] = along;
     out[up] = static_cast<int>(j);
+  }
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    if (out[j] == kNone) continue;
+    below[j].own -= bones.own[to_index(out[j])];
+    below[j].captured -= bones.captured[to_index(out[j])];
+    --below[j].count;
   }
   return out;
 }
@@ -153,13 +161,12 @@ std::vector<int> thumbs_of(const Joints& joints, const Bones& bones, const std::
 // about it, and the thumb if there is only one other. Cosine and sine; 0 of what has not several bones, or none that
 // tell.
 std::vector<glm::dvec2> rolls_of(const Joints& joints, const Bones& bones, const std::vector<Below>& below,
-                                 const std::vector<glm::dquat>& arcs) {
+                                 const std::vector<int>& thumbs, const std::vector<glm::dquat>& arcs) {
   struct Spread {
     glm::dvec2 angle{0};  // cosine and sine, of some length
     double own = 0, captured = 0;
   };
   std::vector<Spread> spreads(joints.size());
-  const std::vector<int> thumbs = thumbs_of(joints, bones, below);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (bones.own[j] == glm::dvec3(0)) continue;
     const std::size_t up = to_index(joints[j].upper);
@@ -194,6 +201,7 @@ std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dve
     of.captured += bones.captured[j];
     ++of.count;
   }
+  const std::vector<int> thumbs = take_thumbs(joints, bones, below);
   std::vector<glm::dquat> out(joints.size(), glm::dquat(1, 0, 0, 0));
   std::vector<char> is_foot(joints.size(), 0);
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -208,7 +216,7 @@ std::vector<glm::dquat> arcs_of(const Joints& joints, const std::vector<glm::dve
       if (is_foot[j] == 0) out[j] = arc(glm::normalize(of.own), glm::normalize(of.captured));
     }
   }
-  const std::vector<glm::dvec2> rolls = rolls_of(joints, bones, below, out);
+  const std::vector<glm::dvec2> rolls = rolls_of(joints, bones, below, thumbs, out);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (rolls[j] == glm::dvec2(0) || is_foot[j] != 0) continue;
     out[j] = roll(rolls[j], glm::normalize(below[j].captured)) * out[j];
