@@ -22,7 +22,7 @@ marrow_tools_test(marrow_input_tests input
   unit/cook/gltf/meshopt_test.cpp unit/cook/gltf/meshopt_vertices_test.cpp unit/cook/gltf/refusals_test.cpp
   unit/cook/gltf/rules_test.cpp unit/cook/gltf/scene_test.cpp unit/cook/gltf/vrm_settings_test.cpp
   unit/options/settings_schema_test.cpp unit/options/settings_test.cpp unit/options/shape_settings_test.cpp
-  unit/unpack/memory_patterns_test.cpp
+  unit/unpack/draco_bounds_test.cpp unit/unpack/memory_patterns_test.cpp
   unit/unpack/steps_test.cpp unit/unpack/tools_cap_test.cpp)
 # Without the cooker, so that what runs under sanitizers each time compiles soon.
 target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marrow_goldens nlohmann_json::nlohmann_json

@@ -32,10 +32,12 @@ Status draco_counts(Span<const std::byte> bytes, DracoCounts& out) {
   ByteReader reader(bytes.data + 5, bytes.size - 5);
   const auto major = reader.take<std::uint8_t>(), minor = reader.take<std::uint8_t>();
   reader.take<std::uint8_t>();  // points or triangles
-  const bool edgebreaker = reader.take<std::uint8_t>() == 1;
+  const auto method = reader.take<std::uint8_t>();
   const bool has_metadata = (reader.take<std::uint16_t>() & 0x8000) != 0;
   if (reader.failed()) return Status::truncated;
   if (major != 2 || minor != 2) return Status::unsupported;
+  if (method > 1) return Status::bad_data;
+  const bool edgebreaker = method == 1;
   if (has_metadata) {
     for (std::uint32_t attributes = reader.take_varint(); attributes > 0 && !reader.failed(); --attributes) {
       reader.take_varint();  // its id
@@ -45,8 +47,9 @@ Status draco_counts(Span<const std::byte> bytes, DracoCounts& out) {
   }
   if (edgebreaker) reader.take<std::uint8_t>();  // how connectivity is traversed
   const std::uint64_t first = reader.take_varint(), second = reader.take_varint();
+  const std::uint32_t seams = edgebreaker ? reader.take<std::uint8_t>() : 0u;
   if (reader.failed()) return Status::truncated;
-  out = edgebreaker ? DracoCounts{first, second} : DracoCounts{second, first};
+  out = edgebreaker ? DracoCounts{first, second, seams, true} : DracoCounts{second, first, 0, false};
   return Status::ok;
 }
 

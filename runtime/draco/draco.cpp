@@ -4,12 +4,13 @@
 
 #include <cstring>
 #include <new>
+#include <vector>
 
-#include <draco/compression/decode.h>
 #include <draco/mesh/mesh.h>
 #include <meshoptimizer.h>
 
 #include "core/byte_reader.h"
+#include "draco/bounded_decoder.h"
 #include "draco/counts.h"
 #include "draco/decode_skin.h"
 #include "unpack/streams.h"
@@ -50,21 +51,18 @@ bool copy_stream(const ::draco::PointAttribute& attribute, const Stream& s, std:
   return true;
 }
 
-bool decode_mesh(Span<const std::byte> skin, Span<const std::byte> bytes, const MeshStreams& out) {
-  ::draco::DecoderBuffer buffer;
-  buffer.Init(reinterpret_cast<const char*>(bytes.data), bytes.size);
-  ::draco::Decoder decoder;
-  decoder.SetSkipAttributeTransform(::draco::GeometryAttribute::NORMAL);  // ours are the same on every processor
+bool decode_mesh(Span<const std::byte> skin, Span<const std::byte> bytes, bool edgebreaker, const MeshStreams& out) {
+  std::vector<const Stream*> streams;
+  for (std::uint32_t i = 0; i < out.stream_count; ++i)
+    if (skin.empty() || !is_skin(out.streams[i].kind)) streams.push_back(&out.streams[i]);
   ::draco::Mesh mesh;
-  if (!decoder.DecodeBufferToGeometry(&buffer, &mesh).ok() || !copy_indices(mesh, out)) return false;
+  if (!decode_bounded(bytes, edgebreaker, out, streams, mesh) || !copy_indices(mesh, out)) return false;
   // Draco walks over the surface in an order of its own; this one is for the GPU's vertex cache.
   const std::size_t index_count = std::size_t{out.triangle_count} * 3;
   meshopt_optimizeVertexCacheFifo(out.indices, out.indices, index_count, out.vertex_count, kCacheEntries);
-  std::uint32_t id = 0;
-  for (std::uint32_t i = 0; i < out.stream_count; ++i) {
-    if (!skin.empty() && is_skin(out.streams[i].kind)) continue;
-    const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(id++);
-    if (attribute == nullptr || !copy_stream(*attribute, out.streams[i], out.vertex_count)) return false;
+  for (std::uint32_t id = 0; id < streams.size(); ++id) {
+    const ::draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(id);
+    if (attribute == nullptr || !copy_stream(*attribute, *streams[id], out.vertex_count)) return false;
   }
   return skin.empty() || decode_skin(skin, out);
 }
@@ -76,17 +74,18 @@ Status decode(Span<const std::byte> record, const MeshStreams& out) {
   const Span<const std::byte> bytes(reader.at(), reader.left());
   DracoCounts claimed;
   if (const Status status = draco_counts(bytes, claimed); status != Status::ok) return status;
-  if (claimed.points > out.vertex_count || claimed.faces > out.triangle_count) return Status::bad_data;
+  if (claimed.points > out.vertex_count || claimed.faces > out.triangle_count || claimed.seams > out.stream_count)
+    return Status::bad_data;
 #if defined(__cpp_exceptions)
   try {
-    return decode_mesh(skin, bytes, out) ? Status::ok : Status::bad_data;
+    return decode_mesh(skin, bytes, claimed.edgebreaker, out) ? Status::ok : Status::bad_data;
   } catch (const std::bad_alloc&) {
     return Status::out_of_memory;
   } catch (...) {  // Draco's containers, asked for more than they can hold
     return Status::bad_data;
   }
 #else
-  return decode_mesh(skin, bytes, out) ? Status::ok : Status::bad_data;
+  return decode_mesh(skin, bytes, claimed.edgebreaker, out) ? Status::ok : Status::bad_data;
 #endif
 }
 
