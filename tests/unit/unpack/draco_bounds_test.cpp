@@ -14,7 +14,8 @@
 namespace marrow::test {
 namespace {
 
-constexpr std::uint32_t kSide = 12, kVertices = kSide * kSide, kTriangles = 2 * (kSide - 1) * (kSide - 1);
+constexpr std::uint32_t kGridSide = 12, kGridVertices = kGridSide * kGridSide,
+                        kGridTriangles = 2 * (kGridSide - 1) * (kGridSide - 1);
 
 struct Grid {
   bool edgebreaker = true;
@@ -25,11 +26,11 @@ struct Grid {
 void add_attribute(::draco::Mesh& mesh, ::draco::GeometryAttribute::Type type, std::uint8_t components) {
   ::draco::GeometryAttribute description;
   description.Init(type, nullptr, components, ::draco::DT_INT32, false, 4 * std::int64_t{components}, 0);
-  ::draco::PointAttribute& attribute = *mesh.attribute(mesh.AddAttribute(description, true, kVertices));
-  for (std::uint32_t v = 0; v < kVertices; ++v) {
+  ::draco::PointAttribute& attribute = *mesh.attribute(mesh.AddAttribute(description, true, kGridVertices));
+  for (std::uint32_t v = 0; v < kGridVertices; ++v) {
     std::vector<std::int32_t> numbers(components);
     for (std::uint32_t c = 0; c < components; ++c)
-      numbers[c] = static_cast<std::int32_t>(c == 0 ? v % kSide : c == 1 ? v / kSide : v * v % 7);
+      numbers[c] = static_cast<std::int32_t>(c == 0 ? v % kGridSide : c == 1 ? v / kGridSide : v * v % 7);
     attribute.SetAttributeValue(::draco::AttributeValueIndex(v), numbers.data());
   }
 }
@@ -37,10 +38,10 @@ void add_attribute(::draco::Mesh& mesh, ::draco::GeometryAttribute::Type type, s
 // As encode_draco() writes it: no skin apart, then Draco's.
 std::vector<std::byte> encoded(const Grid& grid) {
   ::draco::Mesh mesh;
-  mesh.set_num_points(kVertices);
-  for (std::uint32_t y = 0; y + 1 < kSide; ++y)
-    for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
-      const ::draco::PointIndex a(y * kSide + x), b(a.value() + 1), c(a.value() + kSide), d(c.value() + 1);
+  mesh.set_num_points(kGridVertices);
+  for (std::uint32_t y = 0; y + 1 < kGridSide; ++y)
+    for (std::uint32_t x = 0; x + 1 < kGridSide; ++x) {
+      const ::draco::PointIndex a(y * kGridSide + x), b(a.value() + 1), c(a.value() + kGridSide), d(c.value() + 1);
       mesh.AddFace({a, b, c});
       mesh.AddFace({b, d, c});
     }
@@ -61,16 +62,16 @@ std::vector<std::byte> encoded(const Grid& grid) {
 
 // Positions and UVs are asked for.
 Status decode(const std::vector<std::byte>& bytes) {
-  std::vector<std::int32_t> positions(3 * kVertices), uvs(2 * kVertices);
-  std::vector<std::uint32_t> indices(3 * kTriangles);
+  std::vector<std::int32_t> positions(3 * kGridVertices), uvs(2 * kGridVertices);
+  std::vector<std::uint32_t> indices(3 * kGridTriangles);
   Stream streams[2];
   streams[0] = {StreamKind::position, 3};
   streams[0].values = positions.data();
   streams[1] = {StreamKind::uv, 2};
   streams[1].values = uvs.data();
   MeshStreams mesh;
-  mesh.vertex_count = kVertices;
-  mesh.triangle_count = kTriangles;
+  mesh.vertex_count = kGridVertices;
+  mesh.triangle_count = kGridTriangles;
   mesh.indices = indices.data();
   mesh.streams = streams;
   mesh.stream_count = 2;
@@ -103,7 +104,7 @@ std::size_t place_of_bit_count(const std::vector<std::byte>& bytes) {
     const std::size_t at = bytes.size() - 8 - coded - 6;
     std::uint32_t bits = 0;
     std::memcpy(&bits, &bytes[at], 4);
-    if (bytes[at + 5] == static_cast<std::byte>(coded) && bits > 0 && bits <= kVertices) return at;
+    if (bytes[at + 5] == static_cast<std::byte>(coded) && bits > 0 && bits <= kGridVertices) return at;
   }
   return 0;
 }

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/elementary.h"
 #include "cook/prepare/retarget/retarget_puppet.h"
 #include "cook/scene/influences.h"
 
@@ -26,7 +27,7 @@ Ways ways_down() {
   for (std::size_t i = 0; i + 1 < out.size(); ++i) {
     const double down = kQuarterTurn * static_cast<double>(i / kAround) / kSlopes;
     const double about = 4 * kQuarterTurn * static_cast<double>(i % kAround) / kAround;
-    out[i] = {std::cos(down) * std::cos(about), -std::sin(down), std::cos(down) * std::sin(about)};
+    out[i] = {tools::cosine(down) * tools::cosine(about), -tools::sine(down), tools::cosine(down) * tools::sine(about)};
   }
   return out;
 }

@@ -6,20 +6,26 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/elementary.h"
+
 namespace marrow::cook {
 namespace {
 
 constexpr double kQuarter = 1.5707963267948966;
 constexpr double kFull = 0.05, kHardly = 0.2;  // of a leg's length above the ground, feet are moved in full, or hardly
 
+double arc_sine(double x) {
+  return kQuarter - tools::arc_cosine(x);
+}
+
 // How far what rests on the ground may slope downwards, with the joint that it bends about so high above it.
 double steepest(const SolePart& part, const glm::dvec3& joint, const glm::dvec3& forward, double height) {
   double out = kQuarter;
   for (const SolePoint& point : part.points) {
     const double ahead = glm::dot(point.rest - joint, forward), below = joint.y - point.rest.y;
-    const double radius = std::hypot(ahead, below);
+    const double radius = tools::length_of(ahead, below, 0, 0);
     if (!(ahead > 0) || radius <= height) continue;
-    out = std::min(out, std::asin(std::max(0.0, height) / radius) - std::atan2(below, ahead));
+    out = std::min(out, arc_sine(std::max(0.0, height) / radius) - tools::angle_of(below, ahead));
   }
   return std::max(0.0, out);
 }
@@ -28,11 +34,12 @@ double steepest(const SolePart& part, const glm::dvec3& joint, const glm::dvec3&
 void bend(const RetargetPlan& plan, const Sole& sole, const SolePart& part, double height, Puppet& puppet) {
   const RetargetJoint& joint = plan.joints[part.joint];
   const glm::dquat moved = puppet.turns[part.joint] * glm::conjugate(joint.turn);
-  const double slope = std::asin(std::clamp(-(moved * sole.forward).y, -1.0, 1.0));
+  const double slope = arc_sine(std::clamp(-(moved * sole.forward).y, -1.0, 1.0));
   const double over = slope - steepest(part, joint.place, sole.forward, height);
   if (!(over > 0)) return;
   const glm::dvec3 across = moved * glm::cross(sole.forward, glm::dvec3(0, 1, 0));
-  const glm::dquat raised = glm::angleAxis(over, across);
+  const double half_sine = tools::sine(over / 2);
+  const glm::dquat raised(tools::cosine(over / 2), half_sine * across.x, half_sine * across.y, half_sine * across.z);
   for (const std::size_t j : part.turned) {
     puppet.wanted[j] = raised * puppet.turns[j];
     puppet.is_turned[j] = 1;
