@@ -3,11 +3,13 @@
 add_library(marrow_tools_test_headers OBJECT support/headers.cpp)
 target_link_libraries(marrow_tools_test_headers PUBLIC marrow_test_support fmt::fmt nlohmann_json::nlohmann_json)
 target_compile_options(marrow_tools_test_headers PRIVATE -O0)
+marrow_warnings(marrow_tools_test_headers)
 target_precompile_headers(marrow_tools_test_headers PRIVATE <gtest/gtest.h> <nlohmann/json.hpp> <fmt/format.h> <algorithm>
   <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <optional> <set> <span> <sstream> <string>
   <unordered_map> <vector>)
 function(marrow_tools_test name label)
   marrow_test_binary(${name} ${label} ${ARGN})
+  target_link_libraries(${name} PRIVATE fmt::fmt nlohmann_json::nlohmann_json)  # as for the headers, or GCC takes none
   target_compile_options(${name} PRIVATE -O0)
   target_precompile_headers(${name} REUSE_FROM marrow_tools_test_headers)
 endfunction()
