@@ -85,6 +85,10 @@ marrow_tools_test(marrow_deform_tests deform
 if(MARROW_ALL_COMMANDS)
   target_sources(marrow_deform_tests PRIVATE unit/deform/thesis_test.cpp)
   target_link_libraries(marrow_deform_tests PRIVATE marrow_compare)
+  # A table to tune deformers by; no test, built when asked for.
+  add_executable(marrow_folds_table EXCLUDE_FROM_ALL folds/folds_table.cpp)
+  target_link_libraries(marrow_folds_table PRIVATE marrow_compare)
+  marrow_warnings(marrow_folds_table)
 endif()
 target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)
 

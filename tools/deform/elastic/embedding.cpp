@@ -1,0 +1,87 @@
+#include "deform/elastic/embedding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace marrow::deform {
+namespace {
+
+constexpr double kThin = 0.10, kThick = 0.30;      // of Lattice::filled_around
+constexpr double kStrange = 0.55, kAgrees = 0.80;  // of the weights that vertex and lattice have in common
+constexpr int kSeam = 4;                           // steps that the border of what goes with joints is smoothed by
+
+}  // namespace
+
+double Embedding::quadratic(double t) {
+  const double away = std::abs(t);
+  if (away < 0.5) return 0.75 - away * away;
+  return away < 1.5 ? 0.5 * (1.5 - away) * (1.5 - away) : 0;
+}
+
+Embedding::Embedding(const Body& body, const SkinnedMesh& mesh) : body_(body), mesh_(mesh) {
+  std::vector<char> has_vertex(body.lattice.cells.size(), 0);
+  for (const std::uint32_t c : body.lattice.cell_of)
+    if (c != Lattice::kNone) has_vertex[c] = 1;
+  first_.push_back(0);
+  for (std::uint32_t c = 0; c < body.lattice.cells.size(); ++c) find_near(c, has_vertex);
+  find_shares();
+}
+
+// Cells that touch are at most three steps across faces away.
+void Embedding::find_near(std::uint32_t cell, const std::vector<char>& has_vertex) {
+  const std::vector<Lattice::Cell>& cells = body_.lattice.cells;
+  if (has_vertex[cell] != 0) {
+    const glm::ivec3 at = cells[cell].at;
+    std::vector<std::uint32_t> reached = {cell};
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const std::uint32_t b : cells[reached[i]].beside) {
+        if (b == Lattice::kNone || std::ranges::find(reached, b) != reached.end()) continue;
+        const glm::ivec3 away = glm::abs(cells[b].at - at);
+        if (std::max({away.x, away.y, away.z}) <= 1) reached.push_back(b);
+      }
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t c : reached) nodes.insert(nodes.end(), cells[c].nodes.begin(), cells[c].nodes.end());
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (const std::uint32_t n : nodes) {
+      const glm::ivec3 from = body_.lattice.nodes[n] - at + 1;
+      near_.push_back(
+          {n, static_cast<std::uint8_t>(from.x), static_cast<std::uint8_t>(from.y), static_cast<std::uint8_t>(from.z)});
+    }
+  }
+  first_.push_back(near_.size());
+}
+
+void Embedding::find_shares() {
+  const std::size_t count = mesh_.positions.size();
+  rig_.assign(count, 1);
+  thin_.assign(count, 0);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (body_.lattice.cell_of[v] == Lattice::kNone) continue;
+    std::map<std::uint32_t, double> weights;
+    double sum = 0, filled = 0;
+    for_each_near(v, [&](std::uint32_t n, double share) {
+      for (const Influence& i : body_.weights[n]) weights[i.joint] += i.weight * share;
+      filled += static_cast<double>(body_.lattice.filled_around[n]) * share;
+      sum += share;
+    });
+    double common = 0;
+    for (const Influence& i : mesh_.influences[v]) {
+      const auto found = weights.find(i.joint);
+      if (found != weights.end()) common += std::min(found->second / sum, i.weight);
+    }
+    rig_[v] = 1 - smooth_step(common, kStrange, kAgrees);
+    thin_[v] = 1 - smooth_step(filled / sum, kThin, kThick);
+  }
+  // First wider by a ring, so that smoothing leaves what it was.
+  const Surface surface(mesh_);
+  std::vector<double> scratch = rig_;
+  for (std::size_t v = 0; v < count; ++v)
+    for (const std::uint32_t k : surface.neighbours(v)) rig_[v] = std::max(rig_[v], scratch[k]);
+  for (int i = 0; i < kSeam; ++i) surface.smooth(rig_, 0.5, scratch);
+  for (std::size_t v = 0; v < count; ++v)
+    if (body_.lattice.cell_of[v] == Lattice::kNone) rig_[v] = 1;
+}
+
+}  // namespace marrow::deform
