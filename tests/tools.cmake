@@ -75,7 +75,7 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 marrow_tools_test(marrow_deform_tests deform
   unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp
-  unit/deform/eigen_skin_test.cpp unit/deform/example_weights_test.cpp
+  unit/deform/eigen_skin_test.cpp unit/deform/elastic_test.cpp unit/deform/example_weights_test.cpp
   unit/deform/folds_test.cpp unit/deform/fit_test.cpp
   unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp unit/deform/never_worse_test.cpp
   unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp

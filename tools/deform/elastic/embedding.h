@@ -17,8 +17,8 @@ class Embedding {
   // Refers to both.
   Embedding(const Body& body, const SkinnedMesh& mesh);
 
-  // Of each vertex how much of it goes with the joints alone: 1 where there is no body, or where the body's weights
-  // are others than the vertex's, as those of clothes over skin in one cell are. Smooth over the surface.
+  // Of each vertex how much of it goes with the joints alone: 1 where there is no body, or where another surface in its
+  // cell follows other joints and the body is between both: clothes over skin. Smooth over the surface.
   const std::vector<double>& rig_shares() const { return rig_; }
 
   // All in the lattice's places. by_rig: where joints alone take a vertex.

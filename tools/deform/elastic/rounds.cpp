@@ -279,7 +279,7 @@ class Rounds {
       }
     }
     for (std::size_t n = 0; n < places_.size(); ++n)
-      for (Four& column : out.gradients[n]) store(column.v, loaded(column) * splat(1 / filled[n]));
+      for (Four& column : out.gradients[n]) store(column.v, loaded(column) / splat(filled[n]));
     out.places = std::move(places_);
     return out;
   }
