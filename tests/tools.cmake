@@ -87,7 +87,7 @@ if(MARROW_ALL_COMMANDS)
   target_link_libraries(marrow_deform_tests PRIVATE marrow_compare)
   # A table to tune deformers by; no test, built when asked for.
   add_executable(marrow_folds_table EXCLUDE_FROM_ALL folds/folds_table.cpp)
-  target_link_libraries(marrow_folds_table PRIVATE marrow_compare)
+  target_link_libraries(marrow_folds_table PRIVATE marrow_compare marrow_options)
   marrow_warnings(marrow_folds_table)
 endif()
 target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)

@@ -14,6 +14,7 @@
 #include "deform/look/folds.h"
 #include "deform/motion/motion_errors.h"
 #include "deform/surface.h"
+#include "options/options.h"
 
 namespace marrow::tools {
 namespace {
@@ -61,6 +62,31 @@ struct Named {
   Deformer deformer;
 };
 
+// Learnt from every other frame of the clips, as --as fit --truth TRUTH does.
+Deformer fitted(const Study& study, const std::string& truth) {
+  cook::Given given;
+  given["as"] = {{"fit", {"--as", ""}}};
+  given["truth"] = {{truth, {"--truth", ""}}};
+  const cook::LearnOptions options = cook::to_options(given).learn;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto learnt =
+      std::make_shared<const cook::Learnt>(cook::learn(study.source, study.rounds.front().train, options));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  std::size_t entries = 0;
+  for (const auto& vertex : learnt->coordinates) entries += vertex.size();
+  fmt::print(
+      "fit-{}: learnt in {:.1f} s; {} helpers, {:.2f} entries a vertex; {:.3f} of linear blend skinning's error "
+      "by cross-validation, {:.1f} % worse\n",
+      truth, took.count(), learnt->helpers.size(),
+      static_cast<double>(entries) / static_cast<double>(learnt->coordinates.size()), learnt->quality.share,
+      100 * learnt->quality.worse_share);
+  return [learnt, by = deform::animation_space(learnt->coordinates)](const Pose& pose, Positions& to) {
+    Pose at = pose;
+    deform::append_helpers(learnt->helpers, at);
+    by(at, to);
+  };
+}
+
 std::vector<Named> deformers(const Study& study, int count, char** names) {
   const deform::SkinnedMesh& mesh = study.source.mesh;
   std::vector<Named> out = {{"ssd", deform::ssd(mesh)}, {"dqs", deform::dual_quaternions(mesh)}};
@@ -68,6 +94,8 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
     const std::string name = names[i];
     if (name == "cor") out.push_back({name, deform::centres_of_rotation(mesh)});
     if (name == "dm") out.push_back({name, deform::delta_mush(mesh)});
+    if (name == "dm-dqs") out.push_back({name, deform::delta_mush(mesh, {}, out[1].deformer)});
+    if (name.starts_with("fit-")) out.push_back({name, fitted(study, name.substr(4))});
     if (!name.starts_with("elastic")) continue;
     deform::ElasticOptions options;
     if (name.size() > 7) options.volume = std::atof(name.c_str() + 7);
@@ -117,7 +145,10 @@ std::vector<T> some(const std::vector<T>& of, std::size_t most) {
 
 void print_table(const std::string& file, std::size_t most, int count, char** names) {
   cook::LearnOptions options;
-  const Study study = study_scene(cook::read_gltf(file), Holdout::frames, options);
+  Study study = study_scene(cook::read_gltf(file), Holdout::frames, options);
+  cook::Notes notes;
+  options.truth = cook::Truth::elastic;
+  drop_unusable_poses(options, study, notes);
   const deform::SkinnedMesh& mesh = study.source.mesh;
   fmt::print("{}: {}, {} vertices, {} triangles, {} joints\n", file, study.name, mesh.positions.size(),
              mesh.indices.size() / 3, mesh.joint_count);

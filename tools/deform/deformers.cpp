@@ -126,9 +126,13 @@ struct Mush {
 }  // namespace
 
 Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options) {
+  return delta_mush(mesh, options, ssd(mesh));
+}
+
+Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options, const Deformer& over) {
   const auto mush = std::make_shared<const Mush>(mesh, options);
-  return [mush, skin = ssd(mesh)](const Pose& pose, Positions& out) {
-    skin(pose, out);
+  return [mush, over](const Pose& pose, Positions& out) {
+    over(pose, out);
     smooth(mush->surface, mush->options, out);
     const std::vector<glm::dmat3> frames = mush->frames_of(out);
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += frames[v] * mush->delta[v];

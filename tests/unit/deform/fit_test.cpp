@@ -6,11 +6,31 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
+#include "deform/fit/remembered.h"
 #include "deform/helpers/helpers.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {
 namespace {
+
+// Each pose is made once while there is room, and the same comes out when there is none.
+TEST(Remembered, MakesAPoseOnce) {
+  const SkinnedMesh mesh = cylinder();
+  for (const bool has_room : {true, false}) {
+    std::size_t made = 0;
+    const Deformer slow = [&, skin = ssd(mesh)](const Pose& pose, Positions& out) {
+      ++made;
+      skin(pose, out);
+    };
+    const Deformer quick = remembered(slow, has_room ? 1'000'000 : 10), copy = quick;
+    const Positions first = at(quick, kBent), again = at(copy, kBent);
+    EXPECT_EQ(made, has_room ? 1u : 2u);
+    EXPECT_EQ(farthest(first, again), 0);
+    EXPECT_LT(farthest(first, at(ssd(mesh), kBent)), 1e-6);
+    EXPECT_LT(farthest(at(quick, cylinder_pose(0, 0)), mesh.positions), 1e-6);
+    EXPECT_EQ(made, has_room ? 2u : 3u);
+  }
+}
 
 // Coordinates that no lift can reach, of which the w sum to 1.
 Coordinates some_coordinates(const SkinnedMesh& mesh) {
@@ -46,6 +66,48 @@ TEST(Fit, CanKeepTheBindPose) {
                                   dual_quaternions(mesh), ssd(mesh), options);
   EXPECT_LT(farthest(at(animation_space(fit.coordinates), cylinder_pose(0, 0)), mesh.positions), 1e-12);
   EXPECT_LT(fit.quality.share, 0.8);
+}
+
+// Every other vertex may follow a helper more, so that neighbours miss the truth in other ways: less so afterwards.
+TEST(Fit, EvensOutWhatItMisses) {
+  const SkinnedMesh mesh = cylinder();
+  const Surface surface(mesh);
+  const std::vector<Helper> helpers = {{0, 1, 0.2, {}, true}, {0, 1, 0.1, {}, true}};
+  std::vector<Pose> poses;  // all as far, so that all count as much
+  for (int i = 0; i < 20; ++i) {
+    const glm::dvec3 axis(i % 2 == 0 ? 1 : 0, std::cos(18 * i * kDegree), std::sin(18 * i * kDegree));
+    poses.push_back({Matrix(1.0), matrix(turn(100, axis), {})});
+    append_helpers(helpers, poses.back());
+  }
+  Coordinates candidates = lift(mesh);
+  for (std::size_t v = 0; v < candidates.size(); ++v) {
+    if (candidates[v].size() < 2) continue;
+    candidates[v].push_back({2, glm::dvec4(0)});
+    if (v % 2 == 0) candidates[v].push_back({3, glm::dvec4(0)});
+  }
+  const Deformer truth = dual_quaternions(mesh), reference = ssd(mesh);
+  const auto roughness = [&](const Coordinates& coordinates) {
+    double out = 0;
+    for (const Pose& pose : poses) {
+      const Positions got = at(animation_space(coordinates), pose), wanted = at(truth, pose);
+      for (std::size_t v = 0; v < got.size(); ++v)
+        for (const std::uint32_t k : surface.neighbours(v)) {
+          const glm::dvec3 step = (got[v] - wanted[v]) - (got[k] - wanted[k]);
+          out += glm::dot(step, step);
+        }
+    }
+    return out;
+  };
+  FitOptions options;
+  options.ridges = {1e-5};
+  const auto fitted = [&] {
+    return fit_coordinates(candidates, diagonal(mesh), training(poses, 4), truth, reference, options).coordinates;
+  };
+  const Coordinates plain = fitted();
+  options.even_over = &surface;
+  const Coordinates even = fitted();
+  EXPECT_LT(roughness(even), 0.8 * roughness(plain));
+  EXPECT_LT(rms(animation_space(even), truth, poses), 1.2 * rms(animation_space(plain), truth, poses));
 }
 
 TEST(Fit, LeavesOutPosesInWhichTheTruthIsNotFinite) {

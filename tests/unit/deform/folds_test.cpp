@@ -68,9 +68,11 @@ TEST(Folds, CountWhatFacesBack) {
   const Folds folds = meter.of(turned(0), folded);
   EXPECT_EQ(folds.flipped, 1u);
   EXPECT_NEAR(folds.bend_rad, 180 * kDegree, 1e-12);
-  std::vector<std::size_t> counts;
-  meter.count_at_vertices(turned(0), folded, counts);
-  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 2, 1, 2}));
+  // The edge turns by three times 60°.
+  std::vector<double> sums;
+  meter.add_at_vertices(turned(0), folded, sums);
+  const double expected[] = {1 + 9, 1 + 9, 9, 1 + 9};
+  for (std::size_t v = 0; v < 4; ++v) EXPECT_NEAR(sums[v], expected[v], 1e-12);
   // The whole, turned over, has not folded.
   const Pose over = moved(turn(180, {0, 1, 0}), {0, 0, 5}, turned(0));
   EXPECT_EQ(meter.of(over, at(ssd(mesh), over)).flipped, 0u);

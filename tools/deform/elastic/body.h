@@ -6,15 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "deform/elastic/elastic_options.h"
 #include "deform/elastic/factor.h"
 #include "deform/elastic/lattice.h"
 
 namespace marrow::deform {
-
-struct ElasticOptions {
-  double volume = 6;  // how dearly cells keep theirs, beside keeping their shape; 15 for what twists far
-  double keep = 0.1;  // how dearly corners keep to where joints take them
-};
 
 // A cell as it is reckoned with. Four are at a time: `Body::free` has them so that none is beside another of its
 // four, nor of its half, and fills up with cells of no weight.

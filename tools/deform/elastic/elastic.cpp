@@ -134,8 +134,9 @@ void Elastic::pose(const Pose& pose, Positions& out) const {
   if (!deform::is_finite(out)) parts.by_rig(pose, out);
 }
 
-Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options) {
+Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options, std::vector<double>* rig_shares) {
   const auto made = std::make_shared<const Elastic>(mesh, options);
+  if (rig_shares != nullptr) *rig_shares = made->rig_shares();
   return [made](const Pose& pose, Positions& out) { made->pose(pose, out); };
 }
 

@@ -28,6 +28,8 @@ class Elastic {
   std::unique_ptr<const Parts> parts_;
 };
 
-Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {});
+// rig_shares: if not null, those of above.
+Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {},
+                 std::vector<double>* rig_shares = nullptr);
 
 }  // namespace marrow::deform

@@ -97,16 +97,15 @@ Folds FoldMeter::of(const Pose& pose, const Positions& positions) const {
   return out;
 }
 
-void FoldMeter::count_at_vertices(const Pose& pose, const Positions& positions,
-                                  std::vector<std::size_t>& counts) const {
-  counts.resize(mesh_.positions.size(), 0);
+void FoldMeter::add_at_vertices(const Pose& pose, const Positions& positions, std::vector<double>& sums) const {
+  sums.resize(mesh_.positions.size(), 0);
   if (!is_finite(positions)) return;
   for_each_flipped(pose, positions, [&](std::size_t t) {
-    for (std::size_t c = 0; c < 3; ++c) ++counts[mesh_.indices[3 * t + c]];
+    for (std::size_t c = 0; c < 3; ++c) ++sums[mesh_.indices[3 * t + c]];
   });
   for (const Edge& edge : edges_) {
-    if (!(turned_rad(edge, positions) > kCrease_rad)) continue;
-    for (const std::uint32_t v : edge.corners) ++counts[v];
+    const double turned = turned_rad(edge, positions) / kCrease_rad;
+    for (const std::uint32_t v : edge.corners) sums[v] += turned * turned;
   }
 }
 

@@ -27,8 +27,9 @@ class FoldMeter {
   // pose: of the mesh's joints. Thread-safe. Where positions are not finite nothing can be said: all is 0.
   Folds of(const Pose& pose, const Positions& positions) const;
 
-  // The vertices of what is flipped or turned by more than 60° are counted, each triangle and edge once.
-  void count_at_vertices(const Pose& pose, const Positions& positions, std::vector<std::size_t>& counts) const;
+  // Adds what vertices see of it: 1 to each corner of a flipped triangle, and of an edge (turn / 60°)² to its ends and
+  // the two corners opposite.
+  void add_at_vertices(const Pose& pose, const Positions& positions, std::vector<double>& sums) const;
 
  private:
   struct Edge {
