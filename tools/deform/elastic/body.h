@@ -38,6 +38,6 @@ inline constexpr float kBending = 2.0f / 24, kTwisting = 2.0f / 48;
 // 0 up to `from`, 1 beyond `to`, and smooth between.
 double smooth_step(double x, double from, double to);
 
-Body make_body(const SkinnedMesh& mesh, const ElasticOptions& options, std::size_t cells = kLatticeCells);
+Body make_body(const SkinnedMesh& mesh, const ElasticOptions& options, std::size_t cells);
 
 }  // namespace marrow::deform

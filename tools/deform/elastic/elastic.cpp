@@ -99,7 +99,7 @@ struct Elastic::Parts {
 };
 
 Elastic::Elastic(const SkinnedMesh& mesh, const ElasticOptions& options, std::size_t cells)
-    : parts_(std::make_unique<const Parts>(mesh, options, cells)) {}
+    : parts_(std::make_unique<const Parts>(mesh, options, cells > 0 ? cells : cells_for(mesh.positions.size()))) {}
 Elastic::~Elastic() = default;
 
 const std::vector<double>& Elastic::rig_shares() const {

@@ -14,7 +14,8 @@ namespace marrow::deform {
 // Thread-safe; the same bits everywhere. Memory: 90 MB while it is made, then about 20 MB, and 5 MB a pose at a time.
 class Elastic {
  public:
-  explicit Elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {}, std::size_t cells = kLatticeCells);
+  // cells: 0 for as many as are good.
+  explicit Elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {}, std::size_t cells = 0);
   ~Elastic();
 
   void pose(const Pose& pose, Positions& out) const;

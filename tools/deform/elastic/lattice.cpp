@@ -212,6 +212,10 @@ void take_cells(Pieces& pieces, const std::vector<char>& stays, const Coarse& co
 
 }  // namespace
 
+std::size_t cells_for(std::size_t vertices) {
+  return std::clamp<std::size_t>(20 * std::min<std::size_t>(vertices, 10'000), 500, 10'000);
+}
+
 Lattice make_lattice(const SkinnedMesh& mesh, std::size_t cells) {
   Lattice out;
   out.cell_of.assign(mesh.positions.size(), Lattice::kNone);

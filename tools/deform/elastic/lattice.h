@@ -34,13 +34,14 @@ struct Lattice {
   glm::dvec3 to_lattice(const glm::dvec3& p) const { return (p - origin) / side; }
 };
 
-inline constexpr std::size_t kLatticeCells = 10'000;
+// For so many vertices: 10 000, of which less makes creases, and fewer where there are not vertices enough to show any.
+std::size_t cells_for(std::size_t vertices);
 
 // About so many cells, each of 3³ voxels; fewer where the box of the mesh is large and what fills it thin. Where two
 // surfaces meet whose weights have hardly anything in common, as two fingers, voxels are not linked; pieces of a cell
 // that are not are cells of their own. So corners are one only where cells are linked across a face: Nesme, Kry,
 // Jeřábková, Faure, "Preserving topology and elasticity for embedded deformable models", ACM TOG 28(3), 2009.
 // Bodies without a vertex of the mesh are left out. Memory: at most 90 MB on the way, then 2 MB.
-Lattice make_lattice(const SkinnedMesh& mesh, std::size_t cells = kLatticeCells);
+Lattice make_lattice(const SkinnedMesh& mesh, std::size_t cells);
 
 }  // namespace marrow::deform
