@@ -74,14 +74,17 @@ TEST(UglierThanSsd, IsWhatSticksOut) {
   Coordinates coordinates = lift(mesh);
   const auto back = [&] {
     const std::vector<Pose> poses = {kBent, cylinder_pose(0, 60 * kDegree), cylinder_pose(0, 0)};
-    return uglier_than_ssd(mesh, coordinates, {}, poses.size(), [&](std::size_t i) { return poses[i]; });
+    return uglier_than_ssd(mesh, coordinates, lift(mesh), {}, poses.size(), [&](std::size_t i) { return poses[i]; });
   };
-  for (const double share : back()) ASSERT_EQ(share, 0);
+  const Ugliness plain = back();
+  for (const double share : plain.goes_back) ASSERT_EQ(share, 0);
   std::size_t spike = 0;
   while (std::abs(mesh.positions[spike].x) > 0.2) ++spike;
   for (const double sign : {1.0, -1.0})
     coordinates[spike][sign > 0 ? 0 : 1].q += glm::dvec4(mesh.positions[spike] * glm::dvec3(0, 3, 3) * sign, 0);
-  const std::vector<double> shares = back();
+  const Ugliness spiky = back();
+  EXPECT_GT(spiky.total, plain.total);
+  const std::vector<double>& shares = spiky.goes_back;
   EXPECT_GT(shares[spike], 0.9);
   std::size_t none = 0;
   for (std::size_t v = 0; v < shares.size(); ++v) {

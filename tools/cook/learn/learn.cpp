@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -202,35 +203,51 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 
 namespace {
 
-// What a fit has learnt gives way to the closed form where it would look worse than linear blend skinning, in clips or
-// beyond. Both have the same joints and helpers at each vertex.
+// The closed form over the joints and helpers that vertices have.
+deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Coordinates& coordinates) {
+  deform::Coordinates out = coordinates;
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    std::vector<std::uint32_t> entries;
+    for (const deform::Coordinate& c : out[v]) entries.push_back(c.joint);
+    const auto weights = form.weights_of(v, entries);
+    if (!weights) continue;
+    for (deform::Coordinate& c : out[v]) {
+      const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
+      c.q = glm::dvec4(form.position_of(v), 1) * (at == weights->end() ? 0.0 : at->weight);
+    }
+  }
+  return out;
+}
+
+// What a fit has learnt gives way to the closed form where it looks worse, in clips or beyond, as long as all looks
+// better for it.
 void keep_from_folding(const DeformSource& source, const deform::ClosedForm& form,
                        const std::vector<deform::Pose>& clips, Learnt& out) {
   constexpr std::size_t kMostPoses = 128;  // of clips, and beyond
   constexpr int kRounds = 2;               // as where it has given way something else may
-  std::vector<std::size_t> of_clips, of_motion;
-  for (std::size_t i = 0; i < clips.size(); ++i) of_clips.push_back(i);
-  for (std::size_t i = 0; i < source.motion.size(); ++i) of_motion.push_back(i);
+  std::vector<std::size_t> of_clips(clips.size()), of_motion(source.motion.size());
+  std::iota(of_clips.begin(), of_clips.end(), 0u);
+  std::iota(of_motion.begin(), of_motion.end(), 0u);
   of_clips = evenly(of_clips, kMostPoses);
   of_motion = evenly(of_motion, kMostPoses);
   const auto pose = [&](std::size_t i) {
     return i < of_clips.size() ? clips[of_clips[i]] : source.motion[of_motion[i - of_clips.size()]].pose();
   };
+  const deform::Coordinates simple = simple_over(form, out.coordinates);
+  const auto look = [&](const deform::Coordinates& coordinates) {
+    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, of_clips.size() + of_motion.size(),
+                                   pose);
+  };
+  deform::Ugliness now = look(out.coordinates);
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> goes_back =
-        deform::uglier_than_ssd(source.mesh, out.coordinates, out.helpers, of_clips.size() + of_motion.size(), pose);
-    for (std::size_t v = 0; v < goes_back.size(); ++v) {
-      if (goes_back[v] == 0) continue;
-      std::vector<std::uint32_t> entries;
-      for (const deform::Coordinate& c : out.coordinates[v]) entries.push_back(c.joint);
-      const auto weights = form.weights_of(v, entries);
-      if (!weights) continue;
-      for (deform::Coordinate& c : out.coordinates[v]) {
-        const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
-        const double weight = at == weights->end() ? 0.0 : at->weight;
-        c.q = c.q * (1 - goes_back[v]) + glm::dvec4(source.mesh.positions[v], 1) * (weight * goes_back[v]);
-      }
-    }
+    deform::Coordinates next = out.coordinates;
+    for (std::size_t v = 0; v < next.size(); ++v)
+      for (std::size_t i = 0; i < next[v].size(); ++i)
+        next[v][i].q += (simple[v][i].q - next[v][i].q) * now.goes_back[v];
+    deform::Ugliness then = look(next);
+    if (!(then.total < now.total)) return;
+    out.coordinates = std::move(next);
+    now = std::move(then);
   }
 }
 
