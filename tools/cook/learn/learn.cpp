@@ -30,18 +30,25 @@ constexpr std::size_t kVerticesAHelper = 16;  // so that posing helpers costs le
 // What helpers divide a pair of joints into: of `auto` no more than is worth its bytes.
 constexpr int kHalves = 2, kQuarters = 4, kEighths = 8;
 
+// Whether what is learnt is a body, which goes over from joint to joint more widely than weights do.
+bool is_body(const LearnOptions& options) {
+  return options.animation_space == AnimationSpace::fit && options.truth == Truth::elastic;
+}
+
 std::size_t most_joints(const LearnOptions& options) {
   return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.helpers != 0 ? 5 : 4);
 }
 
-// Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for.
+// Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for; of
+// a body, which takes halves alone, a few more than joints.
 std::size_t most_helpers(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
   if (options.helpers != kAutoHelpers) return static_cast<std::size_t>(options.helpers);
   std::set<std::uint32_t> joints;
   for (const std::vector<deform::Influence>& influences : mesh.influences)
     for (const deform::Influence& i : influences) joints.insert(i.joint);
   const std::size_t room = joints.size() < kMostEntries ? kMostEntries - joints.size() : joints.size();
-  return std::min(room, std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
+  return std::min(room, is_body(options) ? joints.size() * 6 / 5
+                                         : std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
 }
 
 // The best guess without examples, over joints that a vertex may follow: to delta mush those that smoothing reaches, of
@@ -259,9 +266,9 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   constexpr std::size_t kMostPoses = 512;
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
-  const bool is_body = options.truth == Truth::elastic;
+  const bool body = is_body(options);
   std::vector<deform::Pose> clips;
-  if (is_body) clips = only_poses(poses);
+  if (body) clips = only_poses(poses);
   const deform::Surface surface(mesh);
   std::vector<std::size_t> motion;
   if (options.helpers != 0) motion = usable_motion(source, truth);
@@ -274,8 +281,8 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   fit.is_lift = options.truth != Truth::delta_mush;
   fit.most_joints = most_joints(options);
   fit.progress = options.progress;
-  if (is_body) fit.ridges = {1e-4, 1e-5};
-  if (is_body) fit.even_over = &surface;
+  if (body) fit.ridges = {1e-4, 1e-5};
+  if (body) fit.even_over = &surface;
   deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh), fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
@@ -290,7 +297,7 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
     out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
   }
   out.coordinates = std::move(fitted.coordinates);
-  if (is_body) keep_from_folding(source, form, clips, out);
+  if (body) keep_from_folding(source, form, clips, out);
   keep_ssd_where_worse(source, truth, motion, {}, out);
 }
 
@@ -307,14 +314,14 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   const bool fits = options.animation_space == AnimationSpace::fit;
   if (!fits && options.helpers == 0) return out;
   deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
-  const bool is_body = fits && options.truth == Truth::elastic;
-  const deform::SkinnedMesh reach = is_body ? spread(mesh) : following(mesh, candidates);
+  const bool body = is_body(options);
+  const deform::SkinnedMesh reach = body ? spread(mesh) : following(mesh, candidates);
   const std::vector<deform::Pose> clips = only_poses(poses);
   const deform::Likeness likeness(reach, clips, source.parents);
   out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
                                        options.truth == Truth::centres_of_rotation,
                                        options.helpers != kAutoHelpers ? kEighths
-                                       : is_body                       ? kHalves
+                                       : body                          ? kHalves
                                                                        : kQuarters);
   const deform::ClosedForm form(mesh, out.helpers, likeness);
   for (std::size_t v = 0; v < candidates.size(); ++v) {
