@@ -44,6 +44,14 @@ TEST(Elastic, FactorsSolveWhatIsKnown) {
   EXPECT_NEAR(x[0].v[1], 1, 1e-7);
   EXPECT_NEAR(x[1].v[1], 0, 1e-7);
   EXPECT_EQ(x[0].v[2], 0);
+  // All ones and one more on the diagonal: x = b - Σ b / (n + 1).
+  std::vector<MatrixEntry> full;
+  for (std::uint32_t i = 0; i < 6; ++i)
+    for (std::uint32_t k = 0; k <= i; ++k) full.push_back({i, k, i == k ? 2.0 : 1.0});
+  std::vector<Four> numbers;
+  for (std::uint32_t i = 0; i < 6; ++i) numbers.push_back({{static_cast<float>(i), 0, 0, 0}});
+  Factor(6, full).solve(numbers);
+  for (std::uint32_t i = 0; i < 6; ++i) EXPECT_NEAR(numbers[i].v[0], i - 15.0 / 7, 1e-5);
   constexpr std::uint32_t kLong = 40;
   std::vector<MatrixEntry> chain;
   for (std::uint32_t i = 0; i < kLong; ++i) {
