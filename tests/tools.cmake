@@ -77,7 +77,8 @@ target_link_libraries(marrow_bench_tests PRIVATE marrow_bench marrow_pose)
 marrow_tools_test(marrow_deform_tests deform
   unit/deform/animation_space_test.cpp unit/deform/auto_skeleton_test.cpp unit/deform/auto_weights_test.cpp
   unit/deform/before_ssd_test.cpp unit/deform/between_frames_test.cpp unit/deform/deformers_test.cpp
-  unit/deform/eigen_skin_test.cpp unit/deform/example_weights_test.cpp unit/deform/fit_test.cpp
+  unit/deform/eigen_skin_test.cpp unit/deform/elastic_test.cpp unit/deform/example_weights_test.cpp
+  unit/deform/folds_test.cpp unit/deform/fit_test.cpp
   unit/deform/helpers_test.cpp unit/deform/multi_weight_test.cpp unit/deform/never_worse_test.cpp
   unit/deform/painted_weights_test.cpp unit/deform/pose_metric_test.cpp unit/deform/pose_space_test.cpp
   unit/deform/range_of_motion_test.cpp unit/deform/scaled_joints_test.cpp unit/deform/simplify_test.cpp
@@ -86,6 +87,10 @@ marrow_tools_test(marrow_deform_tests deform
 if(MARROW_ALL_COMMANDS)
   target_sources(marrow_deform_tests PRIVATE unit/deform/thesis_test.cpp)
   target_link_libraries(marrow_deform_tests PRIVATE marrow_compare)
+  # A table to tune deformers by; no test, built when asked for.
+  add_executable(marrow_folds_table EXCLUDE_FROM_ALL folds/folds_table.cpp)
+  target_link_libraries(marrow_folds_table PRIVATE marrow_compare marrow_options)
+  marrow_warnings(marrow_folds_table)
 endif()
 target_link_libraries(marrow_deform_tests PRIVATE marrow_deform)
 

@@ -6,55 +6,16 @@
 
 #include <glm/geometric.hpp>
 
+#include "deform/rotation_blend.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {
 
-const Influence& largest(const std::vector<Influence>& influences) {
-  return *std::max_element(influences.begin(), influences.end(),
-                           [](const Influence& a, const Influence& b) { return a.weight < b.weight; });
-}
-
 glm::dvec3 blend(const std::vector<Influence>& influences, const Pose& pose, const glm::dvec3& v) {
   glm::dvec3 sum(0);
   for (const Influence& i : influences) sum += transform(pose[i.joint], v) * i.weight;
   return sum;
-}
-
-std::vector<glm::dquat> rotations_of(const Pose& pose) {
-  std::vector<glm::dquat> out;
-  for (const Matrix& m : pose) out.push_back(quaternion_of(nearest_rotation(linear_of(m))));
-  return out;
-}
-
-// The sum of the joints' quaternions by weight, each of q and -q with the sign nearer to that of the largest weight;
-// `each` is called with a joint and its part of the sum.
-template <class Each>
-glm::dquat blend_rotations(const std::vector<Influence>& influences, const std::vector<glm::dquat>& rotations,
-                           const Each& each) {
-  const glm::dquat pivot = rotations[largest(influences).joint];
-  glm::dquat sum(0, 0, 0, 0);
-  for (const Influence& i : influences) {
-    const glm::dquat& q = rotations[i.joint];
-    const glm::dquat part = q * (glm::dot(pivot, q) < 0 ? -i.weight : i.weight);
-    sum = sum + part;
-    each(i, part);
-  }
-  return sum;
-}
-
-// The dual quaternion of (q, p) takes the vertex, as origin, to p and turns by q about it: its dual part is p q / 2.
-// The blend's takes it to 2 d r* / |r|², of the sums r of real and d of dual parts.
-glm::dvec3 by_dual_quaternion(const std::vector<Influence>& influences, const std::vector<glm::dquat>& rotations,
-                              const Pose& pose, const glm::dvec3& bind) {
-  glm::dquat twice_dual(0, 0, 0, 0);
-  const glm::dquat real = blend_rotations(influences, rotations, [&](const Influence& i, const glm::dquat& part) {
-    const glm::dvec3 place = transform(pose[i.joint], bind);
-    twice_dual = twice_dual + glm::dquat(0, place.x, place.y, place.z) * part;
-  });
-  const glm::dquat moved = twice_dual * glm::conjugate(real);
-  return glm::dvec3(moved.x, moved.y, moved.z) / glm::dot(real, real);
 }
 
 }  // namespace
@@ -79,9 +40,7 @@ Deformer dual_quaternions(const SkinnedMesh& mesh) {
     const std::vector<glm::dquat> rotations = rotations_of(pose);
     out.resize(mesh.positions.size());
     for (std::size_t v = 0; v < out.size(); ++v)
-      out[v] = mesh.influences[v].size() == 1
-                   ? transform(pose[mesh.influences[v][0].joint], mesh.positions[v])
-                   : by_dual_quaternion(mesh.influences[v], rotations, pose, mesh.positions[v]);
+      out[v] = by_dual_quaternion(mesh.influences[v], rotations, pose, mesh.positions[v]);
   };
 }
 
@@ -167,9 +126,13 @@ struct Mush {
 }  // namespace
 
 Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options) {
+  return delta_mush(mesh, options, ssd(mesh));
+}
+
+Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options, const Deformer& over) {
   const auto mush = std::make_shared<const Mush>(mesh, options);
-  return [mush, skin = ssd(mesh)](const Pose& pose, Positions& out) {
-    skin(pose, out);
+  return [mush, over](const Pose& pose, Positions& out) {
+    over(pose, out);
     smooth(mush->surface, mush->options, out);
     const std::vector<glm::dmat3> frames = mush->frames_of(out);
     for (std::size_t v = 0; v < out.size(); ++v) out[v] += frames[v] * mush->delta[v];

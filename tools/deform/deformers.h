@@ -38,6 +38,8 @@ struct DeltaMushOptions {
   EdgeWeights weights = EdgeWeights::uniform;
 };
 Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options = {});
+// The same over another deformer than SSD.
+Deformer delta_mush(const SkinnedMesh& mesh, const DeltaMushOptions& options, const Deformer& over);
 // The share of the bind pose's area that smoothing leaves; 1 for a mesh without area. Parts that smoothing shrinks to
 // threads lose their frames, so what is put back turns anywhere.
 double area_kept(const SkinnedMesh& mesh, const DeltaMushOptions& options);

@@ -1,5 +1,6 @@
 #include "options/option_lists.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 
@@ -10,10 +11,9 @@ namespace {
 
 constexpr Named<AnimationSpace> kAnimationSpaces[] = {
     {"lift", AnimationSpace::lift}, {"smooth", AnimationSpace::smooth}, {"fit", AnimationSpace::fit}};
-constexpr Named<Truth> kTruths[] = {{"cor", Truth::centres_of_rotation},
-                                    {"dqs", Truth::dual_quaternions},
-                                    {"delta-mush", Truth::delta_mush},
-                                    {"examples", Truth::examples}};
+constexpr Named<Truth> kTruths[] = {{"cor", Truth::centres_of_rotation}, {"dqs", Truth::dual_quaternions},
+                                    {"delta-mush", Truth::delta_mush},   {"delta-mush-dqs", Truth::delta_mush_over_dqs},
+                                    {"elastic", Truth::elastic},         {"examples", Truth::examples}};
 
 // "N", "N,STEP" or "N,STEP,cotangent".
 void set_delta_mush(CookOptions& options, const Value& given) {
@@ -33,6 +33,28 @@ void set_delta_mush(CookOptions& options, const Value& given) {
            "give iterations, 1 to 1000, and a step up to 1, as in 10,0.5 or 30,1,cotangent");
 }
 
+// "volume=15", "keep=0.1" or both with a comma between.
+void set_elastic(CookOptions& options, const Value& given) {
+  deform::ElasticOptions& elastic = options.learn.elastic;
+  std::string_view left = given.text;
+  for (bool more = true; more;) {
+    const std::string_view part = left.substr(0, left.find(','));
+    more = part.size() < left.size();
+    left.remove_prefix(part.size() + (more ? 1 : 0));
+    const std::string_view name = part.substr(0, part.find('='));
+    double* const dial = name == "volume" ? &elastic.volume : name == "keep" ? &elastic.keep : nullptr;
+    const std::string_view number = part.substr(std::min(part.size(), name.size() + 1));
+    double value = -1;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+    const bool good = read.ec == std::errc() && read.ptr == number.data() + number.size();
+    const double least = name == "volume" ? 0 : 0.001, most = name == "volume" ? 100 : 10;
+    if (dial == nullptr || !good || !(value >= least && value <= most))
+      refuse(given, "\"" + given.text + "\" does not say how elastic",
+             "give volume, 0 to 100, or keep, 0.001 to 10, or both, as in volume=15,keep=0.1");
+    *dial = value;
+  }
+}
+
 void set_pose_space(CookOptions& options, const Value& given) {
   options.learn.pose_examples = whole_number(given, 0, kMaxPoseExamples);
 }
@@ -45,7 +67,9 @@ constexpr Option kLearnOptions[] = {
      [](CookOptions& o, const Value& v) { o.learn.animation_space = *value_of(kAnimationSpaces, v.text); }},
     {"truth", OptionKind::text, "TEXT",
      "what --as fit, --mwe and --psd learn from: cor: optimised centres of rotation; dqs: dual quaternions; "
-     "delta-mush; examples: what an artist has shown, --examples",
+     "delta-mush, over linear blend skinning; delta-mush-dqs: over dual quaternions; elastic: a body that does not "
+     "fold; "
+     "examples: what an artist has shown, --examples",
      names_in<kTruths>, [](CookOptions& o, const Value& v) { o.learn.truth = *value_of(kTruths, v.text); }},
     {"examples",
      OptionKind::text,
@@ -61,12 +85,19 @@ constexpr Option kLearnOptions[] = {
      "all alike; the default is 10,0.5",
      {},
      set_delta_mush},
+    {"elastic",
+     OptionKind::text,
+     "volume=V[,keep=K]",
+     "how --truth elastic gives way: how dearly it keeps its volume, 15 for what twists far, and how dearly it keeps "
+     "to the joints; the default is volume=6,keep=0.1",
+     {},
+     set_elastic},
     {"helpers",
      OptionKind::text,
      "N|auto",
      "matrices between those of joints that vertices share, at most so many a mesh, for --as lift and --as fit: "
      "elbows keep their shape, wrists their volume; auto: as many as the mesh is worth, the default of --as fit "
-     "--truth cor and dqs; else the default is 0",
+     "to a truth that blends rotations; else the default is 0",
      {},
      [](CookOptions& o, const Value& v) {
        o.learn.helpers = v.text == "auto" ? kAutoHelpers : whole_number(v, 0, kMostHelpers);

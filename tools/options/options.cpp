@@ -27,7 +27,7 @@ void refuse_idle(const CookOptions& options, const Given& given) {
   refuse_unless(!eigen || !(fits || beside || learn.animation_space == AnimationSpace::smooth || learn.helpers != 0),
                 "eigenskin", "plain weights", "leave out --as, --helpers, --mwe and --psd: they mend the same twice");
   refuse_unless(!eigen || learn.truth != Truth::examples, "eigenskin", "a truth in every pose",
-                "give --truth cor, dqs or delta-mush");
+                "give another truth, such as cor");
   refuse_unless(learn.truth == Truth::examples, "examples", "their truth", "give --truth examples too");
   refuse_unless(learn.truth != Truth::examples || !learn.examples_file.empty(), "truth", "its examples",
                 "give --examples FILE too");
@@ -36,8 +36,9 @@ void refuse_idle(const CookOptions& options, const Given& given) {
   refuse_unless(fits, "keep-bind-pose", "a fit", "give --as fit too");
   refuse_unless(fits || lifts, "helpers", "what may follow them", "leave out --as smooth, or give --as fit");
   refuse_unless(
-      learn.animation_space != AnimationSpace::lift || ((beside || eigen) && learn.truth == Truth::delta_mush),
+      learn.animation_space != AnimationSpace::lift || ((beside || eigen) && smooths(learn.truth)),
       "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
+  refuse_unless(learn.truth == Truth::elastic, "elastic", "its truth", "give --truth elastic too");
   refuse_unless((fits || beside) && learn.truth != Truth::examples, "wide-poses", "a fit to a deformer",
                 "give --as fit, --mwe or --psd too, and a truth that is not examples");
   const bool has_truth = fits || given.contains("truth");
@@ -118,7 +119,7 @@ CookOptions to_options(const Given& given) {
   // Of what blends rotations; beside delta mush helpers do not pay.
   LearnOptions& learn = options.learn;
   if (learn.animation_space == AnimationSpace::fit && !given.contains("helpers") &&
-      (learn.truth == Truth::dual_quaternions || learn.truth == Truth::centres_of_rotation))
+      blends_rotations(learn.truth))
     learn.helpers = kAutoHelpers;
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);

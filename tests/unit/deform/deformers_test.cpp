@@ -15,6 +15,7 @@ std::vector<std::pair<const char*, Deformer>> all(const SkinnedMesh& mesh) {
           {"dual quaternions", dual_quaternions(mesh)},
           {"centres of rotation", centres_of_rotation(mesh)},
           {"delta mush", delta_mush(mesh)},
+          {"delta mush over dual quaternions", delta_mush(mesh, {}, dual_quaternions(mesh))},
           {"delta mush, cotangents", delta_mush(mesh, {30, 1.0, EdgeWeights::cotangent})}};
 }
 
@@ -50,6 +51,19 @@ TEST(Deformers, FollowOneJointRigidly) {
     }
   }
   EXPECT_GT(counted, 4000u);
+}
+
+// What linear blending has wrung out smoothing does not bring back; what is whole stays so.
+TEST(Deformers, DeltaMushSmoothsWhatItIsOver) {
+  const SkinnedMesh mesh = cylinder();
+  const auto waist = [&](const Deformer& deformer) {
+    double out = 1;
+    for (const glm::dvec3& p : at(deformer, cylinder_pose(0, 170 * kDegree)))
+      if (std::abs(p.x) < 4) out = std::min(out, std::hypot(p.y, p.z));
+    return out;
+  };
+  EXPECT_LT(waist(delta_mush(mesh)), 0.3);
+  EXPECT_GT(waist(delta_mush(mesh, {}, dual_quaternions(mesh))), 0.7);
 }
 
 // Half of a quarter turn is an eighth; the screw's axis is the joint's.

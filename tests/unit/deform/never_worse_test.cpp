@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
+#include "deform/helpers/not_uglier.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {
@@ -65,6 +66,33 @@ TEST(BetterBySsd, TakesNoPoseWhoseTruthIsNotFinite) {
   EXPECT_TRUE(better_by_ssd(
                   SkinnedMesh(), {}, {}, 1, [](std::size_t) { return Pose(); }, nowhere)
                   .empty());
+}
+
+// A vertex that is drawn out as soon as the joints part. It and its rings go back, what is far from it does not.
+TEST(UglierThanSsd, IsWhatSticksOut) {
+  const SkinnedMesh mesh = cylinder();
+  Coordinates coordinates = lift(mesh);
+  const auto back = [&] {
+    const std::vector<Pose> poses = {kBent, cylinder_pose(0, 60 * kDegree), cylinder_pose(0, 0)};
+    return uglier_than_ssd(mesh, coordinates, lift(mesh), {}, poses.size(), [&](std::size_t i) { return poses[i]; });
+  };
+  const Ugliness plain = back();
+  for (const double share : plain.goes_back) ASSERT_EQ(share, 0);
+  std::size_t spike = 0;
+  while (std::abs(mesh.positions[spike].x) > 0.2) ++spike;
+  for (const double sign : {1.0, -1.0})
+    coordinates[spike][sign > 0 ? 0 : 1].q += glm::dvec4(mesh.positions[spike] * glm::dvec3(0, 3, 3) * sign, 0);
+  const Ugliness spiky = back();
+  EXPECT_GT(spiky.total, plain.total);
+  const std::vector<double>& shares = spiky.goes_back;
+  EXPECT_GT(shares[spike], 0.9);
+  std::size_t none = 0;
+  for (std::size_t v = 0; v < shares.size(); ++v) {
+    if (std::abs(mesh.positions[v].x - mesh.positions[spike].x) < 3) continue;
+    EXPECT_EQ(shares[v], 0);
+    ++none;
+  }
+  EXPECT_GT(none, 700u);
 }
 
 }  // namespace

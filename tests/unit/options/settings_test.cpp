@@ -15,6 +15,23 @@ Settings parse(const std::string& text) {
   return parse_settings("/project/marrow.toml", text);
 }
 
+TEST(Settings, DialsOfTheElasticTruth) {
+  const auto dials = [](const std::string& text) {
+    std::vector<bool> used;
+    const Settings settings = parse("as = \"fit\"\ntruth = \"elastic\"\nelastic = \"" + text + "\"\n");
+    return to_options(settings_for(settings, "/project/a.glb", used)).learn;
+  };
+  EXPECT_EQ(dials("volume=15").elastic.volume, 15);
+  EXPECT_EQ(dials("volume=15").elastic.keep, 0.1);
+  EXPECT_EQ(dials("keep=0.5,volume=0").elastic.volume, 0);
+  EXPECT_EQ(dials("keep=0.5,volume=0").elastic.keep, 0.5);
+  EXPECT_EQ(dials("keep=1").truth, Truth::elastic);
+  EXPECT_EQ(dials("keep=1").helpers, kAutoHelpers);
+  for (const char* const bad : {"", "15", "volume", "volume=", "volume=-1", "volume=101", "keep=0", "keep=nan",
+                                "keep=1,", "keep=1;volume=2", "stiff=3", "volume=1e", "volume=0x10"})
+    EXPECT_THROW(dials(bad), tools::Failure) << bad;
+}
+
 TEST(Settings, DefaultsAndRules) {
   const Settings settings = parse(R"(
 clip-error = "0.5mm"
@@ -70,12 +87,14 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : shape == "ENTRIES"           ? "\"256\""
                               : shape[0] == 'R'              ? "\"0.5,0.25\""
                               : shape.starts_with("CHANNEL") ? "\"loose=chest,pole\""
+                              : shape.starts_with("volume")  ? "\"volume=15\""
                               : shape == "JOINT=MASK.png"    ? "\"hand=hand.png\""
                                                              : "\"0.1mm\"";
     // A truth is only for fits, examples for a truth, rebinding for weights that are made.
     const bool of_fit = name == "truth" || name == "helpers" || name == "keep-bind-pose" || name == "delta-mush" ||
                         name == "mwe" || name == "psd" || name == "influences" || name == "wide-poses";
     const std::string pack = name == "truth"      ? "as = 'fit'\nexamples = 'poses.glb'\n"
+                             : name == "elastic"  ? "as = 'fit'\ntruth = 'elastic'\n"
                              : name == "rebind"   ? "auto-weights = 'nearest'\n"
                              : name == "examples" ? "as = 'fit'\ntruth = 'examples'\n"
                              : of_fit             ? "as = 'fit'\n"

@@ -12,7 +12,8 @@ void add_compare(CLI::App& app, int&) {
   command->add_option("--sample", a.sample, "instead of a file, a mesh that deformers are commonly shown on")
       ->check(CLI::IsMember({"cylinder"}));
   add_cook_options(
-      command, {"truth", "examples", "delta-mush", "helpers", "influences", "keep-bind-pose", "wide-poses"}, a.given);
+      command, {"truth", "examples", "delta-mush", "elastic", "helpers", "influences", "keep-bind-pose", "wide-poses"},
+      a.given);
   add_one_of(command, "--holdout", kHoldouts, a.holdout,
              "what is not learnt from but judged by: alternate frames of every clip, or whole clips in turn");
   command

@@ -159,6 +159,7 @@ Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
 void drop_unusable_poses(const LearnOptions& options, Study& study, Notes& notes) {
   const RawSkin& skin = study.scene.skins[static_cast<std::size_t>(study.scene.instances.front().skin)];
   const UsablePoses usable(study.source.mesh, options.truth);
+  remember_truth(options, study.scene, skin, "/meshes", study.source, notes);
   const deform::Deformer truth = make_truth(study.source, options);
   const auto is_infinite = [&](const auto& p) {
     deform::Positions positions;

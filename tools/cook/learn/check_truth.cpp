@@ -23,8 +23,7 @@ bool is_finite(const deform::Matrix& m) {
 LearnOptions with_gentle_steps(LearnOptions options, const deform::SkinnedMesh& mesh, const std::string& pointer,
                                Notes& notes) {
   const bool learns = options.animation_space == AnimationSpace::fit || options.multi_weights || options.pose_examples;
-  if (options.animation_space != AnimationSpace::smooth && !(learns && options.truth == Truth::delta_mush))
-    return options;
+  if (options.animation_space != AnimationSpace::smooth && !(learns && smooths(options.truth))) return options;
   const double kept = deform::area_kept(mesh, options.delta_mush);
   if (kept >= deform::kLeastArea) return options;
   options.delta_mush = deform::with_least_area(mesh, options.delta_mush);
@@ -38,9 +37,7 @@ LearnOptions with_gentle_steps(LearnOptions options, const deform::SkinnedMesh& 
 }
 
 UsablePoses::UsablePoses(const deform::SkinnedMesh& mesh, Truth truth)
-    : followed_(mesh.joint_count, 0),
-      shared_(mesh.joint_count, 0),
-      blends_rotations_(truth == Truth::dual_quaternions || truth == Truth::centres_of_rotation) {
+    : followed_(mesh.joint_count, 0), shared_(mesh.joint_count, 0), blends_rotations_(blends_rotations(truth)) {
   for (const std::vector<deform::Influence>& influences : mesh.influences)
     for (const deform::Influence& i : influences) {
       if (i.joint >= mesh.joint_count) continue;
@@ -56,6 +53,25 @@ std::optional<std::uint32_t> UsablePoses::spoiling_joint(const deform::Pose& pos
     if (blends_rotations_ && shared_[j] && !deform::has_rotation(deform::linear_of(pose[j]))) return j;
   }
   return std::nullopt;
+}
+
+void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh,
+                      const std::vector<double>& rig_shares, const std::string& pointer, Notes& notes) {
+  constexpr double kMany = 0.02;  // of the vertices
+  std::vector<double> of_joint(mesh.joint_count, 0);
+  double all = 0;
+  for (std::size_t v = 0; v < rig_shares.size(); ++v) {
+    all += rig_shares[v];
+    for (const deform::Influence& i : mesh.influences[v]) of_joint[i.joint] += i.weight * rig_shares[v];
+  }
+  const double share = all / std::max(1.0, static_cast<double>(rig_shares.size()));
+  if (!(share > kMany)) return;
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(of_joint) - of_joint.begin());
+  notes.warnings.push_back(
+      {pointer, "elastic-not-everywhere",
+       fmt::format("{:.0f} % of the mesh, most about the joint \"{}\", keeps to dual quaternions: there it has no "
+                   "inside, or surfaces that follow other joints lie within a cell",
+                   100 * share, scene.nodes[static_cast<std::size_t>(skin.joints[most])].name)});
 }
 
 void drop_spoilt_poses(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh, Truth truth,

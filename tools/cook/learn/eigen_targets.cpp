@@ -16,6 +16,7 @@
 #include "deform/deformers.h"
 #include "deform/fit/correction.h"
 #include "deform/fit/principal_fields.h"
+#include "deform/fit/remembered.h"
 
 namespace marrow::cook {
 namespace {
@@ -178,6 +179,7 @@ bool add_to(std::size_t instance_index, const LearnOptions& options, std::set<st
     throw tools::Failure(tools::Exit::unsupported, scene.source, mesh.primitives.front().pointer, "too-many-vertices",
                          fmt::format("--eigenskin takes at most {}", kMostMissing / kFewestMoments));
   subject.truth = make_truth(subject.source, options);
+  if (options.truth == Truth::elastic) subject.truth = deform::remembered(subject.truth);
   find_moments(subject);
   if (subject.moments.empty()) return false;
   const std::vector<deform::Positions> fields = fields_of(subject, to_index(options.eigen_targets));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include <glm/geometric.hpp>
@@ -9,9 +10,14 @@
 #include "common/failure.h"
 #include "cook/learn/check_truth.h"
 #include "cook/skin/joint_motion.h"
+#include "deform/elastic/elastic.h"
+#include "deform/fit/remembered.h"
 #include "deform/helpers/choose_helpers.h"
 #include "deform/helpers/never_worse.h"
+#include "deform/helpers/not_uglier.h"
 #include "deform/motion/motion_errors.h"
+#include "deform/weights/auto_weights.h"
+#include "deform/weights/smooth_weights.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {
@@ -22,20 +28,27 @@ constexpr std::size_t kMostCandidates = 24;   // joints and helpers that a verte
 constexpr std::size_t kMostEntries = 341;     // what fits into a uniform block
 constexpr std::size_t kVerticesAHelper = 16;  // so that posing helpers costs less than the vertices
 // What helpers divide a pair of joints into: of `auto` no more than is worth its bytes.
-constexpr int kQuarters = 4, kEighths = 8;
+constexpr int kHalves = 2, kQuarters = 4, kEighths = 8;
+
+// Whether what is learnt is a body, which goes over from joint to joint more widely than weights do.
+bool is_body(const LearnOptions& options) {
+  return options.animation_space == AnimationSpace::fit && options.truth == Truth::elastic;
+}
 
 std::size_t most_joints(const LearnOptions& options) {
   return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.helpers != 0 ? 5 : 4);
 }
 
-// Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for.
+// Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for; of
+// a body, which takes halves alone, a few more than joints.
 std::size_t most_helpers(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
   if (options.helpers != kAutoHelpers) return static_cast<std::size_t>(options.helpers);
   std::set<std::uint32_t> joints;
   for (const std::vector<deform::Influence>& influences : mesh.influences)
     for (const deform::Influence& i : influences) joints.insert(i.joint);
   const std::size_t room = joints.size() < kMostEntries ? kMostEntries - joints.size() : joints.size();
-  return std::min(room, std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
+  return std::min(room, is_body(options) ? joints.size() * 6 / 5
+                                         : std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
 }
 
 // The best guess without examples, over joints that a vertex may follow: to delta mush those that smoothing reaches, of
@@ -52,6 +65,22 @@ deform::Coordinates guess(const deform::SkinnedMesh& mesh, const LearnOptions& o
     std::ranges::sort(out[v], {}, &deform::Coordinate::joint);
   }
   return out;
+}
+
+// The mesh with its weights smoothed: what vertices may follow of a truth that goes over from joint to joint as bodies
+// do.
+deform::SkinnedMesh spread(deform::SkinnedMesh mesh) {
+  constexpr int kSteps = 15;
+  const std::vector<std::vector<deform::Influence>> own = mesh.influences;
+  deform::smooth_weights(mesh.positions, mesh.indices, kSteps, mesh.influences);
+  for (std::size_t v = 0; v < own.size(); ++v) {
+    std::vector<deform::Influence>& vertex = mesh.influences[v];
+    deform::keep_largest(vertex, kSmoothed, 0);
+    for (const deform::Influence& i : own[v])
+      if (std::ranges::find(vertex, i.joint, &deform::Influence::joint) == vertex.end()) vertex.push_back({i.joint, 0});
+    std::ranges::sort(vertex, {}, &deform::Influence::joint);
+  }
+  return mesh;
 }
 
 // The mesh with the joints of `coordinates`.
@@ -138,11 +167,12 @@ void keep_ssd_where_worse(const DeformSource& source, const deform::Deformer& tr
 }  // namespace
 
 const char* name_of(Truth truth) {
-  const char* const names[] = {"dqs", "cor", "delta-mush", "examples"};
+  const char* const names[] = {"dqs", "cor", "delta-mush", "delta-mush-dqs", "elastic", "examples"};
   return names[static_cast<std::size_t>(truth)];
 }
 
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {
+  if (options.truth == Truth::elastic && source.elastic) return source.elastic;
   switch (options.truth) {
     case Truth::dual_quaternions:
       return deform::dual_quaternions(source.mesh);
@@ -150,10 +180,22 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
       return deform::centres_of_rotation(source.mesh);
     case Truth::delta_mush:
       return deform::delta_mush(source.mesh, options.delta_mush);
+    case Truth::delta_mush_over_dqs:
+      return deform::delta_mush(source.mesh, options.delta_mush, deform::dual_quaternions(source.mesh));
+    case Truth::elastic:
+      return deform::elastic(source.mesh, options.elastic);
     case Truth::examples:
       break;
   }
   return as_shown(source.mesh, source.shown);
+}
+
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const std::string& pointer,
+                    DeformSource& source, Notes& notes) {
+  if (options.truth != Truth::elastic) return;
+  std::vector<double> rig_shares;
+  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, &rig_shares));
+  note_stiff_parts(scene, skin, source.mesh, rig_shares, pointer, notes);
 }
 
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes) {
@@ -168,6 +210,54 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 
 namespace {
 
+// The closed form over the joints and helpers that vertices have.
+deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Coordinates& coordinates) {
+  deform::Coordinates out = coordinates;
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    std::vector<std::uint32_t> entries;
+    for (const deform::Coordinate& c : out[v]) entries.push_back(c.joint);
+    const auto weights = form.weights_of(v, entries);
+    if (!weights) continue;
+    for (deform::Coordinate& c : out[v]) {
+      const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
+      c.q = glm::dvec4(form.position_of(v), 1) * (at == weights->end() ? 0.0 : at->weight);
+    }
+  }
+  return out;
+}
+
+// What a fit has learnt gives way to the closed form where it looks worse, in clips or beyond, as long as all looks
+// better for it.
+void keep_from_folding(const DeformSource& source, const deform::ClosedForm& form,
+                       const std::vector<deform::Pose>& clips, Learnt& out) {
+  constexpr std::size_t kMostPoses = 128;  // of clips, and beyond
+  constexpr int kRounds = 2;               // as where it has given way something else may
+  std::vector<std::size_t> of_clips(clips.size()), of_motion(source.motion.size());
+  std::iota(of_clips.begin(), of_clips.end(), 0u);
+  std::iota(of_motion.begin(), of_motion.end(), 0u);
+  of_clips = evenly(of_clips, kMostPoses);
+  of_motion = evenly(of_motion, kMostPoses);
+  const auto pose = [&](std::size_t i) {
+    return i < of_clips.size() ? clips[of_clips[i]] : source.motion[of_motion[i - of_clips.size()]].pose();
+  };
+  const deform::Coordinates simple = simple_over(form, out.coordinates);
+  const auto look = [&](const deform::Coordinates& coordinates) {
+    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, of_clips.size() + of_motion.size(),
+                                   pose);
+  };
+  deform::Ugliness now = look(out.coordinates);
+  for (int round = 0; round < kRounds; ++round) {
+    deform::Coordinates next = out.coordinates;
+    for (std::size_t v = 0; v < next.size(); ++v)
+      for (std::size_t i = 0; i < next[v].size(); ++i)
+        next[v][i].q += (simple[v][i].q - next[v][i].q) * now.goes_back[v];
+    deform::Ugliness then = look(next);
+    if (!(then.total < now.total)) return;
+    out.coordinates = std::move(next);
+    now = std::move(then);
+  }
+}
+
 // Fits over `candidates`, with the closed form as the prior. Not better than SSD in what was left out: SSD's.
 // out: has the helpers, which `form` refers to.
 void fit_to(const DeformSource& source, const deform::Coordinates& candidates, const deform::ClosedForm& form,
@@ -176,6 +266,10 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   constexpr std::size_t kMostPoses = 512;
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
+  const bool body = is_body(options);
+  std::vector<deform::Pose> clips;
+  if (body) clips = only_poses(poses);
+  const deform::Surface surface(mesh);
   std::vector<std::size_t> motion;
   if (options.helpers != 0) motion = usable_motion(source, truth);
   for (const std::size_t i : evenly(motion, kMostPoses)) poses.push_back({source.motion[i].pose(), 0, false, false});
@@ -187,6 +281,8 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   fit.is_lift = options.truth != Truth::delta_mush;
   fit.most_joints = most_joints(options);
   fit.progress = options.progress;
+  if (body) fit.ridges = {1e-4, 1e-5};
+  if (body) fit.even_over = &surface;
   deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh), fit);
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
@@ -201,6 +297,7 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
     out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
   }
   out.coordinates = std::move(fitted.coordinates);
+  if (body) keep_from_folding(source, form, clips, out);
   keep_ssd_where_worse(source, truth, motion, {}, out);
 }
 
@@ -217,12 +314,15 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   const bool fits = options.animation_space == AnimationSpace::fit;
   if (!fits && options.helpers == 0) return out;
   deform::Coordinates candidates = fits ? guess(mesh, options) : out.coordinates;
-  const deform::SkinnedMesh reach = following(mesh, candidates);
+  const bool body = is_body(options);
+  const deform::SkinnedMesh reach = body ? spread(mesh) : following(mesh, candidates);
   const std::vector<deform::Pose> clips = only_poses(poses);
   const deform::Likeness likeness(reach, clips, source.parents);
   out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
                                        options.truth == Truth::centres_of_rotation,
-                                       options.helpers == kAutoHelpers ? kQuarters : kEighths);
+                                       options.helpers != kAutoHelpers ? kEighths
+                                       : body                          ? kHalves
+                                                                       : kQuarters);
   const deform::ClosedForm form(mesh, out.helpers, likeness);
   for (std::size_t v = 0; v < candidates.size(); ++v) {
     out.weights[v] = form.weights_of(v);
@@ -301,6 +401,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   if (!smooths) trained = find_trainees(source, built, options);
   if (fits) {
     drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
+    remember_truth(options, scene, skin, pointer, source, notes);
     report.truth = name_of(options.truth);
   }
   if (!smooths) source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;

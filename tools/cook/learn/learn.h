@@ -14,6 +14,10 @@ const char* name_of(Truth truth);
 // Refers to `source`.
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
 
+// Makes `source.elastic` where that is the truth, and notes where it does not apply. `source` must not move afterwards.
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const std::string& pointer,
+                    DeformSource& source, Notes& notes);
+
 // DeformSource::shown of a mesh: where examples are the truth they are read; else none.
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes);
 // The poses to learn from: moments of clips, or examples, which `source` must have then.

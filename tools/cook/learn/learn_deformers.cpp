@@ -97,6 +97,7 @@ LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, cons
   for (const deform::Helper& h : binding.helpers) source.parents.push_back(static_cast<int>(h.first));
   DeformSource weighted = source;
   weighted.mesh = weighted_only(source.mesh);
+  remember_truth(learn, scene, skin, pointer, original, to_say);
   const deform::Deformer truth = make_truth(original, learn);
   out.deformers.vertex_of = source.vertex_of;
   if (learn.multi_weights) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "deform/deformers.h"
+#include "deform/elastic/elastic_options.h"
 #include "deform/fit/progress.h"
 #include "marrow/file.h"
 
@@ -81,7 +82,15 @@ struct WeightOptions {
 
 inline constexpr int kMostEigenTargets = 32;
 enum class AnimationSpace { lift, smooth, fit };
-enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, examples };
+enum class Truth { dual_quaternions, centres_of_rotation, delta_mush, delta_mush_over_dqs, elastic, examples };
+// Whether it is delta mush over something.
+constexpr bool smooths(Truth truth) {
+  return truth == Truth::delta_mush || truth == Truth::delta_mush_over_dqs;
+}
+// Whether it takes rotations out of joints' matrices.
+constexpr bool blends_rotations(Truth truth) {
+  return truth != Truth::delta_mush && truth != Truth::examples;
+}
 
 inline constexpr int kAutoHelpers = -1;
 inline constexpr int kMostHelpers = 32767;
@@ -91,6 +100,7 @@ struct LearnOptions {
   AnimationSpace animation_space = AnimationSpace::lift;
   Truth truth = Truth::centres_of_rotation;
   deform::DeltaMushOptions delta_mush;
+  deform::ElasticOptions elastic;
   std::string examples_file;
   int helpers = 0;     // between the joints that vertices share, at most; or kAutoHelpers
   int influences = 0;  // that a vertex may have, more where its weights need them; 0: 4, with helpers 5

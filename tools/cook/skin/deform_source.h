@@ -36,6 +36,7 @@ struct DeformSource : WeldedMesh {
   std::vector<glm::dmat4> inverse_bind;
   std::uint32_t skeleton = 0;
   std::vector<ShownPose> shown;            // in ascending order of clips; read_examples() has them
+  deform::Deformer elastic;                // of the mesh; remember_truth() has it
   std::vector<deform::MotionPose> motion;  // what fits are judged by too; range_of_motion() has them
 };
 

@@ -7,6 +7,7 @@
 #include "common/parallel.h"
 #include "deform/dense.h"
 #include "deform/fit/choose_joints.h"
+#include "deform/fit/even_errors.h"
 #include "deform/fit/training.h"
 
 namespace marrow::deform {
@@ -207,7 +208,7 @@ void write_solution(const Group& group, const Corrections& eq, const Training& t
 
 Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vector<TrainingPose> poses,
                     const Deformer& truth, const Deformer& reference, const FitOptions& options) {
-  const Training training = prepare_training(diagonal_m, poses, truth, reference);
+  Training training = prepare_training(diagonal_m, poses, truth, reference, options.progress);
   if (training.folds.empty()) return {candidates, {}, 0};
   const Coordinates prior = options.weights == nullptr ? candidates
                                                        : choose_joints(candidates, *options.weights, options.is_lift,
@@ -227,13 +228,21 @@ Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vecto
   out.quality = best.quality;
   if (best.poses > 0)
     out.rms = std::sqrt(best.squares / static_cast<double>(best.poses) / static_cast<double>(prior.size()));
-  out.coordinates = prior;
-  tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
-    const double ridge = validated[g].ridge[strength];
-    if (ridge == kKeepPrior) return;
-    write_solution(groups[g], Corrections(groups[g], training, prior, options.keep_bind_pose), training, strength,
-                   ridge, out.coordinates);
-  });
+  const auto solution = [&](double of_ridge) {
+    Coordinates solved = prior;
+    tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
+      const double ridge = validated[g].ridge[strength];
+      if (ridge == kKeepPrior) return;
+      write_solution(groups[g], Corrections(groups[g], training, prior, options.keep_bind_pose), training, strength,
+                     of_ridge * ridge, solved);
+    });
+    return solved;
+  };
+  out.coordinates = solution(1);
+  if (options.even_over != nullptr) {
+    const auto again = [&] { return solution(kOfOwn); };
+    even_errors(*options.even_over, again, training, out.coordinates);
+  }
   return out;
 }
 

@@ -25,8 +25,9 @@ struct FitOptions {
   const ClosedForm* weights = nullptr;
   bool is_lift = true;
   std::size_t most_joints = 4;
+  const Surface* even_over = nullptr;  // where not null, what is missed of the truth goes over smoothly
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
-  Progress progress = {};    // of sets of joints
+  Progress progress = {};    // of poses, then of sets of joints
 };
 
 // By cross-validation, over shipped poses; by training where there is one fold.

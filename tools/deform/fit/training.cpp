@@ -15,8 +15,9 @@ namespace {
 using Eigen::VectorXd;
 
 std::vector<Example> make_examples(double diagonal_m, const std::vector<TrainingPose>& poses, const Deformer& truth,
-                                   const Deformer& reference) {
+                                   const Deformer& reference, const Progress& progress) {
   std::vector<Example> out(poses.size());
+  Steps steps(progress, poses.size());
   tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
     Example& e = out[i];
     e.at = &poses[i];
@@ -32,6 +33,7 @@ std::vector<Example> make_examples(double diagonal_m, const std::vector<Training
       size += glm::dot(e.truth.back(), e.truth.back());
     }
     e.is_usable = std::isfinite(size) && std::isfinite(e.reference_error);
+    steps.one_more();
   });
   return out;
 }
@@ -54,13 +56,13 @@ VectorXd pose_weights(std::span<const Example> examples, const Strength& strengt
 }  // namespace
 
 Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
-                          const Deformer& reference) {
+                          const Deformer& reference, const Progress& progress) {
   std::stable_sort(poses.begin(), poses.end(), [](const TrainingPose& a, const TrainingPose& b) {
     return a.learnt != b.learnt ? a.learnt : a.learnt && a.fold < b.fold;
   });
   Training out;
   out.diagonal_m = diagonal_m;
-  out.examples = make_examples(diagonal_m, poses, truth, reference);
+  out.examples = make_examples(diagonal_m, poses, truth, reference, progress);
   std::erase_if(out.examples, [](const Example& e) { return !e.is_usable; });
   const auto learnt =
       static_cast<std::size_t>(std::ranges::count_if(out.examples, [](const Example& e) { return e.at->learnt; }));

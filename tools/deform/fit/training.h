@@ -40,9 +40,9 @@ struct Training {
   double diagonal_m = 1;
 };
 
-// Sorts `poses`, which must outlive the result.
+// Sorts `poses`, which must outlive the result. progress: of poses that the truth has made.
 Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
-                          const Deformer& reference);
+                          const Deformer& reference, const Progress& progress);
 
 // Vertices that may follow the same joints. Unknowns: for each joint x, y, z in diagonals and w, all relative to
 // `origin`.

@@ -179,6 +179,14 @@ glm::ivec3 Voxels::voxel_of(std::size_t cell) const {
   return {i % size_.x, i / size_.x % size_.y, i / (size_.x * size_.y)};
 }
 
+void Voxels::add_touched(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                         std::vector<std::size_t>& cells) const {
+  for_each_touched({to_grid(a), to_grid(b), to_grid(c)}, [&](const glm::ivec3& voxel) {
+    const glm::dvec3 centre = glm::dvec3(voxel) + 0.5;
+    if (is_inner(centre)) cells.push_back(cell_at(centre));
+  });
+}
+
 // From voxel to voxel across the faces that the line goes through, as Amanatides and Woo, "A fast voxel traversal
 // algorithm for ray tracing", Eurographics 1987.
 bool Voxels::sees(const glm::dvec3& from, const glm::dvec3& to) const {
@@ -271,12 +279,12 @@ std::size_t Voxels::fill(const Positions& positions, std::span<const std::uint32
   solid_.assign(votes.size(), kUnknown);
   for (const glm::dvec3& p : grid)
     if (is_inner(p)) solid_[cell_at(p)] = kSolid;
-  for_each_triangle(grid, indices, [&](const Corners& t) {
-    for_each_touched(t, [&](const glm::ivec3& voxel) {
-      if (is_inner(glm::dvec3(voxel) + 0.5))
-        solid_[static_cast<std::size_t>(offset(voxel.x, voxel.y, voxel.z))] = kSolid;
-    });
-  });
+  std::vector<std::size_t> touched;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    touched.clear();
+    add_touched(positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]], touched);
+    for (const std::size_t cell : touched) solid_[cell] = kSolid;
+  }
   flood(*this, solid_);
   for (int axis = 0; axis < 3; ++axis) vote(*this, axis, grid, indices, votes);
   std::size_t count = 0;

@@ -41,6 +41,9 @@ class Voxels {
   }
   std::size_t cells() const { return solid_.size(); }
   bool solid(std::size_t cell) const { return solid_[cell] != 0; }
+  // Adds the cells that a triangle of the mesh touches, some twice.
+  void add_touched(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
+                   std::vector<std::size_t>& cells) const;
   // Whether the straight line between two places in grid coordinates stays in solid voxels.
   bool sees(const glm::dvec3& from, const glm::dvec3& to) const;
 

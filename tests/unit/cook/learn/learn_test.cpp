@@ -24,7 +24,8 @@ namespace marrow::cook {
 namespace {
 
 const std::string kNewt = test::newt_glb();
-constexpr Truth kTruths[] = {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush};
+constexpr Truth kTruths[] = {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush,
+                             Truth::delta_mush_over_dqs, Truth::elastic};
 
 CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   CookOptions options;

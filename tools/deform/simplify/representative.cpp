@@ -1,4 +1,4 @@
-#include "deform/representative.h"
+#include "deform/simplify/representative.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,186 @@
+// What folds, bends, creases and jumps of a character by each deformer, in its clips and joint by joint: a table.
+//   marrow_folds_table MODEL.glb [POSES [DEFORMER…]]
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "commands/compare/study.h"
+#include "common/parallel.h"
+#include "cook/gltf/read.h"
+#include "deform/elastic/elastic.h"
+#include "deform/look/folds.h"
+#include "deform/motion/motion_errors.h"
+#include "deform/surface.h"
+#include "options/options.h"
+
+namespace marrow::tools {
+namespace {
+
+using deform::Deformer;
+using deform::Folds;
+using deform::Pose;
+using deform::Positions;
+
+struct Row {
+  double flipped = 0, bend = 0, creased = 0, off = 0;
+};
+
+std::string text_of(const Row& r) {
+  return fmt::format("{:>8.1f}{:>7.2f}{:>7.2f}{:>7.3f}", r.flipped, r.bend, r.creased, r.off);
+}
+
+// Means over poses, bend in degrees, creased in per cent, how far from dual quaternions in per cent of the diagonal.
+Row row_of(const deform::FoldMeter& meter, const std::vector<Pose>& poses, const Deformer& deformer,
+           const std::vector<Positions>& from, double diagonal) {
+  std::vector<Row> rows(poses.size());
+  for_each_in_parallel(poses.size(), [&](std::size_t i) {
+    Positions at;
+    deformer(poses[i], at);
+    const Folds f = meter.of(poses[i], at);
+    double squares = 0;
+    for (std::size_t v = 0; v < at.size(); ++v) squares += glm::dot(at[v] - from[i][v], at[v] - from[i][v]);
+    rows[i] = {static_cast<double>(f.flipped), f.bend_rad * f.bend_rad, 100 * f.creased, squares / double(at.size())};
+  });
+  Row out;
+  const auto count = static_cast<double>(poses.size());
+  for (const Row& r : rows) {
+    out.flipped += r.flipped / count;
+    out.bend += r.bend / count;
+    out.creased += r.creased / count;
+    out.off += r.off / count;
+  }
+  out.bend = std::sqrt(out.bend) * 180 / std::numbers::pi;
+  out.off = 100 * std::sqrt(out.off) / diagonal;
+  return out;
+}
+
+struct Named {
+  std::string name;
+  Deformer deformer;
+};
+
+// Learnt from every other frame of the clips, as --as fit --truth TRUTH does.
+Deformer fitted(const Study& study, const std::string& truth) {
+  cook::Given given;
+  given["as"] = {{"fit", {"--as", ""}}};
+  given["truth"] = {{truth, {"--truth", ""}}};
+  const cook::LearnOptions options = cook::to_options(given).learn;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto learnt =
+      std::make_shared<const cook::Learnt>(cook::learn(study.source, study.rounds.front().train, options));
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  std::size_t entries = 0;
+  for (const auto& vertex : learnt->coordinates) entries += vertex.size();
+  fmt::print(
+      "fit-{}: learnt in {:.1f} s; {} helpers, {:.2f} entries a vertex; {:.3f} of linear blend skinning's error "
+      "by cross-validation, {:.1f} % worse\n",
+      truth, took.count(), learnt->helpers.size(),
+      static_cast<double>(entries) / static_cast<double>(learnt->coordinates.size()), learnt->quality.share,
+      100 * learnt->quality.worse_share);
+  return [learnt, by = deform::animation_space(learnt->coordinates)](const Pose& pose, Positions& to) {
+    Pose at = pose;
+    deform::append_helpers(learnt->helpers, at);
+    by(at, to);
+  };
+}
+
+std::vector<Named> deformers(const Study& study, int count, char** names) {
+  const deform::SkinnedMesh& mesh = study.source.mesh;
+  std::vector<Named> out = {{"ssd", deform::ssd(mesh)}, {"dqs", deform::dual_quaternions(mesh)}};
+  for (int i = 0; i < count; ++i) {
+    const std::string name = names[i];
+    if (name == "cor") out.push_back({name, deform::centres_of_rotation(mesh)});
+    if (name == "dm") out.push_back({name, deform::delta_mush(mesh)});
+    if (name == "dm-dqs") out.push_back({name, deform::delta_mush(mesh, {}, out[1].deformer)});
+    if (name.starts_with("fit-")) out.push_back({name, fitted(study, name.substr(4))});
+    if (!name.starts_with("elastic")) continue;
+    deform::ElasticOptions options;
+    if (name.size() > 7) options.volume = std::atof(name.c_str() + 7);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto made = std::make_shared<deform::Elastic>(mesh, options);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    const deform::Body& body = made->body();
+    double rig = 0;
+    for (const double share : made->rig_shares()) rig += share / static_cast<double>(mesh.positions.size());
+    const double side = body.lattice.side / deform::diagonal(mesh);
+    fmt::print("{}: made in {:.2f} s; {} cells of 1/{:.0f}, {} free; {} nodes, {} free; {} entries; by rig {:.1f} %\n",
+               name, took.count(), body.lattice.cells.size(), 1 / side, body.free, body.lattice.nodes.size(), body.rows,
+               body.factor->entries(), 100 * rig);
+    out.push_back({name, [made](const Pose& pose, Positions& to) { made->pose(pose, to); }});
+  }
+  return out;
+}
+
+void print_rings(const Study& study, const std::vector<Named>& all) {
+  std::vector<deform::MotionPose> twists;
+  for (const deform::MotionPose& p : study.motion.poses)
+    if (p.kind == deform::MotionKind::twist && std::abs(p.angle_rad) > 2.9) twists.push_back(p);
+  std::vector<Deformer> only;
+  for (const Named& n : all) only.push_back(n.deformer);
+  const auto errors = deform::motion_errors(study.source.mesh, twists, all.front().deformer, only);
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    std::vector<double> rings;
+    for (const deform::MotionErrors& e : errors)
+      if (e.is_usable && e.of[d].ring_over_bind) rings.push_back(*e.of[d].ring_over_bind);
+    std::ranges::sort(rings);
+    double mean = 0;
+    for (const double r : rings) mean += r / static_cast<double>(rings.size());
+    if (!rings.empty())
+      fmt::print("  {:<12} rings in twists of 170°: narrowest {:.2f}, lowest tenth {:.2f}, mean of narrowest {:.2f}\n",
+                 all[d].name, rings.front(), rings[rings.size() / 10], mean);
+  }
+}
+
+// Of every n-th.
+template <class T>
+std::vector<T> some(const std::vector<T>& of, std::size_t most) {
+  std::vector<T> out;
+  const std::size_t count = std::min(most, of.size());
+  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
+  return out;
+}
+
+void print_table(const std::string& file, std::size_t most, int count, char** names) {
+  cook::LearnOptions options;
+  Study study = study_scene(cook::read_gltf(file), Holdout::frames, options);
+  cook::Notes notes;
+  options.truth = cook::Truth::elastic;
+  drop_unusable_poses(options, study, notes);
+  const deform::SkinnedMesh& mesh = study.source.mesh;
+  fmt::print("{}: {}, {} vertices, {} triangles, {} joints\n", file, study.name, mesh.positions.size(),
+             mesh.indices.size() / 3, mesh.joint_count);
+  const std::vector<Named> all = deformers(study, count, names);
+  const deform::FoldMeter meter(mesh);
+  std::vector<Pose> clips, joints;
+  for (const HeldPose& p : some(study.rounds.front().held, most)) clips.push_back(p.pose);
+  for (const deform::MotionPose& p : some(study.motion.poses, most)) joints.push_back(p.pose());
+  const auto dqs = [&](const std::vector<Pose>& poses) {
+    std::vector<Positions> out(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) all[1].deformer(poses[i], out[i]);
+    return out;
+  };
+  const std::vector<Positions> in_clips = dqs(clips), by_joint = dqs(joints);
+  fmt::print("{:<14}{} of clips: flips, bend °, crease %, % off dqs | {} of single joints\n", "", clips.size(),
+             joints.size());
+  for (const Named& n : all) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Row a = row_of(meter, clips, n.deformer, in_clips, deform::diagonal(mesh));
+    const Row b = row_of(meter, joints, n.deformer, by_joint, deform::diagonal(mesh));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    fmt::print("  {:<12}{} |{}  {:.1f} ms a pose\n", n.name, text_of(a), text_of(b),
+               1e3 * took.count() / static_cast<double>(clips.size() + joints.size()));
+  }
+  print_rings(study, all);
+}
+
+}  // namespace
+}  // namespace marrow::tools
+
+int main(int count, char** arguments) {
+  if (count < 2) return 2;
+  const std::size_t most = count > 2 ? static_cast<std::size_t>(std::atoi(arguments[2])) : 40;
+  marrow::tools::print_table(arguments[1], most, count - 3, arguments + 3);
+}

@@ -1,0 +1,73 @@
+#include "deform/helpers/not_uglier.h"
+
+#include <algorithm>
+#include <array>
+
+#include "common/parallel.h"
+#include "deform/deformers.h"
+#include "deform/look/folds.h"
+
+namespace marrow::deform {
+namespace {
+
+constexpr double kMore = 1.25;
+constexpr double kUnseen = 0.2;  // of an edge turned by 60°, a pose
+constexpr int kWider = 2;        // rings of neighbours
+constexpr int kSeam = 6;         // steps of smoothing behind that
+
+enum : std::size_t { kPlain, kSimple, kOurs, kKinds };
+using Sums = std::array<std::vector<double>, kKinds>;  // of vertices
+
+// Added up in parts and in order, so that sums do not depend on threads.
+Sums sums_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& deformers,
+               const std::vector<Helper>& helpers, std::size_t poses, const std::function<Pose(std::size_t)>& pose) {
+  constexpr std::size_t kParts = 16;
+  const FoldMeter meter(mesh);
+  std::vector<Sums> parts(kParts);
+  tools::for_each_in_parallel(kParts, [&](std::size_t part) {
+    for (std::vector<double>& sums : parts[part]) sums.assign(mesh.positions.size(), 0);
+    for (std::size_t i = part; i < poses; i += kParts) {
+      const Pose joints = pose(i);
+      Pose extended = joints;
+      append_helpers(helpers, extended);
+      Positions positions;
+      for (std::size_t kind = 0; kind < kKinds; ++kind) {
+        deformers[kind](extended, positions);
+        meter.add_at_vertices(joints, positions, parts[part][kind]);
+      }
+    }
+  });
+  Sums out = parts.front();
+  for (std::size_t part = 1; part < kParts; ++part)
+    for (std::size_t kind = 0; kind < kKinds; ++kind)
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v) out[kind][v] += parts[part][kind][v];
+  return out;
+}
+
+}  // namespace
+
+Ugliness uglier_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates, const Coordinates& simple,
+                         const std::vector<Helper>& helpers, std::size_t poses,
+                         const std::function<Pose(std::size_t)>& pose) {
+  const Sums sums =
+      sums_over(mesh, {ssd(mesh), animation_space(simple), animation_space(coordinates)}, helpers, poses, pose);
+  Ugliness out;
+  std::vector<double>& back = out.goes_back;
+  back.assign(mesh.positions.size(), 0);
+  for (std::size_t v = 0; v < back.size(); ++v) {
+    out.total += sums[kOurs][v];
+    const double most = std::max(sums[kPlain][v], sums[kSimple][v]);
+    if (sums[kOurs][v] > kMore * most + kUnseen * static_cast<double>(poses)) back[v] = 1;
+  }
+  const Surface surface(mesh);
+  std::vector<double> scratch;
+  for (int ring = 0; ring < kWider; ++ring) {
+    scratch = back;
+    for (std::size_t v = 0; v < back.size(); ++v)
+      for (const std::uint32_t k : surface.neighbours(v)) back[v] = std::max(back[v], scratch[k]);
+  }
+  for (int i = 0; i < kSeam; ++i) surface.smooth(back, 0.5, scratch);
+  return out;
+}
+
+}  // namespace marrow::deform
