@@ -19,7 +19,7 @@
 #include "marrow/glm.h"
 #include "marrow/marrow.h"
 #include "render/figure.h"
-#include "render/mark.h"
+#include "render/overlay/mark.h"
 #include "render/performance.h"
 #include "text/quantity.h"
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "commands/demo/plain.h"
+#include "commands/demo/plain_skin.h"
 #include "commands/demo/timings.h"
-#include "commands/demo/worst.h"
+#include "commands/demo/worst_place.h"
 #include "image/image.h"
 #include "render/gl.h"
 #include "render/textures.h"

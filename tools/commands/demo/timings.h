@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "commands/demo/plain.h"
+#include "commands/demo/plain_skin.h"
 
 namespace marrow::tools {
 

@@ -1,4 +1,4 @@
-#include "commands/demo/worst.h"
+#include "commands/demo/worst_place.h"
 
 #include <algorithm>
 #include <cmath>

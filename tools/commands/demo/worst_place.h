@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "commands/demo/plain.h"
+#include "commands/demo/plain_skin.h"
 #include "render/clearest_side.h"
 
 namespace marrow::tools {

@@ -1,4 +1,4 @@
-#include "commands/demo/plain.h"
+#include "commands/demo/plain_skin.h"
 
 #include <algorithm>
 #include <array>
