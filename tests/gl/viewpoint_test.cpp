@@ -1,10 +1,16 @@
-// Pictures from a side that is asked for, of a joint, and with a legend.
+// Pictures from a side that is asked for or that shows most, of a joint, and with a legend.
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "common/load_mrw.h"
+#include "cook/cook.h"
 #include "gl/support/rendered.h"
+#include "render/clearest_side.h"
+#include "render/performance.h"
+#include "support/places.h"
 
 namespace marrow::cook {
 namespace {
@@ -89,6 +95,41 @@ TEST_F(Viewpoints, HeatMapsHaveALegend) {
   ASSERT_EQ(run("cook " + test::in_golden("tiny.gltf") + " -o " + path("document.mrw")), 0);
   ASSERT_EQ(render("--clip wave --time 0.5 --heatmap rigid:ssd"), 0);
   EXPECT_GT(hottest(), 20u) << "the end of the ramp, which is lit by nothing";
+}
+
+// A square sleeve along +Y, 0.5 wide, with a ring of four vertices each quarter metre or half. One side of the rings
+// in its middle is pressed in, on the side towards `z`: from the other side one cannot see it.
+TEST(ClearestSide, LooksAtWhatDiffers) {
+  using namespace tools;
+  CookOptions options;
+  options.mesh_codec = MeshCodec::none;
+  const auto bytes = cook_file(test::in_golden("elbow.gltf"), options).file;
+  const LoadedFile loaded = load_mrw("elbow", AlignedBytes{std::span<const std::byte>(bytes)});
+  tools::Character character(loaded.file);
+  character.pose({}, 0);
+  const std::vector<PosedMesh> straight = skin_all(loaded.file, character, Deformer::ssd);
+  const Part middle = {{0, 1, 0}, 0.6f};
+  for (const float z : {-0.25f, 0.25f}) {
+    std::vector<PosedMesh> pressed = straight;
+    std::size_t moved = 0;
+    for (PosedMesh& mesh : pressed)
+      for (std::size_t i = 0; i < mesh.positions.size(); i += 3)
+        if (std::abs(mesh.positions[i + 1] - 1) < 0.3f && std::abs(mesh.positions[i + 2] - z) < 1e-3f) {
+          mesh.positions[i + 2] *= 0.2f;
+          ++moved;
+        }
+    ASSERT_GT(moved, 0u);
+    const Seen seen = clearest_side(loaded.file, straight, pressed, middle);
+    EXPECT_GT(seen.share, 0.01f);
+    // The dent is seen from where the camera stands on its side.
+    EXPECT_GT(std::cos(seen.side.yaw) * z, 0) << z << ", yaw " << seen.side.yaw;
+    if (z > 0) {
+      EXPECT_EQ(seen.side.yaw, Orbit().yaw) << "the usual side shows it";
+    }
+  }
+  const Seen same = clearest_side(loaded.file, straight, straight, middle);
+  EXPECT_EQ(same.share, 0);
+  EXPECT_EQ(same.side.yaw, Orbit().yaw);
 }
 
 }  // namespace

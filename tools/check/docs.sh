@@ -17,6 +17,7 @@ try() {  # WHAT COMMAND ...
 }
 try "programs that no test compiles" python3 tools/docs/snippets.py
 try "figures" python3 tools/docs/figures.py
+try "the picture of the sample" python3 tools/docs/picture.py
 try "prose" python3 tools/docs/prose.py
 try "the site" tools/docs.sh
 try "commands" python3 tools/docs/commands.py "$marrow"

@@ -106,8 +106,8 @@ std::string picture_row(const PictureRow& row) {
       "<div class=\"pose\"><h3>{}</h3><div class=\"grid\" style=\"grid-template-columns:repeat({},1fr)\">\n",
       escaped(row.title), row.shapes.size());
   for (const Picture& p : row.shapes) out += figure(p, p.caption);
-  out += ramp(row);
   for (const Picture& p : row.errors) out += figure(p, "");
+  out += ramp(row);
   return out + "</div></div>\n";
 }
 
@@ -120,7 +120,11 @@ std::string comparison_page(const PageContent& content) {
       "<p>{}: truth {}, {} poses learnt from, {} held out. {} m across.</p>\n",
       title, kPageStyle, escaped(verdict(c)), title, escaped(content.truth), c.trained, c.held,
       plain_number(c.diagonal_m));
-  if (!content.worst_poses.empty()) out += "<h2>Where linear blend skinning is worst</h2>\n";
+  if (!content.worst_poses.empty())
+    out +=
+        "<h2>Where linear blend skinning is worst</h2>\n<p class=\"note\">First plain linear blend skinning by the "
+        "joints "
+        "alone, as any engine draws it; then Marrow's; then the truth. Below, how far each is from that.</p>\n";
   for (const PictureRow& row : content.worst_poses) out += picture_row(row);
   out += "<h2>Figures</h2>\n" + table(c) +
          "<p class=\"note\">Poses held out are not learnt from. Crease: how sharply some edge is folded beyond the "

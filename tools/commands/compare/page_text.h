@@ -63,7 +63,7 @@ for (const pose of all('.pose')) {
     images[1].style.clipPath = `inset(0 0 0 ${range.value}%)`;
     line.style.left = range.value + '%';
   };
-  [1, shapes.length - 1].forEach((chosen, side) => {
+  [0, shapes.length - 2].forEach((chosen, side) => {
     const select = make('select', names);
     select.setAttribute('aria-label', side ? 'right picture' : 'left picture');
     shapes.forEach((shape, i) => make('option', select, {textContent: shape.dataset.name, value: i}));

@@ -41,7 +41,9 @@ std::vector<PictureRow> draw_worst_poses(const Study& study, const DeformerCompa
     PictureRow row;
     row.title =
         held.clip.empty() ? fmt::format("pose {}", i) : fmt::format("{} at {} s", held.clip, plain_number(held.time_s));
-    stage.draw({held.pose, truth, comparison, deformers}, Stage::whole, row);
+    stage.draw(
+        {held.pose, truth, comparison, deformers},
+        [&](const Stage::Compared& compared) { return stage.whole(compared); }, row);
     out.push_back(std::move(row));
   }
   return out;

@@ -17,7 +17,7 @@ struct Picture {
 // A row a pose.
 struct PictureRow {
   std::string title;
-  std::vector<Picture> shapes;    // the truth first, then deformers
+  std::vector<Picture> shapes;    // plain skinning first, other deformers, the truth last
   std::vector<Picture> errors;    // how far those are from it, as colours that mean the same in the row
   double scale_m = 0;             // what the hottest colour stands for
   std::vector<std::string> ramp;  // the colours from the coldest on, as style sheets have them

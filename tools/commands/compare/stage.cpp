@@ -49,13 +49,18 @@ Stage::Stage(const Study& study, int side) : study_(study) {
   figure_.emplace(*gl_, studio_->programs(), file_, &*textures_);
 }
 
-Stage::View Stage::whole(const std::vector<PosedMesh>& meshes) {
-  View out;
-  for (const PosedMesh& mesh : meshes)
+Stage::View Stage::whole(const Compared& compared) const {
+  const Box box = box_of(compared.truth);
+  View out = close_up(compared, {box.centre(), std::max(box.radius(), 1e-6f)});
+  out.framed.clear();
+  for (const PosedMesh& mesh : compared.truth)
     for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3)
       out.framed.emplace_back(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]);
-  for (const glm::vec3& p : out.framed) out.box.add(p);
   return out;
+}
+
+Stage::View Stage::close_up(const Compared& compared, const Part& part) const {
+  return {framed(part), clearest_side(file_, compared.plain, compared.last, part).side, box_of(compared.truth)};
 }
 
 std::vector<PosedMesh> Stage::posed(const deform::Pose& pose, const deform::Positions& positions,
@@ -88,6 +93,7 @@ Picture Stage::shoot(const std::vector<PosedMesh>& meshes, const View& view, con
   shot.camera = frame_points_from(view.side, view.framed, 1.0f, 0.06f);
   shot.radius = std::max(shot.box.radius(), 1e-6f);
   shot.ground_height = shot.box.min.y;
+  shot.light_turn_rad = view.side.yaw - Orbit().yaw;
   std::vector<Drawable> drawables;
   if (heat != nullptr) {
     shot.shading = kHeatShading;
@@ -104,8 +110,6 @@ void Stage::draw(const Scene& scene, const ViewOf& view_of, PictureRow& row) {
   deform::Positions positions;
   scene.truth(scene.pose, positions);
   const std::vector<PosedMesh> wanted = posed(scene.pose, positions, {});
-  const View from = view_of(wanted);
-  row.shapes.push_back(shoot(wanted, from, "truth", nullptr));
   std::vector<std::vector<PosedMesh>> shapes;
   float scale = 0;
   for (const std::size_t d : scene.deformers) {
@@ -113,8 +117,11 @@ void Stage::draw(const Scene& scene, const ViewOf& view_of, PictureRow& row) {
     trained.deform(scene.pose, positions);
     shapes.push_back(posed(scene.pose, positions, shading_normals(trained, bind_normals_, scene.pose, false)));
     scale = std::max(scale, largest_distance(shapes.back(), wanted));
-    row.shapes.push_back(shoot(shapes.back(), from, scene.comparison.rows[d].deformer, nullptr));
   }
+  const View from = view_of({wanted, shapes.front(), shapes.back()});
+  for (std::size_t d = 0; d < shapes.size(); ++d)
+    row.shapes.push_back(shoot(shapes[d], from, scene.comparison.rows[scene.deformers[d]].deformer, nullptr));
+  row.shapes.push_back(shoot(wanted, from, "truth", nullptr));
   scale = std::max({scale, kLeastScale * static_cast<float>(scene.comparison.diagonal_m), 1e-9f});
   row.scale_m = static_cast<double>(scale);
   row.ramp = ramp_of_styles();

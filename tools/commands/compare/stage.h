@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/compare/pictures.h"
+#include "render/clearest_side.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/performance.h"
@@ -24,8 +25,15 @@ class Stage {
     Orbit side;
     Box box;
   };
-  // All of a pose, as pictures of characters are taken.
-  static View whole(const std::vector<PosedMesh>& meshes);
+  // A pose by the truth, by plain skinning and by the last deformer that is shown.
+  struct Compared {
+    const std::vector<PosedMesh>& truth;
+    const std::vector<PosedMesh>& plain;
+    const std::vector<PosedMesh>& last;
+  };
+  // All of it, or a part, from where one sees best what the last deformer makes otherwise than plain skinning.
+  View whole(const Compared& compared) const;
+  View close_up(const Compared& compared, const Part& part) const;
 
   // Where a deformer has put the vertices in a pose. normals: empty for those of the triangles.
   std::vector<PosedMesh> posed(const deform::Pose& pose, const deform::Positions& positions,
@@ -35,14 +43,14 @@ class Stage {
   Picture shoot(const std::vector<PosedMesh>& meshes, const View& view, const std::string& caption,
                 const HeatMap* heat);
 
-  // Adds to a row the truth and deformers in a pose, and how far these are off. view_of: seen as the truth is.
+  // Adds to a row deformers and the truth in a pose, and how far the former are off.
   struct Scene {
     const deform::Pose& pose;
     const deform::Deformer& truth;
     const DeformerComparison& comparison;
-    const std::vector<std::size_t>& deformers;  // indices into its rows
+    const std::vector<std::size_t>& deformers;  // indices into its rows, plain skinning first
   };
-  using ViewOf = std::function<View(const std::vector<PosedMesh>& truth)>;
+  using ViewOf = std::function<View(const Compared& compared)>;
   void draw(const Scene& scene, const ViewOf& view_of, PictureRow& row);
 
  private:

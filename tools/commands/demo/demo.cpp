@@ -10,7 +10,6 @@
 
 #include "commands/demo/moves.h"
 #include "commands/demo/sheet.h"
-#include "commands/demo/timings.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
@@ -29,9 +28,9 @@ constexpr const char* kSampleName = "newt.glb";
 
 using Row = std::vector<std::string>;
 
-const Row kHeading = {"file",      "source B", "cooked B", "joints", "vertices",    "clip",
-                      "sample us", "SSD us",   "AS us",    "AS-SSD", "worst joint", "contact sheet"};
-constexpr std::size_t kFirstColumns[] = {0, 5, 10, 11};  // text; the others are numbers, set to the right
+const Row kHeading = {"file",      "source B", "cooked B",  "joints", "vertices",    "clip",         "at s",
+                      "sample us", "plain us", "Marrow us", "apart",  "worst joint", "contact sheet"};
+constexpr std::size_t kFirstColumns[] = {0, 5, 11, 12};  // text; the others are numbers, set to the right
 
 void print_table(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(kHeading.size(), 0);
@@ -68,15 +67,20 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   // Read back, so that what is shown is what the file holds.
   const LoadedFile loaded = load_mrw(mrw);
   const File& file = loaded.file;
-  const std::optional<std::uint32_t> clip =
-      arguments.clip.empty() ? liveliest_clip(file) : find_clip(mrw, file, arguments.clip).clip;
+  std::vector<std::uint32_t> clips;
+  for (std::uint32_t i = 0; i < file.clip_count(); ++i) clips.push_back(i);
+  if (!arguments.clip.empty()) clips = {find_clip(mrw, file, arguments.clip).clip};
+  progress.show(0, 0, "looking");
+  PlainSkin plain(input, file);
+  Character character(file);
+  const WorstPlace worst = find_worst(file, character, plain, clips);
+  progress.show(0, 0, "measuring");
+  const Timings timings = measure(file, worst.clip, plain);
   progress.show(0, 0, "drawing");
   const Textures textures(gl, input, file, places_beside(input));
-  const Sheet sheet = make_sheet(gl, file, textures, clip, stem);
+  const Sheet sheet = make_sheet(gl, {file, plain, textures, stem, timings}, worst);
   const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
   write_png(png, sheet.image);
-  progress.show(0, 0, "measuring");
-  const Timings timings = measure(file, clip);
   std::uint64_t joints = 0, vertices = 0;
   for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) vertices += file.mesh(i).geometry.vertex_count;
@@ -85,12 +89,13 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
           std::to_string(cooked.file.size()),
           std::to_string(joints),
           std::to_string(vertices),
-          clip ? name_of_clip(file, *clip) : "(rest pose)",
-          clip ? fmt::format("{:.1f}", timings.sample_us) : "-",
-          fmt::format("{:.1f}", timings.ssd_us),
+          worst.clip ? name_of_clip(file, *worst.clip) : "(rest pose)",
+          worst.joint.empty() ? "-" : fmt::format("{:.2f}", static_cast<double>(worst.time_s)),
+          worst.clip ? fmt::format("{:.1f}", timings.sample_us) : "-",
+          fmt::format("{:.1f}", timings.plain_us),
           fmt::format("{:.1f}", timings.as_us),
           length_text(static_cast<double>(sheet.largest_m)),
-          sheet.worst_joint.empty() ? "-" : printable(sheet.worst_joint),
+          worst.joint.empty() ? "-" : printable(worst.joint),
           png};
 }
 
@@ -131,8 +136,10 @@ void run_demo(const DemoArguments& arguments) {
   }
   if (arguments.inputs.empty()) show_moves(gl, arguments.directory);
   print_table(rows);
-  std::printf("times: CPU, medians, one thread; skinning every vertex with its normal\nGL driver: %s\n",
-              gl.driver().c_str());
+  std::printf(
+      "times: CPU, medians, one thread; every vertex with its normal by plain skinning, and by Marrow's animation "
+      "space\nGL driver: %s\n",
+      gl.driver().c_str());
 }
 
 }  // namespace marrow::tools

@@ -1,7 +1,6 @@
 // The page of a contact sheet: a title, rows of pictures under a strip of words, and small print below some rows.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,9 +8,9 @@
 
 namespace marrow::tools {
 
-inline constexpr int kSheetColumns = 6;
-inline constexpr int kCellWidth = 300;
-inline constexpr int kCellHeight = 320;  // where a sheet does not choose another
+inline constexpr int kSheetColumns = 4;
+inline constexpr int kCellWidth = 305;   // of a sheet that is 1280 wide
+inline constexpr int kCellHeight = 305;  // where a sheet does not choose another
 inline constexpr int kCellGap = 4;
 // Of each of so many cells that fill a row.
 constexpr int cell_width(int columns) {
@@ -22,8 +21,8 @@ struct SheetRow {
   std::string name, about;
   std::vector<Image> cells;           // of one size; kSheetColumns that are kCellWidth wide, or fewer and wider
   std::vector<std::string> captions;  // below each cell; empty: none
-  // Draws more at the right end of the strip, whose text stands on this line.
-  std::function<void(Image& page, int right, int baseline)> strip;
+  std::string right;                  // at the right end of the strip
+  float ramp_m = 0;                   // instead of it the colours of distances up to this one, if it is not 0
 };
 
 struct SheetPage {
@@ -32,10 +31,5 @@ struct SheetPage {
 };
 
 Image lay_out(const SheetPage& page);
-
-inline constexpr Rgb kSheetQuiet = {146, 156, 166};
-
-// Text that ends at `right`.
-void draw_right(Image& image, int right, int baseline, float size, Rgb colour, const std::string& text);
 
 }  // namespace marrow::tools

@@ -19,7 +19,7 @@
 #include "marrow/glm.h"
 #include "marrow/marrow.h"
 #include "render/figure.h"
-#include "render/mark.h"
+#include "render/overlay/mark.h"
 #include "render/performance.h"
 #include "text/quantity.h"
 
@@ -180,9 +180,10 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
   page.title = "Inverse kinematics";
   page.scene =
       fmt::format("clip \"walk\", {} s, made for level ground", plain_number(static_cast<double>(play.duration_s)));
-  page.rows = {{"As animated", "feet go through a slope, or hang above it", {}, {}, {}},
-               {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}, {}},
-               {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}, {}}};
+  page.rows = {
+      {"As animated", "feet go through a slope, or hang above it", {}, {}, {}, 0},
+      {"place_feet", "soles follow the ground, the pelvis gives way", {}, {}, {}, 0},
+      {"place_feet, solve_two_bone, solve_look_at", "and a hand stays on a point, and the eyes", {}, {}, {}, 0}};
   for (std::size_t row = 0; row < page.rows.size(); ++row) {
     Motion motion;
     motion.feet = row > 0;

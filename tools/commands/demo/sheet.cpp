@@ -7,19 +7,19 @@
 #include <fmt/format.h>
 
 #include "commands/demo/layout.h"
-#include "commands/demo/zoom.h"
 #include "render/figure.h"
 #include "render/heat.h"
 #include "render/legend.h"
 #include "render/performance.h"
+#include "text/printable.h"
 #include "text/quantity.h"
 
 namespace marrow::tools {
 namespace {
 
-constexpr int kLeastHeight = 200, kMostHeight = 440;  // of cells, pixels
-constexpr int kZoomHeight = 440;                      // of the worst joint's
-constexpr float kCellMargin = 0.05f;                  // of their sides
+constexpr int kLeastHeight = 180, kMostHeight = 330;  // of cells, pixels
+constexpr int kCloseUps = 3, kCloseUpHeight = 360;
+constexpr float kCellMargin = 0.05f, kCloseUpMargin = 0.04f;  // of their sides
 
 float as_float(int value) {
   return static_cast<float>(value);
@@ -30,19 +30,59 @@ struct Moment {
   float time_s = 0;
   float turn_rad = 0;
 };
+using Moments = std::array<Moment, kSheetColumns>;
 
-Moment moment_at(float duration_s, int column) {
-  const float part = as_float(column) / kSheetColumns;
-  return duration_s > 0 ? Moment{duration_s * part, 0} : Moment{0, 6.2831853f * part};
+// The worst moment is one of them.
+Moments moments_of(float duration_s, float worst_s) {
+  Moments out;
+  for (int i = 0; i < kSheetColumns; ++i) {
+    const float part = as_float(i) / kSheetColumns;
+    Moment& moment = out[static_cast<std::size_t>(i)];
+    if (duration_s > 0)
+      moment.time_s = std::fmod(worst_s, duration_s / kSheetColumns) + part * duration_s;
+    else
+      moment.turn_rad = 6.2831853f * part;
+  }
+  return out;
 }
 
-struct Rows {
-  std::array<std::vector<Image>, 3> cells;  // SSD, AS, difference
-  WorstMoment worst;
-  float full_scale_m = 0;
-  Zoom zoom;  // without cells where there is nothing to see
+// A moment by both deformers.
+struct Both {
+  std::vector<PosedMesh> plain, as;
+};
 
-  float largest_m() const { return worst.place.distance; }
+Both skin_both(const Subject& subject, const Character& posed) {
+  return {subject.plain.skin(posed), skin_all(subject.file, posed, Deformer::as)};
+}
+
+struct Cells {
+  Image plain, as, difference;
+};
+
+// What takes the pictures, and of whom.
+struct Stand {
+  Studio& studio;
+  Figure& figure;
+  float full_scale_m;
+
+  Cells shoot(Shot shot, const Character& character, const Both& both) const {
+    shot.box = box_of(both.as);
+    shot.ground_height = shot.box.min.y;  // feet stand on it at each moment
+    Cells out;
+    out.plain = studio.shoot(shot, figure.from_cpu(both.plain));
+    out.as = studio.shoot(shot, figure.on_gpu(character, Deformer::as));
+    shot.shading = kHeatShading;
+    out.difference = studio.shoot(shot, figure.from_cpu(both.as, compare(both.as, both.plain, full_scale_m).colours));
+    return out;
+  }
+};
+
+struct Rows {
+  std::array<std::vector<Image>, 3> cells;  // plain, animation space, difference
+  std::vector<Image> close_ups;             // the same; empty where there is nothing to see
+  float largest_m = 0, worst_m = 0;         // of all moments, and of the worst one
+  float full_scale_m = 0;
+  Moments moments;
 };
 
 // From where each moment is drawn: all from one distance, as near as one shape of cells allows.
@@ -52,15 +92,15 @@ struct Framing {
   float aspect() const { return as_float(kCellWidth) / as_float(cell_height); }
 };
 
-// What the character is at one moment: how high and low it ever is belongs to it, so that the ground stays put.
-std::vector<glm::vec3> framed_points(const std::vector<PosedMesh>& posed, float low, float high) {
+// What the character is at one moment: as tall as it ever is, so that the ground stays put.
+std::vector<glm::vec3> framed_points(const std::vector<PosedMesh>& posed, float tallest) {
   std::vector<glm::vec3> out;
   for (const PosedMesh& mesh : posed)
     for (std::size_t i = 0; i + 2 < mesh.positions.size(); i += 3)
       out.emplace_back(mesh.positions[i], mesh.positions[i + 1], mesh.positions[i + 2]);
-  const glm::vec3 centre = box_of(posed).centre();
-  out.emplace_back(centre.x, low, centre.z);
-  out.emplace_back(centre.x, high, centre.z);
+  const Box box = box_of(posed);
+  out.emplace_back(box.centre().x, box.min.y, box.centre().z);
+  out.emplace_back(box.centre().x, box.min.y + tallest, box.centre().z);
   return out;
 }
 
@@ -72,22 +112,16 @@ float shape_of(const std::vector<glm::vec3>& points, const Orbit& side) {
   return size.x / std::max(size.y, 1e-20f);
 }
 
-Framing frame_moments(const File& file, Character& character, const Play& play) {
-  std::vector<std::vector<PosedMesh>> moments;
-  Box all;
-  for (int column = 0; column < kSheetColumns; ++column) {
-    character.pose(play, moment_at(play.duration_s, column).time_s);
-    moments.push_back(skin_all(file, character, Deformer::ssd));
-    const Box box = box_of(moments.back());
-    all.add(box.min);
-    all.add(box.max);
-  }
+// yaw: of the worst place's side, which all are seen from.
+Framing frame_moments(const std::vector<Both>& shown, const Moments& moments, float yaw) {
+  float tallest = 0;
+  for (const Both& both : shown) tallest = std::max(tallest, box_of(both.as).max.y - box_of(both.as).min.y);
   Framing out;
   std::vector<std::vector<glm::vec3>> points;
   float widest = 0;
   for (std::size_t column = 0; column < kSheetColumns; ++column) {
-    points.push_back(framed_points(moments[column], all.min.y, all.max.y));
-    out.orbits[column].yaw += moment_at(play.duration_s, static_cast<int>(column)).turn_rad;
+    points.push_back(framed_points(shown[column].as, tallest));
+    out.orbits[column].yaw = yaw + moments[column].turn_rad;
     widest = std::max(widest, shape_of(points.back(), out.orbits[column]));
   }
   const float height = as_float(kCellWidth) / std::max(widest, 1e-3f);
@@ -101,44 +135,49 @@ Framing frame_moments(const File& file, Character& character, const Play& play) 
   return out;
 }
 
-// The largest distance over all moments first: one ramp serves the whole row.
-WorstMoment worst_of(const File& file, Character& character, const Play& play) {
-  WorstMoment worst;
-  for (int column = 0; column < kSheetColumns; ++column) {
-    const float time_s = moment_at(play.duration_s, column).time_s;
-    character.pose(play, time_s);
-    const Farthest place = farthest(skin_all(file, character, Deformer::ssd), skin_all(file, character, Deformer::as));
-    if (place.distance > worst.place.distance) worst = {time_s, place};
-  }
-  return worst;
+std::vector<Image> shoot_close_ups(const Stand& stand, const Performance& performance, const Character& character,
+                                   const Both& both, const WorstPlace& worst) {
+  const float aspect = as_float(cell_width(kCloseUps)) / as_float(kCloseUpHeight);
+  const Orbit orbit = orbit_round(framed(worst.part), aspect, kCloseUpMargin, worst.side);
+  Shot shot = performance.shot_by(camera_on(orbit, aspect, performance.radius()));
+  shot.light_turn_rad = worst.side.yaw - Orbit().yaw;
+  Cells cells = stand.shoot(shot, character, both);
+  return {std::move(cells.plain), std::move(cells.as), std::move(cells.difference)};
 }
 
-Rows shoot_rows(const Gl& gl, const File& file, const Textures& textures, const Play& play) {
-  Character character(file, AsNormals::tangents);
-  const Performance performance(file, character, play);
-  const Framing framing = frame_moments(file, character, play);
-  Studio studio(gl, kCellWidth, framing.cell_height);
-  Figure figure(gl, studio.programs(), file, &textures, AsNormals::tangents);
+Rows shoot_rows(const Gl& gl, const Subject& subject, const WorstPlace& worst) {
+  const Play play = worst.clip ? play_together(subject.file, *worst.clip) : Play{};
+  Character character(subject.file, AsNormals::tangents);
+  const Performance performance(subject.file, character, play);
   Rows rows;
-  rows.worst = worst_of(file, character, play);
-  rows.full_scale_m = sensible_scale(rows.largest_m(), performance.diagonal());
-  for (int column = 0; column < kSheetColumns; ++column) {
-    const Moment moment = moment_at(play.duration_s, column);
+  rows.moments = moments_of(play.duration_s, worst.time_s);
+  std::vector<Both> shown;
+  for (const Moment& moment : rows.moments) {
     character.pose(play, moment.time_s);
-    const std::vector<PosedMesh> ssd = skin_all(file, character, Deformer::ssd);
-    const std::vector<PosedMesh> as = skin_all(file, character, Deformer::as);
-    const Orbit& orbit = framing.orbits[static_cast<std::size_t>(column)];
-    Shot shot = performance.shot_by(camera_on(orbit, framing.aspect(), performance.radius()));
-    shot.box = box_of(ssd);
-    rows.cells[0].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::ssd)));
-    rows.cells[1].push_back(studio.shoot(shot, figure.on_gpu(character, Deformer::as)));
-    shot.shading = kHeatShading;
-    rows.cells[2].push_back(studio.shoot(shot, figure.from_cpu(ssd, compare(ssd, as, rows.full_scale_m).colours)));
+    shown.push_back(skin_both(subject, character));
+    rows.largest_m = std::max(rows.largest_m, largest_distance(shown.back().plain, shown.back().as));
   }
-  if (shows_nothing(rows.largest_m(), rows.full_scale_m)) return rows;
-  studio.resize(cell_width(kZoomColumns), kZoomHeight);
-  const float aspect = as_float(cell_width(kZoomColumns)) / as_float(kZoomHeight);
-  rows.zoom = shoot_zoom(studio, figure, performance, file, character, play, rows.worst, aspect, rows.full_scale_m);
+  rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
+  const Framing framing = frame_moments(shown, rows.moments, worst.side.yaw);
+  Studio studio(gl, kCellWidth, framing.cell_height);
+  Figure figure(gl, studio.programs(), subject.file, &subject.textures, AsNormals::tangents);
+  const Stand stand{studio, figure, rows.full_scale_m};
+  for (std::size_t column = 0; column < kSheetColumns; ++column) {
+    character.pose(play, rows.moments[column].time_s);
+    const Camera camera = camera_on(framing.orbits[column], framing.aspect(), performance.radius());
+    Shot shot = performance.shot_by(camera);
+    shot.light_turn_rad = worst.side.yaw - Orbit().yaw;
+    Cells cells = stand.shoot(shot, character, shown[column]);
+    rows.cells[0].push_back(std::move(cells.plain));
+    rows.cells[1].push_back(std::move(cells.as));
+    rows.cells[2].push_back(std::move(cells.difference));
+  }
+  if (worst.joint.empty() || shows_nothing(rows.largest_m, rows.full_scale_m)) return rows;
+  studio.resize(cell_width(kCloseUps), kCloseUpHeight);
+  character.pose(play, worst.time_s);
+  const Both both = skin_both(subject, character);
+  rows.worst_m = largest_distance(both.plain, both.as);
+  rows.close_ups = shoot_close_ups(stand, performance, character, both, worst);
   return rows;
 }
 
@@ -147,75 +186,66 @@ std::string moment_text(const Moment& moment, bool moving) {
   return fmt::format("{:.0f} deg", static_cast<double>(moment.turn_rad) * 57.29578);
 }
 
-}  // namespace
-
-std::optional<std::uint32_t> liveliest_clip(const File& file) {
-  std::optional<std::uint32_t> best;
-  double most = -1;
-  Character character(file);
-  for (std::uint32_t clip = 0; clip < file.clip_count(); ++clip) {
-    const Play play = play_together(file, clip);
-    double bending = 0;
-    for (int m = 0; m < kSheetColumns; ++m) {
-      character.pose(play, play.duration_s * as_float(m) / kSheetColumns);
-      const std::vector<PosedMesh> rigid = skin_all(file, character, Deformer::rigid);
-      bending += static_cast<double>(largest_distance(rigid, skin_all(file, character, Deformer::ssd)));
-    }
-    // A clip that does not move is the last choice; the first of equals the best.
-    if (play.duration_s <= 0) bending = -0.5;
-    if (bending > most * 1.001) {
-      most = bending;
-      best = clip;
-    }
-  }
-  return best;
+std::uint64_t vertices_of(const File& file) {
+  std::uint64_t out = 0;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) out += file.mesh(i).geometry.vertex_count;
+  return out;
 }
+
+// What a frame pays: matrices that go up, and time.
+std::string cost_text(const File& file, double us) {
+  std::size_t joints = 0, helpers = 0;
+  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
+    joints += file.mesh(i).joint_count;
+    helpers += file.mesh(i).helpers.size;
+  }
+  const std::string of_these = helpers > 0 ? fmt::format(", {} of them helpers", helpers) : "";
+  return fmt::format("{} palette entries{};  {:.1f} ns a vertex on this CPU", joints + helpers, of_these,
+                     1e3 * us / static_cast<double>(std::max<std::uint64_t>(1, vertices_of(file))));
+}
+
+}  // namespace
 
 std::string name_of_clip(const File& file, std::uint32_t clip) {
   const std::string name = file.clip(clip).name;
   return name.empty() ? std::to_string(clip) : name;
 }
 
-Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,
-                 const std::string& title) {
-  const Play play = clip ? play_together(file, *clip) : Play{};
-  Rows rows = shoot_rows(gl, file, textures, play);
-  std::uint64_t vertices = 0, joints = 0;
-  bool helped = false;  // then SSD's weights are over helpers, too, and its elbows are better than without
-  for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
-    vertices += file.mesh(i).geometry.vertex_count;
-    helped = helped || file.mesh(i).helpers.size > 0;
-  }
-  for (std::uint32_t i = 0; i < file.skeleton_count(); ++i) joints += file.skeleton(i).joint_count;
-
+Sheet make_sheet(const Gl& gl, const Subject& subject, const WorstPlace& worst) {
+  Rows rows = shoot_rows(gl, subject, worst);
+  const bool moving = rows.moments[1].time_s > rows.moments[0].time_s;
+  std::uint64_t joints = 0;
+  for (std::uint32_t i = 0; i < subject.file.skeleton_count(); ++i) joints += subject.file.skeleton(i).joint_count;
   SheetPage page;
-  page.title = title;
-  page.scene = clip ? fmt::format("clip \"{}\", {} s", name_of_clip(file, *clip),
-                                  plain_number(static_cast<double>(play.duration_s)))
-                    : std::string("rest pose");
-  page.right = fmt::format("{} joints   {} vertices", joints, vertices);
-  const bool differs = !shows_nothing(rows.largest_m(), rows.full_scale_m);
-  const std::string largest = length_text(static_cast<double>(rows.largest_m()));
-  const std::string ssd = helped ? "over the same joints and helpers, by the vertex shader" : "by the vertex shader";
-  page.rows = {{"SSD", "skeletal subspace deformation, " + ssd, std::move(rows.cells[0]), {}, {}},
-               {"AS", "animation space, by the vertex shader", std::move(rows.cells[1]), {}, {}},
-               {"Difference",
-                "largest distance between SSD and AS: " + largest,
-                std::move(rows.cells[2]),
-                {},
-                [&](Image& image, int right, int baseline) {
-                  if (differs) draw_ramp(image, right, baseline, 11, kSheetQuiet, rows.full_scale_m);
-                }}};
-  for (int column = 0; column < kSheetColumns; ++column)
-    page.rows.back().captions.push_back(moment_text(moment_at(play.duration_s, column), play.duration_s > 0));
-  if (differs)
-    page.rows.push_back({"Worst joint",
-                         fmt::format("{}, {} apart at {} s", rows.zoom.joint, largest,
-                                     plain_number(static_cast<double>(rows.worst.time_s), 2)),
-                         std::move(rows.zoom.cells),
-                         {"SSD", "AS", "difference"},
-                         {}});
-  return {lay_out(page), rows.largest_m(), rows.zoom.joint};
+  page.title = subject.title;
+  page.scene = worst.clip ? fmt::format("clip \"{}\"", name_of_clip(subject.file, *worst.clip)) : "rest pose";
+  page.right = fmt::format("{} joints   {} vertices", joints, vertices_of(subject.file));
+  const bool differs = !shows_nothing(rows.largest_m, rows.full_scale_m);
+  const std::string largest = length_text(static_cast<double>(rows.largest_m));
+  if (!rows.close_ups.empty())
+    page.rows.push_back(
+        {"Where plain skinning is worst",
+         fmt::format("about {}, at {} s", printable(worst.joint), plain_number(static_cast<double>(worst.time_s), 2)),
+         std::move(rows.close_ups),
+         {"plain skinning", "Marrow", "difference: up to " + length_text(static_cast<double>(rows.worst_m))},
+         "",
+         0});
+  page.rows.push_back({"Plain skinning",
+                       "linear blend over the joints, as any engine draws it",
+                       std::move(rows.cells[0]),
+                       {},
+                       cost_text(subject.plain.file(), subject.timings.plain_us),
+                       0});
+  page.rows.push_back(
+      {"Marrow", "animation space", std::move(rows.cells[1]), {}, cost_text(subject.file, subject.timings.as_us), 0});
+  page.rows.push_back({"Difference",
+                       "how far the two are apart: up to " + largest,
+                       std::move(rows.cells[2]),
+                       {},
+                       "",
+                       differs ? rows.full_scale_m : 0.0f});
+  for (const Moment& moment : rows.moments) page.rows.back().captions.push_back(moment_text(moment, moving));
+  return {lay_out(page), rows.largest_m};
 }
 
 }  // namespace marrow::tools

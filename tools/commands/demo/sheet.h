@@ -1,33 +1,37 @@
-// A contact sheet: six moments of a clip, skinned by SSD and by animation space, and where the two differ:
-// over the whole figure, and from near by at the joint where they differ most.
+// A contact sheet: a character by plain skinning, by animation space, and how far these are apart: from near by where
+// plain skinning is worst, and as a whole at four moments of that clip.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
+#include "commands/demo/plain_skin.h"
+#include "commands/demo/timings.h"
+#include "commands/demo/worst_place.h"
 #include "image/image.h"
-#include "marrow/file.h"
 #include "render/gl.h"
 #include "render/textures.h"
 
 namespace marrow::tools {
 
-struct Sheet {
-  Image image;
-  float largest_m = 0;      // distance between SSD and AS over the moments shown, scene units
-  std::string worst_joint;  // about which that is; empty if it is too small to be seen
+// Who is shown. title: what the file is called.
+struct Subject {
+  const File& file;
+  PlainSkin& plain;
+  const Textures& textures;
+  std::string title;
+  Timings timings;
 };
 
-// The clip that bends joints most, the one worth showing; nullopt if the file has none.
-std::optional<std::uint32_t> liveliest_clip(const File& file);
+struct Sheet {
+  Image image;
+  float largest_m = 0;  // between the two at the moments shown, scene units
+};
 
 // Its name, or as --clip takes one without a name: its number.
 std::string name_of_clip(const File& file, std::uint32_t clip);
 
-// title: what the file is called. All clips of the name of `clip` play, one a skeleton. Without a clip the rest pose is
-// shown from six sides.
-Sheet make_sheet(const Gl& gl, const File& file, const Textures& textures, std::optional<std::uint32_t> clip,
-                 const std::string& title);
+// All clips of the name of the worst place's play, one a skeleton. Without a clip the rest pose is shown from four
+// sides.
+Sheet make_sheet(const Gl& gl, const Subject& subject, const WorstPlace& worst);
 
 }  // namespace marrow::tools

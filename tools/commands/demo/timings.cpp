@@ -51,9 +51,13 @@ struct Bench {
   SkinOutput output(std::size_t mesh) { return {positions[mesh], normals[mesh], {}}; }
 };
 
+Span<const Affine> palette(const Character& character, std::size_t mesh) {
+  return character.palette(static_cast<std::uint32_t>(mesh));
+}
+
 }  // namespace
 
-Timings measure(const File& file, std::optional<std::uint32_t> clip_index) {
+Timings measure(const File& file, std::optional<std::uint32_t> clip_index, PlainSkin& plain) {
   Timings timings;
   Character character(file);
   const Play play = clip_index ? play_together(file, *clip_index) : Play{};
@@ -67,17 +71,15 @@ Timings measure(const File& file, std::optional<std::uint32_t> clip_index) {
           check(sample(file.skeleton(i), *clip, moment(run), local[i]));
     });
   character.pose(play, moment(kRuns / 3));
-  Bench bench(file);
-  const auto palette = [&](std::size_t mesh) {
-    return Span<const Affine>(character.palette(static_cast<std::uint32_t>(mesh)));
-  };
-  timings.ssd_us = median_us([&](int) {
-    for (std::size_t i = 0; i < bench.meshes.size(); ++i) check(skin_ssd(bench.meshes[i], palette(i), bench.output(i)));
+  plain.skin(character);
+  Bench of_plain(plain.file()), of_as(file);
+  timings.plain_us = median_us([&](int) {
+    for (std::size_t i = 0; i < of_plain.meshes.size(); ++i)
+      check(skin_ssd(of_plain.meshes[i], palette(plain.character(), i), of_plain.output(i)));
   });
   timings.as_us = median_us([&](int) {
-    for (std::size_t i = 0; i < bench.meshes.size(); ++i) {
-      check(skin_as(bench.meshes[i], bench.coordinates[i], palette(i), bench.output(i)));
-    }
+    for (std::size_t i = 0; i < of_as.meshes.size(); ++i)
+      check(skin_as(of_as.meshes[i], of_as.coordinates[i], palette(character, i), of_as.output(i)));
   });
   return timings;
 }

@@ -4,18 +4,18 @@
 #include <cstdint>
 #include <optional>
 
-#include "marrow/marrow.h"
+#include "commands/demo/plain_skin.h"
 
 namespace marrow::tools {
 
 struct Timings {
   double sample_us = 0;  // the clips of one name at one moment, every joint of their skeletons
-  double ssd_us = 0;     // every mesh, positions and normals
-  double as_us = 0;
+  double plain_us = 0;   // plain skinning of every mesh, positions and normals
+  double as_us = 0;      // the same by animation space
 };
 
 // Times the runtime's own calls over memory that is allocated beforehand, at moments spread over the clip. Without a
 // clip nothing is sampled and the rest pose is skinned.
-Timings measure(const File& file, std::optional<std::uint32_t> clip);
+Timings measure(const File& file, std::optional<std::uint32_t> clip, PlainSkin& plain);
 
 }  // namespace marrow::tools

@@ -8,7 +8,7 @@
 #include "pose/worn.h"
 #include "render/heat.h"
 #include "render/legend.h"
-#include "render/mark.h"
+#include "render/overlay/mark.h"
 #include "text/printable.h"
 #include "text/quantity.h"
 

@@ -52,39 +52,10 @@ double reach(const deform::SkinnedMesh& mesh, const deform::MotionPose& pose) {
   return std::max(*at, 0.01 * deform::diagonal(mesh));
 }
 
-// A bend is seen along its axis, a twist from where its bone lies across the picture; of both sides the one that is
-// nearer to where characters are looked at from.
-Orbit side_of(const deform::MotionPose& pose, const glm::dvec3& axis) {
-  const Orbit usual;
-  const glm::dvec3 from = {std::sin(usual.yaw) * std::cos(usual.pitch), std::sin(usual.pitch),
-                           std::cos(usual.yaw) * std::cos(usual.pitch)};
-  glm::dvec3 back = from - axis * glm::dot(from, axis);
-  if (pose.kind != deform::MotionKind::twist) back = axis * (glm::dot(from, axis) < 0 ? -1.0 : 1.0) + from * 0.3;
-  const double length = glm::length(back);
-  if (!(length > 1e-6)) return usual;
-  back /= length;
-  Orbit out;
-  out.yaw = static_cast<float>(std::atan2(back.x, back.z));
-  out.pitch = static_cast<float>(std::clamp(std::asin(std::clamp(back.y, -1.0, 1.0)), -1.2, 1.2));
-  return out;
-}
-
-Stage::View close_up(const deform::SkinnedMesh& mesh, const deform::MotionPose& pose, const deform::Matrix& placed,
-                     const std::vector<PosedMesh>& truth) {
+Part part_of(const deform::SkinnedMesh& mesh, const deform::MotionPose& pose, const deform::Matrix& placed) {
   constexpr double kAround = 1.7;
-  const glm::dmat3 linear = deform::linear_of(placed);
-  const glm::dvec3 axis = linear * pose.axis, centre = deform::transform(placed, pose.centre);
-  const double radius = kAround * reach(mesh, pose) * glm::length(axis);
-  Stage::View out = Stage::whole(truth);
-  out.side = side_of(pose, glm::normalize(axis));
-  out.framed.clear();
-  for (int c = 0; c < 3; ++c)
-    for (const double sign : {-1.0, 1.0}) {
-      glm::dvec3 arm(0);
-      arm[c] = sign * radius;
-      out.framed.emplace_back(centre + arm);
-    }
-  return out;
+  const glm::dvec3 axis = deform::linear_of(placed) * pose.axis, centre = deform::transform(placed, pose.centre);
+  return {glm::vec3(centre), static_cast<float>(kAround * reach(mesh, pose) * glm::length(axis))};
 }
 
 }  // namespace
@@ -106,7 +77,8 @@ std::vector<PictureRow> draw_worst_joints(const Study& study, const DeformerComp
     row.title = fmt::format("{}: {} {}", title_of(study, pose), name, why);
     stage.draw(
         {stands, truth, comparison, deformers},
-        [&](const std::vector<PosedMesh>& t) { return close_up(study.source.mesh, pose, by, t); }, row);
+        [&](const Stage::Compared& compared) { return stage.close_up(compared, part_of(study.source.mesh, pose, by)); },
+        row);
     out.push_back(std::move(row));
   };
   if (farthest != MotionRow::kNowhere) add(farthest, "is farthest from the truth");

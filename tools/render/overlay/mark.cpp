@@ -1,4 +1,4 @@
-#include "render/mark.h"
+#include "render/overlay/mark.h"
 
 #include <algorithm>
 #include <cmath>
