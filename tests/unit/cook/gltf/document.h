@@ -49,7 +49,7 @@ struct Builder {
     bytes.resize((bytes.size() + 3) / 4 * 4);
     const std::size_t offset = bytes.size();
     bytes.resize(offset + numbers.size() * sizeof(T));
-    std::memcpy(bytes.data() + offset, numbers.data(), numbers.size() * sizeof(T));
+    if (!numbers.empty()) std::memcpy(bytes.data() + offset, numbers.data(), numbers.size() * sizeof(T));
     extra.update({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", numbers.size() * sizeof(T)}});
     root["bufferViews"].push_back(extra);
     return static_cast<int>(root["bufferViews"].size()) - 1;
