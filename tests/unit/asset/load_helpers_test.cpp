@@ -6,13 +6,15 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "support/bad_numbers.h"
 #include "support/damage.h"
 #include "support/golden.h"
 
 namespace marrow {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
+using test::kInfinity;
+using test::kNan;
 
 class LoadHelpers : public ::testing::Test {
  protected:

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "support/bad_numbers.h"
 #include "support/damage.h"
 #include "support/golden.h"
 
@@ -11,6 +12,8 @@ namespace marrow {
 namespace {
 
 using test::AlignedBlock;
+using test::kInfinityBits64;
+using test::kNanBits;
 
 // The golden file of looks with one thing changed at a time.
 class LoadLooks : public ::testing::Test {
@@ -40,16 +43,13 @@ class LoadLooks : public ::testing::Test {
   int refused_ = 0;
 };
 
-constexpr std::uint32_t kNaN = 0x7FC00000;
-constexpr std::uint64_t kInfinity = 0x7FF0000000000000;
-
 TEST_F(LoadLooks, Materials) {
   const std::size_t mesh = at(format::kMeshes);
   refuse(mesh + 40, std::uint32_t{1}, "reserved");
   refuse(mesh + 44, std::uint32_t{3}, "a material that is not there");
   const std::size_t base = at(format::kMaterials);
   refuse(base, std::uint32_t{100000}, "name");
-  refuse(base + 4, kNaN, "a cutoff that is not a number");
+  refuse(base + 4, kNanBits, "a cutoff that is not a number");
   refuse(base + 4, -0.25f, "a negative cutoff");
   refuse(base + 8, std::uint8_t{3}, "an unknown alpha mode");
   refuse(base + 9, std::uint8_t{1}, "a texture fewer than there are bytes");
@@ -97,13 +97,13 @@ TEST_F(LoadLooks, Nodes) {
   refuse(base + 8, std::uint32_t{0xFFFFFFFF}, "properties beyond the section");
   refuse(base + 12, std::uint16_t{2}, "a joint outside the skeleton");
   refuse(base + 14, std::uint16_t{1}, "reserved");
-  refuse(base + 16, kNaN, "a matrix that is not finite");
+  refuse(base + 16, kNanBits, "a matrix that is not finite");
   // Properties in the order of their keys: a~1b, door/hinges/0, /1, door/open, item.
   const std::size_t number = base + 64, boolean = number + 3 * 16, text = number + 4 * 16;
   refuse(number, std::uint32_t{100000}, "name of a property");
   refuse(number + 4, std::uint8_t{3}, "an unknown type");
   refuse(number + 5, std::uint8_t{1}, "reserved");
-  refuse(number + 8, kInfinity, "a number that is not finite");
+  refuse(number + 8, kInfinityBits64, "a number that is not finite");
   refuse(boolean + 8, 0.5, "neither true nor false");
   refuse(boolean + 8, -0.0, "minus false");
   refuse(text + 8, std::uint32_t{100000}, "a text outside the names");

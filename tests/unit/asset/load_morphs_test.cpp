@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "support/bad_numbers.h"
 #include "support/damage.h"
 #include "support/golden.h"
 
 namespace marrow {
 namespace {
+
+using test::kNanBits;
 
 class LoadMorphs : public ::testing::Test {
  protected:
@@ -48,8 +51,6 @@ class LoadMorphs : public ::testing::Test {
   int refused_ = 0;
 };
 
-constexpr std::uint32_t kNaN = 0x7FC00000;
-
 TEST_F(LoadMorphs, OfGeometries) {
   ASSERT_EQ(morphs_.target_count, 2u);
   const std::size_t start = geometry_.offset + layout_.header, first = geometry_.offset + layout_.targets,
@@ -69,8 +70,8 @@ TEST_F(LoadMorphs, OfGeometries) {
   refuse(first + 12, std::uint32_t{8}, "an unknown attribute");
   refuse(first + 12, std::uint32_t{kMorphsTangents}, "tangents that the geometry lacks");
   refuse(first + 12, std::uint32_t{kMorphsPositions}, "fewer attributes than records");
-  refuse(first + 16, kNaN, "a step that is not a number");
-  refuse(second + 20, kNaN, "a step of normals that is not a number");
+  refuse(first + 16, kNanBits, "a step that is not a number");
+  refuse(second + 20, kNanBits, "a step of normals that is not a number");
   refuse(first + 28, std::uint32_t{1}, "reserved");
   refuse(geometry_.offset + layout_.blocks, static_cast<std::uint16_t>(header_.block_count), "a block too far");
   EXPECT_EQ(refused_, 19);
@@ -84,7 +85,7 @@ TEST_F(LoadMorphs, OfMeshes) {
   refuse(mesh_.offset + 40, std::uint32_t{3}, "more targets than the geometry");
   refuse(first, std::uint32_t{100000}, "name");
   refuse(first + 4, std::uint32_t{100000}, "channel");
-  refuse(first + 8, kNaN, "a weight that is not a number");
+  refuse(first + 8, kNanBits, "a weight that is not a number");
   EXPECT_EQ(refused_, 5);
 }
 

@@ -9,6 +9,7 @@
 #include "asset/format.h"
 #include "marrow/local_to_model.h"
 #include "marrow/palette.h"
+#include "support/bad_numbers.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
 
@@ -16,6 +17,8 @@ namespace marrow {
 namespace {
 
 using test::AlignedBlock;
+using test::kInfinityBits;
+using test::kNanBits;
 
 // A golden file with one thing changed at a time.
 class Load : public ::testing::Test {
@@ -69,8 +72,6 @@ class Load : public ::testing::Test {
   std::vector<File::Section> sections_;
   int refused_ = 0;
 };
-
-constexpr std::uint32_t kNaN = 0x7FC00000, kInfinity = 0x7F800000;
 
 TEST_F(Load, SucceedsAndClearsTheError) {
   File out;
@@ -141,8 +142,8 @@ TEST_F(Load, Skeletons) {
   refuse(base + 4, std::uint32_t{0xFFFFFFFF}, "too many joints");
   refuse(base + 8, std::uint32_t{0}, "no roots");
   refuse(base + 12, std::uint32_t{1}, "reserved");
-  refuse(base + l.roots, kNaN, "a root that is not a number");
-  refuse(base + l.rest + 44, kInfinity, "a rest pose that is not finite");
+  refuse(base + l.roots, kNanBits, "a root that is not a number");
+  refuse(base + l.rest + 44, kInfinityBits, "a rest pose that is not finite");
   refuse(base + l.names + 4, std::uint32_t{100000}, "a joint's name");
   refuse(base + l.parents, std::uint16_t{0}, "a root with a parent");
   refuse(base + l.parents + 2, std::uint16_t{1}, "its own parent");
@@ -156,7 +157,7 @@ TEST_F(Load, Clips) {
   const auto h = header<format::ClipHeader>(format::kClips);
   const format::ClipLayout l = layout(h);
   refuse(base + 4, std::uint32_t{1}, "another skeleton");
-  refuse(base + 8, kNaN, "duration");
+  refuse(base + 8, kNanBits, "duration");
   refuse(base + 8, -1.0f, "a negative duration");
   refuse(base + 8, 1.0f, "a duration before the last key");
   refuse(base + 12, h.track_count + 1, "a track more");
@@ -175,8 +176,8 @@ TEST_F(Load, Clips) {
   refuse(track + 12, h.value_count, "values behind the last");
   refuse(base + l.times, -0.5f, "a negative time");
   refuse(base + l.times + 4, 0.0f, "times that stand still");
-  refuse(base + l.times, kNaN, "a time that is not a number");
-  refuse(base + l.values + 4, kInfinity, "a value that is not finite");
+  refuse(base + l.times, kNanBits, "a time that is not a number");
+  refuse(base + l.values + 4, kInfinityBits, "a value that is not finite");
   EXPECT_EQ(refused_, 21);
 }
 
@@ -195,8 +196,8 @@ TEST_F(LoadChannels, EveryRule) {
   refuse(base + 24, std::uint32_t{0xFFFFFFFF}, "too many channels");
   for (const std::size_t channel : {first, last}) {
     refuse(channel, std::uint32_t{100000}, "a name outside");
-    refuse(channel + 4, kNaN, "a rest that is not a number");
-    refuse(channel + 4, kInfinity, "a rest that is not finite");
+    refuse(channel + 4, kNanBits, "a rest that is not a number");
+    refuse(channel + 4, kInfinityBits, "a rest that is not finite");
     refuse(channel + 8, std::uint32_t{0}, "no keys");
     refuse(channel + 8, std::uint32_t{0xFFFFFFFF}, "too many keys");
     refuse(channel + 12, std::uint32_t{0xFFFFFFFF}, "times outside");
@@ -207,7 +208,7 @@ TEST_F(LoadChannels, EveryRule) {
     for (std::size_t i = 21; i < 24; ++i) refuse(channel + i, std::uint8_t{1}, "reserved");
   }
   refuse(base + 8, 1.25f, "a duration before the last key of a channel");
-  refuse(base + l.values + 4 * (h.value_count - std::size_t{1}), kInfinity, "a value that is not finite");
+  refuse(base + l.values + 4 * (h.value_count - std::size_t{1}), kInfinityBits, "a value that is not finite");
   refuse(base + l.times + 4 * (h.time_count - std::size_t{1}), 0.0f, "times that stand still");
   ASSERT_EQ(h.additive, 1);
   ASSERT_EQ(h.reference_groups, 1);
@@ -215,7 +216,7 @@ TEST_F(LoadChannels, EveryRule) {
   refuse(base + 30, std::uint16_t{0}, "a reference that is there");
   refuse(base + 30, std::uint16_t{2}, "a reference of too many joints");
   refuse(base + 30, std::uint16_t{0xFFFF}, "a reference of far too many joints");
-  refuse(base + l.reference + 8, kNaN, "a reference that is not a number");
+  refuse(base + l.reference + 8, kNanBits, "a reference that is not a number");
   EXPECT_EQ(refused_, 2 + 2 * 13 + 3 + 5);
 }
 
@@ -238,9 +239,9 @@ TEST_F(LoadCoded, Clips) {
   refuse(start, h.frame_count - 1, "a frame fewer");
   refuse(start, std::uint32_t{0xFFFFFFFF}, "too many frames");
   refuse(start + 4, std::uint32_t{0}, "no intervals a segment");
-  refuse(start + 8, kNaN, "a start that is not a number");
+  refuse(start + 8, kNanBits, "a start that is not a number");
   refuse(start + 12, 0.0f, "no frames a second");
-  refuse(start + 12, kInfinity, "frames a second without end");
+  refuse(start + 12, kInfinityBits, "frames a second without end");
   refuse(start + 16, h.track_count + 1, "a track more");
   refuse(start + 20, h.constant_count - 1, "a constant fewer");
   refuse(start + 20, std::uint32_t{0xFFFFFFFF}, "too many constants");
@@ -280,8 +281,8 @@ TEST_F(LoadUneven, Times) {
   refuse(start + 28, std::uint32_t{0xFFFFFFFF}, "too many times");
   refuse(times, -0.5f, "a first time that is not start_s");
   refuse(times + 8, 0.25f, "a time twice");
-  refuse(times + 12, kNaN, "a time that is not a number");
-  refuse(times + 24, kInfinity, "no last time");
+  refuse(times + 12, kNanBits, "a time that is not a number");
+  refuse(times + 24, kInfinityBits, "no last time");
   EXPECT_EQ(refused_, 7);
 }
 
@@ -325,10 +326,10 @@ TEST_F(Load, Geometries) {
   refuse(base + 24, std::uint32_t{0}, "no palette");
   refuse(base + 24, std::uint32_t{2}, "a set beyond the palette");
   refuse(base + 28, h.index_count - 1, "not three indices a triangle");
-  refuse(base + 36, kNaN, "a box that is not a number");
+  refuse(base + 36, kNanBits, "a box that is not a number");
   refuse(base + 60, std::uint32_t{1}, "a root of no multi-weights");
-  refuse(base + l.skin + 8, kNaN, "a position that is not a number");
-  refuse(base + l.normals + 8, kInfinity, "a normal that is not finite");
+  refuse(base + l.skin + 8, kNanBits, "a position that is not a number");
+  refuse(base + l.normals + 8, kInfinityBits, "a normal that is not finite");
   refuse(base + l.runs, std::uint32_t{0}, "a run without vertices");
   refuse(base + l.runs, std::uint32_t{0xFFFFFFFF}, "a run with too many vertices");
   refuse(base + l.runs + 4, std::uint32_t{0}, "a run without influences");
@@ -349,10 +350,10 @@ TEST_F(Load, Meshes) {
   refuse(base + 12, std::uint32_t{1}, "a geometry with fewer palette entries");
   refuse(base + 16, std::uint32_t{2}, "fewer joints");
   refuse(base + 20, std::uint32_t{2}, "an unknown flag");
-  refuse(base + 24, kNaN, "a colour that is not a number");
+  refuse(base + 24, kNanBits, "a colour that is not a number");
   refuse(base + 40, std::uint32_t{1}, "a morph target that the geometry lacks");
   refuse(base + 44, std::uint32_t{1}, "reserved");
-  refuse(base + l.inverse_bind, kInfinity, "an inverse bind that is not finite");
+  refuse(base + l.inverse_bind, kInfinityBits, "an inverse bind that is not finite");
   refuse(base + l.joints, std::uint16_t{3}, "a joint outside the skeleton");
   EXPECT_EQ(refused_, 12);
 }

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "marrow/marrow.h"
 #include "support/aligned.h"
 #include "support/allocations.h"
+#include "support/bad_numbers.h"
 #include "support/golden.h"
 #include "support/pose_file.h"
 
@@ -20,8 +20,7 @@ namespace marrow {
 namespace {
 
 using test::AlignedBlock;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+using test::kNan;
 
 // A loaded file with its animations and a character of it, each in memory of exactly the size asked for.
 struct Loaded {

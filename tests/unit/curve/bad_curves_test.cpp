@@ -1,8 +1,8 @@
 // Curves that break the rules: refused where asked, safe everywhere.
 #include <algorithm>
-#include <limits>
 
 #include "support/allocations.h"
+#include "support/bad_numbers.h"
 #include "unit/curve/keys.h"
 
 namespace marrow {
@@ -10,10 +10,10 @@ namespace {
 
 using test::kAllKinds;
 using test::Keys;
+using test::kInfinity;
+using test::kNan;
 using test::Random;
 using test::random_keys;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
 // Every function that takes a curve, for whether it refuses.
 void expect_refused(const Keys& keys) {
@@ -69,12 +69,12 @@ TEST(BadCurves, NumbersThatAreNotFinite) {
   for (const CurveKind kind : kAllKinds) {
     const Keys good = random_keys(random, kind, 3, 4);
     ASSERT_EQ(check_curve(good.view()), Status::ok);
-    for (const float bad : {kNan, kInfinite, -kInfinite}) {
+    for (const float bad : {kNan, kInfinity, -kInfinity}) {
       for (std::size_t i = 0; i < good.times.size() + good.values.size(); ++i, ++cases) {
         Keys keys = good;
         (i < 4 ? keys.times[i] : keys.values[i - 4]) = bad;
         EXPECT_EQ(check_curve(keys.view()), Status::bad_data) << static_cast<int>(kind) << ' ' << i;
-        for (const float time_s : {-kInfinite, 1.5f, 3.0f, kInfinite}) {  // safe, whatever comes out
+        for (const float time_s : {-kInfinity, 1.5f, 3.0f, kInfinity}) {  // safe, whatever comes out
           float out[3];
           EXPECT_EQ(evaluate_curve(keys.view(), time_s, Span<float>(out, 3)), Status::ok);
           const Status velocity = curve_velocity(keys.view(), time_s, Span<float>(out, 3));
@@ -192,7 +192,7 @@ TEST(BadCurves, ControlPoints) {
   EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 0, 0, 0, out), Status::bad_argument);
   EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, 0, 0, Span<float>(out.data(), 1)), Status::bad_argument);
   EXPECT_EQ(bicubic_patch(static_cast<PatchBasis>(2), points, 2, 0, 0, out), Status::bad_argument);
-  for (const float bad : {kNan, kInfinite}) {
+  for (const float bad : {kNan, kInfinity}) {
     EXPECT_EQ(bezier(points, 2, bad, scratch, out), Status::bad_argument);
     EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, bad, 0, out), Status::bad_argument);
     EXPECT_EQ(bicubic_patch(PatchBasis::bezier, points, 2, 0, bad, out), Status::bad_argument);

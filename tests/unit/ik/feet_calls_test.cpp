@@ -1,17 +1,17 @@
 // What calls of feet do with anything: finite results, no allocation, nothing written where they are bad, and the same
 // bits everywhere.
-#include <limits>
 
 #include "support/allocations.h"
+#include "support/bad_numbers.h"
 #include "unit/ik/feet_support.h"
 
 namespace marrow {
 namespace {
 
+using test::kInfinity;
+using test::kNan;
 using test::same;
 using test::Walker;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
 TEST(Feet, StayFiniteOnAnything) {
   int cases = 0;
@@ -80,7 +80,7 @@ TEST(Feet, BadCallsWriteNothing) {
     w.scene = scene;
     ++refused;
   };
-  for (const float bad : {kNan, kInfinite, -kInfinite, -1.0f}) {
+  for (const float bad : {kNan, kInfinity, -kInfinity, -1.0f}) {
     refuses([&] { w.frame.dt_s = bad; });
     refuses([&] { w.frame.weight = bad; });
     refuses([&] { w.feet.lower_m = bad; });

@@ -5,13 +5,16 @@
 
 #include <array>
 #include <cstring>
-#include <limits>
 #include <vector>
 
+#include "support/bad_numbers.h"
 #include "unit/ik/limit_reference.h"
 
 namespace marrow {
 namespace {
+
+using test::kInfinity;
+using test::kNan;
 
 using namespace test;
 
@@ -40,7 +43,6 @@ bool same_bits(const Turned& a, const Turned& b) {
 }
 
 constexpr float kDegree = 0.0174532925f;
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
 LimitDescription knee() {  // bends from 0° to 150° about x
   LimitDescription d;
@@ -187,13 +189,13 @@ TEST(Limits, RefuseBadDescriptions) {
       [](LimitDescription& d) { d.zero[3] = 0; },
       [](LimitDescription& d) { d.zero[0] = kNan; },
       [](LimitDescription& d) { d.axis[0] = 0; },
-      [](LimitDescription& d) { d.axis[2] = kInfinite; },
+      [](LimitDescription& d) { d.axis[2] = kInfinity; },
       [](LimitDescription& d) { d.across[0] = 1, d.across[1] = 0; },
       [](LimitDescription& d) { d.least_rad[0] = 3; },
       [](LimitDescription& d) { d.most_rad[0] = 7; },
       [](LimitDescription& d) { d.most_rad[0] = kNan; },
       [](LimitDescription& d) { d.rate.speed = -1; },
-      [](LimitDescription& d) { d.rate.acceleration = kInfinite; },
+      [](LimitDescription& d) { d.rate.acceleration = kInfinity; },
       [](LimitDescription& d) { d.kind = LimitKind::cone, d.most_rad[1] = 3.1f, d.least_rad[1] = -3.1f; },
       [](LimitDescription& d) { d.kind = LimitKind::cone, d.most_rad[2] = 1, d.least_rad[2] = 0; },
       [](LimitDescription& d) { d.kind = LimitKind::euler, d.most_rad[1] = 1.6f; },
@@ -214,7 +216,7 @@ TEST(Limits, RefuseBadDescriptions) {
 
 TEST(Limits, RefuseWhatIsNoRotation) {
   const JointLimit limit = made(knee());
-  for (const float bad : {0.0f, kNan, kInfinite}) {
+  for (const float bad : {0.0f, kNan, kInfinity}) {
     float q[4] = {bad, 0, 0, 0}, was[4] = {bad, 0, 0, 0};
     EXPECT_EQ(clamp_rotation(limit, q), Status::bad_argument);
     EXPECT_EQ(std::memcmp(q, was, sizeof q), 0);

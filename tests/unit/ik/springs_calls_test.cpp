@@ -1,12 +1,12 @@
 // Spring bones at their edges: jumps, weights, odd frames and bad calls.
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "springs/spring_state.h"
 #include "support/allocations.h"
+#include "support/bad_numbers.h"
 #include "support/pose_file.h"
 #include "support/poses.h"
 #include "unit/ik/springs_support.h"
@@ -15,11 +15,11 @@ namespace marrow {
 namespace {
 
 using test::distance;
+using test::kInfinity;
+using test::kNan;
 using test::Rod;
 using test::soft;
 using test::Vec3;
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
 // Some frames of a rod that is carried along a curve.
 void shake(Rod& rod, int frames, double from_s = 0) {
@@ -352,7 +352,7 @@ TEST(Springs, BadCallsWriteNothing) {
   using F = SpringFrame&;
   using M = std::vector<Affine>&;
   std::vector<SpringCollider> colliders(1);
-  for (const float bad : {kNan, kInfinite, -kInfinite}) {
+  for (const float bad : {kNan, kInfinity, -kInfinity}) {
     refuses([&](F f, M) { f.dt_s = bad; });
     refuses([&](F f, M) { f.gravity[1] = bad; });
     refuses([&](F f, M) { f.wind[2] = bad; });
@@ -404,7 +404,7 @@ TEST(Springs, BadChainsAreRefused) {
     refuses(joints, 0.1f, all);
   };
   with([](SpringJoint& s) { s.joint = 4; });
-  for (const float bad : {kNan, kInfinite, -11.0f, 100.0f}) {
+  for (const float bad : {kNan, kInfinity, -11.0f, 100.0f}) {
     with([&](SpringJoint& s) { s.frequency_hz = bad; });
     with([&](SpringJoint& s) { s.damping_ratio = bad; });
     with([&](SpringJoint& s) { s.gravity = bad; });

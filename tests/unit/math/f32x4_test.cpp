@@ -10,13 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "math/vector.h"
+#include "support/bad_numbers.h"
 #include "support/rig.h"
 
 namespace marrow {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+using test::kInfinity;
+using test::kNan;
 
 // Corners, then exponents across the whole range with random fractions and signs.
 std::vector<float> interesting() {
@@ -28,8 +29,8 @@ std::vector<float> interesting() {
                             3.0f,
                             kInfinity,
                             -kInfinity,
-                            kNaN,
-                            -kNaN,
+                            kNan,
+                            -kNan,
                             std::numeric_limits<float>::min(),
                             -std::numeric_limits<float>::min(),
                             std::numeric_limits<float>::denorm_min(),
@@ -146,7 +147,7 @@ TEST(F32x4, SquareRoot) {
 }
 
 TEST(F32x4, Shuffles) {
-  const float a[4] = {1, -0.0f, kNaN, 4}, b[4] = {5, 6, 7, -0.0f}, c[4] = {9, 10, kInfinity, 12},
+  const float a[4] = {1, -0.0f, kNan, 4}, b[4] = {5, 6, 7, -0.0f}, c[4] = {9, 10, kInfinity, 12},
               d[4] = {13, 14, 15, 16};
   const f32x4 x = load(a);
   for (int lane = 0; lane < 4; ++lane) {
@@ -306,7 +307,7 @@ TEST(F32x4, TimesALane) {
 }
 
 TEST(F32x4, InverseLength) {
-  const float squared[4] = {4.0f, 0.0f, 2.0f, kNaN};
+  const float squared[4] = {4.0f, 0.0f, 2.0f, kNan};
   expect_lanes(inverse_length(load(squared)), {0.5f, 0.0f, 1.0f / std::sqrt(2.0f), 0.0f}, "inverse_length");
 }
 

@@ -3,21 +3,20 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/bad_numbers.h"
 #include "support/expect_joint.h"
 #include "support/poses.h"
 
 namespace marrow {
 namespace {
 
+using test::kInfinity;
+using test::kNan;
 using test::Poses;
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 double factor(const BlendLayer& layer, std::size_t joint) {
   if (layer.mask.empty()) return 1;
@@ -96,7 +95,7 @@ TEST(Blend, OnlyRatiosOfWeightsCount) {
 
 TEST(Blend, OneLayerIsCopiedAndLayersWithoutWeightAreNotRead) {
   Poses p(8, 21, 3);
-  for (SoaTransform& t : p.pose[1]) t.translation[0][0] = t.rotation[2][1] = kNaN;
+  for (SoaTransform& t : p.pose[1]) t.translation[0][0] = t.rotation[2][1] = kNan;
   for (int where = 0; where < 3; ++where) {
     std::vector<BlendLayer> layers(2, {p.pose[1], 0.0f, {}});
     layers.insert(layers.begin() + where, {p.pose[0], 0.7f, {}});
@@ -142,7 +141,7 @@ TEST(Blend, WhatIsMissingIsFilledWithTheRestPose) {
 TEST(Blend, MasksOfAnyValueAreDefined) {
   Poses p(10, 21, 2);
   std::vector<float> odd(p.groups() * 4), sane(odd.size());
-  const float values[] = {kNaN, -kNaN, -1, 0, -0.0f, 0.25f, 1, 2, kInfinity, -kInfinity, 1e-40f};
+  const float values[] = {kNan, -kNan, -1, 0, -0.0f, 0.25f, 1, 2, kInfinity, -kInfinity, 1e-40f};
   const float means[] = {0, 0, 0, 0, 0, 0.25f, 1, 1, 1, 0, 1e-40f};
   for (std::size_t i = 0; i < odd.size(); ++i) odd[i] = values[i % 11], sane[i] = means[i % 11];
   std::vector<SoaTransform> want(p.groups());
@@ -178,15 +177,15 @@ TEST(Blend, BadCallsWriteNothing) {
     const BlendLayer layers[] = {{p.pose[0], 1, {}}, layer};
     EXPECT_EQ(blend(p.skeleton, {layers, 2}, p.out, threshold), Status::bad_argument);
   };
-  for (const float weight : {-0.1f, -1e-40f, kNaN, kInfinity, -kInfinity, 1.1e6f}) refused({p.pose[1], weight, {}});
-  for (const float threshold : {0.0f, -1.0f, 1e-7f, kNaN, kInfinity}) refused({p.pose[1], 1, {}}, threshold);
+  for (const float weight : {-0.1f, -1e-40f, kNan, kInfinity, -kInfinity, 1.1e6f}) refused({p.pose[1], weight, {}});
+  for (const float threshold : {0.0f, -1.0f, 1e-7f, kNan, kInfinity}) refused({p.pose[1], 1, {}}, threshold);
   refused({{p.pose[1].data(), p.groups() - 1}, 1, {}});
   refused({p.pose[1], 1, {mask.data(), mask.size() - 1}});
   refused({p.pose[1], 1, {mask.data(), p.skeleton.joint_count}});
   refused({p.pose[1], 0, {mask.data(), 1}});
   EXPECT_EQ(blend(p.skeleton, {}, {p.out.data(), p.groups() - 1}), Status::bad_argument);
   EXPECT_EQ(overlay(p.skeleton, {p.pose[1], 1.1f, {}}, p.out), Status::bad_argument);
-  EXPECT_EQ(overlay(p.skeleton, {p.pose[1], kNaN, {}}, p.out), Status::bad_argument);
+  EXPECT_EQ(overlay(p.skeleton, {p.pose[1], kNan, {}}, p.out), Status::bad_argument);
   EXPECT_EQ(overlay(p.skeleton, {p.pose[1], 1, {mask.data(), 23}}, p.out), Status::bad_argument);
   EXPECT_EQ(overlay(p.skeleton, {{}, 1, {}}, p.out), Status::bad_argument);
   EXPECT_EQ(overlay(p.skeleton, {p.pose[1], 1, {}}, {p.out.data(), 1}), Status::bad_argument);

@@ -7,12 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/bad_numbers.h"
 #include "support/rig.h"
 
 namespace marrow {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity(), kLargest = std::numeric_limits<float>::max();
+using test::kInfinity;
+
+constexpr float kLargest = std::numeric_limits<float>::max();
 
 Playback at(double time_s, PlayMode mode, float speed = 1, bool returning = false) {
   Playback p;

@@ -1,21 +1,21 @@
 // Helpers of palettes against dual quaternions and centres of rotation in double precision.
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/bad_numbers.h"
 #include "support/rig.h"
 
 namespace marrow {
 namespace {
 
+using test::kInfinity;
+using test::kNan;
 using test::Map;
 using test::Quat;
 using test::Vec3;
-
-constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNan = std::numeric_limits<float>::quiet_NaN();
 
 Vec3 column(const Map& m, int c) {
   return {m.rows[0][c], m.rows[1][c], m.rows[2][c]};
