@@ -11,6 +11,7 @@ import pathlib
 import sys
 import zlib
 
+import c_words
 import description
 import headers
 import to_c
@@ -78,7 +79,8 @@ class Api:
         structs = {r.name for r in self.rows if r.kind == 'struct'}
         out = {}
         for part in self.parts:
-            out[f'runtime/include/marrow/{part.header}'] = to_c.header(part, structs, self.headings)
+            words = c_words.Words(part, self.parts)
+            out[f'runtime/include/marrow/{part.header}'] = to_c.header(part, structs, self.headings, words)
             for name in sorted({r.source for r in part.rows if r.kind == 'fn'}):
                 out[f'runtime/c/{name}'] = to_cpp.Writer(part, self.rows).source(name)
         return out

@@ -67,7 +67,7 @@ def convert(name, text):
     behind, opened, notes, before = None, False, [], ""
     for line in lines[top:]:
         code, column, comment = split_comment(line)
-        if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", "---")):
+        if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", " ---")):
             continue  # the comment above such a line is the struct's
         if opened and re.match(r"}  // namespace|#ifdef __cplusplus", line):
             out.append("/// @}")
@@ -83,12 +83,13 @@ def convert(name, text):
         behind = column
         note = as_text(comment) if column is not None else default_note(line)
         alike = re.match(r"\s*(MARROW_API|[\w:]+ \w+\(.*\{ return|(const )?[a-z]\w+\*? mrw_\w+\()", code) and before == "function"
-        if (alike or code.startswith("#define") and before == "define") and not note:
-            out += notes  # functions and macros one below the other share the comment above them
+        of = next((kind for kind in ("#define", "inline constexpr") if code.startswith(kind)), None)
+        if (alike or of and of == before) and not note:
+            out += notes  # functions, macros and constants one below the other share the comment above them
         for part in declarators(code):
             out += [f"///{note}"] * bool(note) + [part]
         function = re.search(r"\)( const| MRW_NODISCARD)*;|\{ return .*\}$", code.rstrip())
-        before = "define" if code.startswith("#define") else "function" if function else "open" if before == "open" or re.match(r"\s*MARROW_API|(const )?[a-z]\w+\*? mrw_\w+\(", code) else ""
+        before = of if of else "function" if function else "open" if before == "open" or re.match(r"\s*MARROW_API|(const )?[a-z]\w+\*? mrw_\w+\(", code) else ""
         if re.match(r'namespace [\w:]+ {|extern "C" {', line):
             out.append(f"/// @addtogroup header_{name}\n/// @{{")
             opened = True

@@ -14,8 +14,8 @@ struct SampleOptions {
   Span<const std::uint32_t> joints = {};
 };
 
-// What an instance that plays a clip keeps between two calls of sample_cached(). {} keeps nothing yet. All but `memory`
-// is sample_cached()'s own.
+// What an instance that plays a clip keeps between two calls of sample_cached(). A new one keeps nothing yet. All
+// but `memory` is sample_cached()'s own.
 struct SampleCache {
   // The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
   // With less than sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
