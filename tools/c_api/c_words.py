@@ -6,8 +6,6 @@ from names import constant, count_of, enumerator
 NAME = r'[A-Za-z_]\w*'
 TOKEN = re.compile(rf'(?P<file>(?:marrow/)?(?P<stem>{NAME})\.h\b)|(?P<kept>\w[\w.]*/[\w./*]*|(?:MARROW|MRW|mrw)_\w+)|'
                    rf'(?P<path>{NAME}(?:\.{NAME})+)(?P<none>\(\))?|(?P<names>(?:{NAME}::)*{NAME})(?P<call>\()?')
-STATUS = {'bad_argument', 'bad_magic', 'bad_version', 'bad_checksum', 'bad_data', 'gl_error', 'out_of_memory', 'truncated',
-          'unsupported', 'mismatch'}
 WIDTH = 117  # of a comment's text
 LEAST = 110  # that lines have where they are broken because they are full
 
@@ -18,6 +16,7 @@ class Words:
         self.file_of = {r.header.removesuffix('.h'): p.header for p in parts for r in p.rows if r.header}
         self.file = part.header
         self.types = {r.cpp: r for r in rows if r.kind in ('struct', 'enum', 'opaque')}
+        self.errors = set(self.types['Status'].values) - {'ok'}
         self.structs = {r.name: r for r in rows if r.kind == 'struct'}
         self.constants = {r.cpp: constant(r.name) for r in rows if r.kind == 'const'}
         self.functions, self.methods = {}, {}
@@ -62,7 +61,7 @@ class Words:
             return self.constants[name]
         if name in self.types and not (is_first and name[1:].islower()):  # "File" is a word, too
             return 'mrw_' + self.types[name].name
-        if name in STATUS:
+        if name in self.errors:
             return enumerator(self.types['Status'], name)
         if arguments is not None and about and (about.method or about.name, name) in self.methods:
             return self.methods[about.method or about.name, name]
