@@ -63,10 +63,9 @@ OPENING = '''// The whole runtime for C99, and for all languages that call C: se
 // Made by tools/c_api from runtime/c/api.txt and the C++ headers: do not edit. A list is a pointer and a count; a null
 // pointer with a count of 0 is empty. What is said to be empty by default, or that it may be, may be null.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
-// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
-// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
-// why.
+// A struct that is filled in begins with its mrw_…_init(), which sets defaults. Memory is the caller's, and nothing is
+// to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT, and what
+// returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 

@@ -109,12 +109,12 @@ def declarators(code):
 def default_note(line):
     """What is said of what is alike everywhere, above all in C, where a span is two members."""
     for pattern, note in {r"\s*(std::)?uint\d+_t reserved\b": " 0.",
-                          r"void mrw_\w+_init\(": " Sets what C++ has by default.",
+                          r"void mrw_\w+_init\(": " Sets defaults.",
                           r"  size_t \w+_count;": " How many there are of the member above.",
                           r"  size_t \w+_bytes;": " How many bytes there are of the member above.",
                           r"  (const )?\w+\* data;": " The first of them.",
                           r"  size_t size;": " How many there are.",
-                          r"struct mrw_(block|bytes|\w+_list) \{": " A pointer and a count: a Span of C++.",
+                          r"struct mrw_(block|bytes|\w+_list) \{": " A list: a pointer and a count.",
                           r"  ((uint32_t|size_t) (numbers|words)\[|const void\* (block|sections);|void\* user;)": " Marrow's own.",
                           r"typedef .*\(\*\w+\)\(": " A function of the caller's."}.items():
         if re.match(pattern, line):

@@ -3,10 +3,9 @@
 // Made by tools/c_api from runtime/c/api.txt and the C++ headers: do not edit. A list is a pointer and a count; a null
 // pointer with a count of 0 is empty. What is said to be empty by default, or that it may be, may be null.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
-// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
-// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
-// why.
+// A struct that is filled in begins with its mrw_…_init(), which sets defaults. Memory is the caller's, and nothing is
+// to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT, and what
+// returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 
@@ -1097,10 +1096,10 @@ size_t mrw_sample_cache_bytes(const mrw_clip* clip);
 //
 // out: as of mrw_sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
 // what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let mrw_blend()
-// read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out` was written by others. Errors: as
-// mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing.
-// Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about
-// half.
+// read it. cache: one for each `out`; put a new one of the same memory in its place if others wrote to `out`. Errors:
+// as mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; then it forgets
+// nothing. Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz
+// about half.
 mrw_status mrw_sample_cached(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, mrw_sample_cache* cache) MRW_NODISCARD;
 

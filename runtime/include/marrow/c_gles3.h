@@ -53,7 +53,7 @@ void mrw_gles3_error_watch_init(mrw_gles3_error_watch* out);
 //                    mrw_gles3_bind_examples, for its pose space → mrw_gles3_draw_mesh()
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
-// the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
+// the context is current. What a call leaves changed in the GL state is said with it. Nothing is deleted by itself: GL
 // objects may only be deleted while their context is current, which the caller alone knows.
 
 typedef void* (*mrw_gles3_load_proc)(const char* name);

@@ -6,7 +6,7 @@
 //                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw()
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
-// the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
+// the context is current. What a call leaves changed in the GL state is said with it. Nothing is deleted by itself: GL
 // objects may only be deleted while their context is current, which the caller alone knows.
 #pragma once
 
