@@ -98,7 +98,7 @@ for_c() {  # PART WHAT
   {
     title "$name.cpp" "$2 for C"
     printf '#include "%s"\n#include "%s"\n' "$cpp" "$name.h"
-    expand "$seen" "c/${1:+$1_}wrappers.cpp" "c/${1:+$1_}layouts.cpp"
+    expand "$seen" "c/${1:+$1_}wrappers.cpp"
   } >"$out/$name.cpp"
 }
 for_c "" "the runtime"

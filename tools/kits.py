@@ -56,8 +56,8 @@ KITS = {
         "tools/docs/blocks.py tools/docs/snippets.py", "build/tutorial"),
     "bindings": Kit(
         "Rust, C# and JavaScript", "tools/check/bindings.sh MARROW",
-        LIBRARIES + NEWT + "tools/check/bindings.sh tools/packages/bindings.txt tests/bindings tests/c/road.c "
-        "tests/c/surfaceless.h platform/web/CMakeLists.txt",
+        LIBRARIES + NEWT + "tools/check/bindings.sh tools/packages/bindings.txt tools/c_api tests/bindings "
+        "tests/c/road.c tests/c/surfaceless.h platform/web/CMakeLists.txt",
         "build/bindings"),
     "bits": Kit(
         "same bits everywhere", "tools/same_bits.sh",
@@ -103,8 +103,8 @@ KITS = {
         "docs/platforms/sdl.md tests/golden/dance_v1.mrw LICENSE THIRD_PARTY.md", "build/sdl"),
     "unity": Kit(
         "Unity and Unreal", "tools/check/unity.sh MARROW",
-        LIBRARIES + NEWT + "tools/check/unity.sh tools/unity.sh tools/unity tools/packages/unity.txt platform/unity "
-        "platform/unreal tests/platform/unity tests/platform/unreal tests/c/surfaceless.h docs/platforms/unity.md "
+        LIBRARIES + NEWT + "tools/check/unity.sh tools/unity.sh tools/unity tools/c_api tools/packages/unity.txt "
+        "platform/unity platform/unreal tests/platform/unity tests/platform/unreal tests/c/surfaceless.h docs/platforms/unity.md "
         "docs/platforms/unreal.md "
         "LICENSE THIRD_PARTY.md", "build/unity build/unreal"),
 }

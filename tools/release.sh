@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# Makes a release of the commit that is checked out: sees that all agrees on its version, and writes the archives of the
-# sources and of the amalgamation, with checksums, to a new folder. Tags nothing and pushes nothing: docs/versions.md.
+# Makes a release of the commit that is checked out: sees that all agrees on its version, and writes archives with
+# checksums to a new folder: the sources, the amalgamation, the bindings for Rust, C# and JavaScript. Tags nothing and
+# pushes nothing: docs/versions.md.
 # usage: tools/release.sh OUTDIR [--test]      (--test: all tests first, more than an hour)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-[ $# -ge 1 ] && [ "${2:---test}" = --test ] || { sed -n '4s/^# //p' "$0" >&2; exit 1; }
+[ $# -ge 1 ] && [ "${2:---test}" = --test ] || { sed -n '5s/^# //p' "$0" >&2; exit 1; }
 fail() { echo "release: $*" >&2; exit 1; }
 [ ! -e "$1" ] || fail "$1 is there already: name a new folder"
 out=$(realpath -m "$1")
@@ -37,9 +38,12 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git archive --format=tar --prefix="$name/" HEAD | gzip -n -9 >"$out/$name.tar.gz"
 tools/amalgamate.sh "$work/$name-amalgamated" >/dev/null
-cp LICENSE THIRD_PARTY.md CHANGELOG.md "$work/$name-amalgamated"
-tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$(git log -1 --format=%ct)" -cf - \
-  "$name-amalgamated" | gzip -n -9 >"$out/$name-amalgamated.tar.gz"
+python3 tools/c_api --bindings "$work/$name-bindings"
+for archive in amalgamated bindings; do
+  cp LICENSE THIRD_PARTY.md CHANGELOG.md "$work/$name-$archive"
+  tar -C "$work" --sort=name --owner=0 --group=0 --numeric-owner --mtime="@$(git log -1 --format=%ct)" -cf - \
+    "$name-$archive" | gzip -n -9 >"$out/$name-$archive.tar.gz"
+done
 (cd "$out" && sha256sum ./*.tar.gz >SHA256SUMS)
 printf '%s\n' "$entry" | sed '/./,$!d' >"$out/CHANGES.md"
 ls -l "$out"

@@ -64,7 +64,10 @@ for part in package.json README.md CHANGELOG.md Runtime Editor 'Samples~'; do
   cp -R "$here/platform/unity/$part" "$out"
   if [ -e "$here/platform/unity/$part.meta" ]; then cp "$here/platform/unity/$part.meta" "$out"; fi
 done
-cp "$here/runtime/c/bindings/csharp/Marrow.cs" "$out/Runtime/Core"
+bindings=$(mktemp -d)
+python3 "$here/tools/c_api" --bindings "$bindings"
+cp "$bindings/Marrow.cs" "$out/Runtime/Core"
+rm -r "$bindings"
 cp "$here/LICENSE" "$out/LICENSE.md"
 cp "$here/THIRD_PARTY.md" "$out/Third Party Notices.md"
 for one in "${given[@]}"; do

@@ -51,7 +51,7 @@ inline const void* plain(const void* p) {
   return p;
 }
 
-// A struct of C's is its twin in C++, which has the same layout (layouts.cpp).
+// A struct of C's is its twin in C++, which has the same layout: the tests compare them.
 template <class T>
 const T& of(const void* p) {
   return *static_cast<const T*>(p);

@@ -1,6 +1,6 @@
 // What of marrow::gles3 calls no driver, in JavaScript: where a joint of a crowd is. usage: gles3.mjs marrow.wasm FILE
 import { readFile } from 'node:fs/promises';
-import { GLES3_ABI, Gles3SkinningPath, Marrow, Status } from '../../runtime/c/bindings/typescript/marrow.mjs';
+import { GLES3_ABI, Gles3SkinningPath, Marrow, Status } from './marrow.mjs';
 
 const [wasm, name] = process.argv.slice(2);
 const m = await Marrow.load(await readFile(wasm));

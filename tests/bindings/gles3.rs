@@ -1,5 +1,4 @@
 // What tests/bindings/gles3.c does, in Rust: the same lines must come of it.
-#[path = "../../runtime/c/bindings/rust/marrow.rs"]
 mod marrow;
 
 use marrow::*;

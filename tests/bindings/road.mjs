@@ -1,6 +1,6 @@
 // What tests/c/road.c does, in JavaScript: the same lines must come of it. usage: road.mjs marrow.wasm FILE
 import { readFile } from 'node:fs/promises';
-import { Marrow, Status } from '../../runtime/c/bindings/typescript/marrow.mjs';
+import { Marrow, Status } from './marrow.mjs';
 
 const [wasm, name] = process.argv.slice(2);
 const m = await Marrow.load(await readFile(wasm));

@@ -1,6 +1,6 @@
 // Every function of marrow/c.h, or of marrow/c_gles3.h, with pointers that are null, off their boundary or lead to
-// zeros, null with a count, and numbers that are none: a call that cannot be done says so, and nothing crashes. The
-// calls are made by tools/c_api.
+// zeros, null with a count, and numbers that are none: a call that cannot be done says so, and nothing crashes. tools/c_api
+// makes the calls.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -18,8 +18,8 @@ TEST(Designated, MembersMayBeLeftOut) {
     [[maybe_unused]] const ::marrow::Type filled = {.member = {}}; \
     ++structs;                                                     \
   }
-#include "c/bad_calls.h"
-#include "c/gles3_bad_calls.h"
+#include "bad_calls.h"
+#include "gles3_bad_calls.h"
 #undef STRUCT
   EXPECT_GT(structs, 90);
 }

@@ -1,13 +1,17 @@
 """Makes what C, Rust, C# and JavaScript call from runtime/c/api.txt and gles3.txt.
 
-usage: python3 tools/c_api [--check | --exports FOLDER]
---check: writes nothing; exit code 1 if a file is not what it would write
+usage: python3 tools/c_api [--check | --bindings FOLDER | --tests FOLDER | --exports FOLDER]
+Without options it writes what games compile, which is committed: the headers of C and their wrappers.
+--check: writes nothing; exit code 1 if one of those is not what it would write
+--bindings: writes what Rust, C# and JavaScript call by into the folder
+--tests: writes there what the tests compile: checks of layouts, and a call of each function
 --exports: prints the functions that libraries export, by the headers in the folder, as often as they have overloads
 """
 import pathlib
 import sys
 import zlib
 
+import c_words
 import description
 import headers
 import to_c
@@ -55,35 +59,47 @@ def heading(lines):
     return out
 
 
-def made():
-    """Every file, by its path."""
-    lines = {}
-    def read_header(name):
-        if name not in lines:
-            lines[name] = (INCLUDE / name).read_text().splitlines()
-        return lines[name]
-    c = Part('c', 'runtime/c/api.txt', '', [], read_header)
-    gles3 = Part('c_gles3', 'runtime/c/gles3.txt', 'gles3_', c.rows, read_header)
-    parts, rows = [c, gles3], c.rows + gles3.rows
-    headers.expect_all_functions(rows, read_header, sorted({p.name for p in INCLUDE.glob('*.h')} - NO_FUNCTIONS))
-    structs = {r.name for r in rows if r.kind == 'struct'}
-    headings = {name: heading(read_header(name)) for name in {r.header for r in rows}}
-    out = {
-        'runtime/c/c_draco.cpp': to_cpp.Writer(c, rows).source('c_draco.cpp'),
-        'runtime/c/c_meshopt.cpp': to_cpp.Writer(c, rows).source('c_meshopt.cpp'),
-        'runtime/c/bindings/rust/marrow.rs': to_rust.made(rows, parts),
-        'runtime/c/bindings/csharp/Marrow.cs': to_csharp.made(rows, parts),
-        'runtime/c/bindings/typescript/tables.mjs': to_script.tables(rows, parts),
-        'runtime/c/bindings/typescript/marrow.d.ts': to_script.types(rows, parts),
-    }
-    for part in parts:
-        writer = to_cpp.Writer(part, rows)
-        out[f'runtime/include/marrow/{part.header}'] = to_c.header(part, structs, headings)
-        out[f'runtime/c/{part.wrappers}'] = writer.source(part.wrappers)
-        out[f'runtime/c/{part.prefix}layouts.cpp'] = writer.layouts()
-        out[f'runtime/c/{part.prefix}exports.txt'] = to_script.exports(part)
-        out[f'tests/c/{part.prefix}bad_calls.h'] = to_tests.rows_of_calls(part, rows)
-    return out
+class Api:
+    """Both libraries, and the files that come of them."""
+
+    def __init__(self):
+        lines = {}
+        def read_header(name):
+            if name not in lines:
+                lines[name] = (INCLUDE / name).read_text().splitlines()
+            return lines[name]
+        c = Part('c', 'runtime/c/api.txt', '', [], read_header)
+        gles3 = Part('c_gles3', 'runtime/c/gles3.txt', 'gles3_', c.rows, read_header)
+        self.parts, self.rows = [c, gles3], c.rows + gles3.rows
+        headers.expect_all_functions(self.rows, read_header, sorted({p.name for p in INCLUDE.glob('*.h')} - NO_FUNCTIONS))
+        self.headings = {name: heading(read_header(name)) for name in {r.header for r in self.rows}}
+
+    def committed(self):
+        """Every file that a game's build compiles, by its path."""
+        structs = {r.name for r in self.rows if r.kind == 'struct'}
+        out = {}
+        for part in self.parts:
+            words = c_words.Words(part, self.parts)
+            out[f'runtime/include/marrow/{part.header}'] = to_c.header(part, structs, self.headings, words)
+            for name in sorted({r.source for r in part.rows if r.kind == 'fn'}):
+                out[f'runtime/c/{name}'] = to_cpp.Writer(part, self.rows).source(name)
+        return out
+
+    def bindings(self):
+        return {
+            'marrow.rs': to_rust.made(self.rows, self.parts),
+            'Marrow.cs': to_csharp.made(self.rows, self.parts),
+            'marrow.mjs': (ROOT / 'runtime/c/marrow.mjs').read_text(),
+            'marrow.d.ts': to_script.types(self.rows, self.parts),
+            'tables.mjs': to_script.tables(self.rows, self.parts),
+        }
+
+    def tests(self):
+        out = {}
+        for part in self.parts:
+            out[f'{part.prefix}layouts.cpp'] = to_cpp.Writer(part, self.rows).layouts()
+            out[f'{part.prefix}bad_calls.h'] = to_tests.rows_of_calls(part, self.rows)
+        return out
 
 
 def exports(folder):
@@ -91,23 +107,34 @@ def exports(folder):
                   for name, exported, _ in headers.functions_of(path.read_text().splitlines()) if exported)
 
 
-def main():
-    if len(sys.argv) == 3 and sys.argv[1] == '--exports':
-        print(*exports(sys.argv[2]), sep='\n')
-        return 0
-    check = sys.argv[1:] == ['--check']
-    if sys.argv[1:] and not check:
+def write(folder, files):
+    for path, text in files.items():
+        file = pathlib.Path(folder) / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+    return 0
+
+
+def check(files):
+    wrong = [path for path, text in files.items() if not (ROOT / path).exists() or (ROOT / path).read_text() != text]
+    for path in wrong:
+        print(f'{path}: is not what the description says: run python3 tools/c_api', file=sys.stderr)
+    return 1 if wrong else 0
+
+
+def main(words):
+    option = words[0] if words else ''
+    if len(words) != {'': 0, '--check': 1, '--bindings': 2, '--tests': 2, '--exports': 2}.get(option):
         raise SystemExit(__doc__)
-    wrong = 0
-    for path, text in made().items():
-        file = ROOT / path
-        if check and (not file.exists() or file.read_text() != text):
-            print(f'{path}: is not what the description says: run python3 tools/c_api', file=sys.stderr)
-            wrong = 1
-        elif not check:
-            file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(text)
-    return wrong
+    if option == '--exports':
+        print(*exports(words[1]), sep='\n')
+        return 0
+    api = Api()
+    if option == '--check':
+        return check(api.committed())
+    if option == '--bindings':
+        return write(words[1], api.bindings())
+    return write(words[1], api.tests()) if option == '--tests' else write(ROOT, api.committed())
 
 
-sys.exit(main())
+sys.exit(main(sys.argv[1:]))

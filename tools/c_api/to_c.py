@@ -60,14 +60,12 @@ def prototype(row, structs, last=';'):
 
 OPENING = '''// The whole runtime for C99, and for all languages that call C: see docs/c.md. Library marrow::c.
 //
-// Made by tools/c_api from runtime/c/api.txt and the C++ headers, whose words these are: do not edit. Where they name a
-// C++ function or type, here it is mrw_ and that name in small letters; a Span is a pointer and a count, a null pointer
-// with a count of 0 is empty. What is "empty by default" or "may be null" there may be null here.
+// Made by tools/c_api from runtime/c/api.txt and the C++ headers: do not edit. A list is a pointer and a count; a null
+// pointer with a count of 0 is empty. What is said to be empty by default, or that it may be, may be null.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
-// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
-// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
-// why.
+// A struct that is filled in begins with its mrw_…_init(), which sets defaults. Memory is the caller's, and nothing is
+// to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT, and what
+// returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 
@@ -87,10 +85,8 @@ OPENING = '''// The whole runtime for C99, and for all languages that call C: se
 
 OPENING_OF_GLES3 = '''// Skinning by OpenGL ES 3.0 for C99, and for all languages that call C: see docs/c.md. Library marrow::c_gles3.
 //
-// Made by tools/c_api from runtime/c/gles3.txt and the C++ headers, whose words these are: do not edit. Where they name
-// a C++ function or type, here it is mrw_gles3_ and that name in small letters. All else is as marrow/c.h says: a Span
-// is a pointer and a count, what is "empty by default" or "may be null" may be null, a struct that is filled in begins
-// with its mrw_gles3_…_init().
+// Made by tools/c_api from runtime/c/gles3.txt and the C++ headers: do not edit. Lists, structs that are filled in, and
+// what may be null are as marrow/c.h says.
 //
 // A pointer that is null or off the boundary of its type is refused, and so is an mrw_gles3_api full of zeros, which
 // mrw_gles3_load_api() has not filled yet.
@@ -109,11 +105,11 @@ uint32_t mrw_%(name)sabi(void);
 '''
 
 
-def struct_text(row):
+def struct_text(row, words):
     align = f' MRW_ALIGN({row.boundary()})' if row.boundary() > 1 else ''
     out = [f'struct{align} mrw_{row.name} {{']
     for name, t in row.fields:
-        doc = row.docs.get(name, [])
+        doc = words.comment(row.docs.get(name, []), row.header, row, 115)
         members = ['  ' + m + ';' for m in member(name, t)]
         if len(doc) == 1 and len(members[0] + doc[0]) < 115:
             members[0] += '  // ' + doc[0]
@@ -123,11 +119,11 @@ def struct_text(row):
     return out + ['};']
 
 
-def enum_text(row):
+def enum_text(row, words):
     out = [f'typedef {c_name(row.type.name)} mrw_{row.name};', 'enum {']
     for i, value in enumerate(row.values):
         line = f'  {enumerator(row, value)} = {i},'
-        doc = row.docs.get(value, [])
+        doc = words.comment(row.docs.get(value, []), row.header, row, 115)
         if len(doc) == 1 and len(line + doc[0]) < 115:
             line += '  // ' + doc[0]
         else:
@@ -136,30 +132,30 @@ def enum_text(row):
     return out + ['};']
 
 
-def constant_text(row):
+def constant_text(row, words):
     value = row.value if '.' in row.value or 'e' in row.value else row.value + ('' if row.type.name == 'i32' else 'u')
     value = f'({value})' if ' ' in value else value
-    beside = '  // ' + row.beside[0] if row.beside else ''
-    return [f'#define {constant(row.name)} {value}{beside}']
+    line, beside = f'#define {constant(row.name)} {value}', words.comment(row.beside, row.header)
+    return [f'{line}  // {beside[0]}'] if len(beside) == 1 and len(line + beside[0]) < 115 else comment(beside) + [line]
 
 
-def row_text(row, structs):
+def row_text(row, structs, words):
     if row.kind == 'const':
-        return constant_text(row)
+        return constant_text(row, words)
     if row.kind == 'enum':
-        return enum_text(row)
+        return enum_text(row, words)
     if row.kind == 'callback':
         return wrapped(f'typedef {returned(row, structs)} (*mrw_{row.name})(', parameters(row, structs) or ['void'],
                        ');').split('\n')
     if row.kind == 'opaque':
         return [f'typedef struct mrw_{row.name} mrw_{row.name};']
     if row.kind == 'struct':
-        return [f'typedef struct mrw_{row.name} mrw_{row.name};'] + struct_text(row)
+        return [f'typedef struct mrw_{row.name} mrw_{row.name};'] + struct_text(row, words)
     mark = ' MRW_NODISCARD' if returned(row, structs) == 'mrw_status' else ''
     return prototype(row, structs, mark + ';').split('\n')
 
 
-def header(part, structs, headings):
+def header(part, structs, headings, words):
     opening = OPENING_OF_GLES3 if part.prefix else OPENING
     out, last, last_doc = [opening + '// clang-format off\n#ifdef __cplusplus\nextern "C" {\n#endif\n' + ABI % {
         'name': part.prefix, 'NAME': part.prefix.upper(), 'abi': part.abi}], '', []
@@ -167,12 +163,12 @@ def header(part, structs, headings):
         if row.kind == 'no':
             continue
         if row.header != last:
-            out += ['', '// ' + '-' * 117] + comment(headings[row.header])
+            out += ['', f'// ---- Part {row.header[:-2]} '.ljust(120, '-')] + comment(words.comment(headings[row.header], row.header))
             last = row.header
         if row.doc != last_doc or not row.doc:
-            out += [''] + comment(row.doc)
+            out += [''] + comment(words.comment(row.doc, row.header, row))
         last_doc = row.doc
-        out += row_text(row, structs)
+        out += row_text(row, structs, words)
         if 'init' in row.flags:
             out.append(f'void mrw_{row.name}_init(mrw_{row.name}* out);')
     out += ['', '#ifdef __cplusplus', '}', '#endif', '#endif']

@@ -1,4 +1,4 @@
-"""bindings/csharp/Marrow.cs: [DllImport] functions and sequential structs, for 64-bit and 32-bit processes."""
+"""Marrow.cs: [DllImport] functions and sequential structs, for 64-bit and 32-bit processes."""
 import re
 from xml.sax.saxutils import escape
 

@@ -1,4 +1,4 @@
-"""bindings/rust/marrow.rs: extern "C" functions and #[repr(C)] structs."""
+"""marrow.rs: extern "C" functions and #[repr(C)] structs."""
 import re
 
 from layout import Layout

@@ -1,4 +1,4 @@
-"""bindings/typescript: tables.mjs, which marrow.mjs works by, with 4-byte pointers; and marrow.d.ts, its types."""
+"""JavaScript: tables.mjs, which marrow.mjs works by, with 4-byte pointers; and marrow.d.ts, its types."""
 import json
 import re
 
@@ -160,13 +160,3 @@ def types(rows, parts):
             gives = 'Status'
         out += docs(r.doc, '  ') + [f'  {r.name}({", ".join(params)}): {gives};']
     return '\n'.join(out + ['}', ''])
-
-
-def exports(part):
-    names = [f'mrw_{part.prefix}abi']
-    for r in part.rows:
-        if r.kind == 'struct' and 'init' in r.flags:
-            names.append(f'mrw_{r.name}_init')
-        if r.kind == 'fn' and r.source == part.wrappers:
-            names.append(f'mrw_{r.name}')
-    return '\n'.join(sorted(names)) + '\n'

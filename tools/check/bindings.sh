@@ -18,6 +18,10 @@ has rustc mcs mono em++ node || "$here/tools/install.sh" "$here/tools/packages/b
 quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
 }
+# The programs beside the bindings that they call by.
+programs="$work/programs"
+quietly python3 "$here/tools/c_api" --bindings "$programs"
+cp "$here"/tests/bindings/*.{rs,cs,mjs} "$programs"
 runtime_alone=(-DCMAKE_BUILD_TYPE=Release -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_WERROR=OFF \
   -DMARROW_GLES=ON -C "$here/cmake/quick.cmake")
 quietly cmake -S "$here" -B "$work/shared" -G Ninja "${runtime_alone[@]}" -DMARROW_DRACO=ON -DMARROW_MESHOPT=ON
@@ -54,21 +58,19 @@ compare() {  # LANGUAGE CODEC COMMAND ...
 }
 
 if has rustc; then
-  quietly rustc --edition 2021 -O -D warnings -o "$work/road_rust" "$here/tests/bindings/road.rs" -L "$LD_LIBRARY_PATH" \
+  quietly rustc --edition 2021 -O -D warnings -o "$work/road_rust" "$programs/road.rs" -L "$LD_LIBRARY_PATH" \
     -l marrow_c
   for codec in none draco; do compare Rust $codec "$work/road_rust"; done
-  quietly rustc --edition 2021 -O -D warnings -o "$work/gles3_rust" "$here/tests/bindings/gles3.rs" \
+  quietly rustc --edition 2021 -O -D warnings -o "$work/gles3_rust" "$programs/gles3.rs" \
     -L "$LD_LIBRARY_PATH" -l marrow_c
   draw Rust "$work/gles3_rust"
 else
   skip "Rust: there is no rustc"
 fi
 if has mcs mono; then
-  quietly mcs -unsafe -warnaserror -out:"$work/Road.exe" "$here/tests/bindings/Road.cs" \
-    "$here/runtime/c/bindings/csharp/Marrow.cs"
+  quietly mcs -unsafe -warnaserror -out:"$work/Road.exe" "$programs/Road.cs" "$programs/Marrow.cs"
   for codec in none draco; do compare 'C#' $codec mono "$work/Road.exe"; done
-  quietly mcs -unsafe -warnaserror -out:"$work/Gles3.exe" "$here/tests/bindings/Gles3.cs" \
-    "$here/runtime/c/bindings/csharp/Marrow.cs"
+  quietly mcs -unsafe -warnaserror -out:"$work/Gles3.exe" "$programs/Gles3.cs" "$programs/Marrow.cs"
   draw 'C#' mono "$work/Gles3.exe"
 else
   skip "C#: there is no mcs or mono"
@@ -77,10 +79,10 @@ if has em++ node; then
   export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}  # where Debian's compiler has its own modules
   quietly emcmake cmake -S "$here" -B "$work/wasm" -G Ninja "${runtime_alone[@]}"
   quietly cmake --build "$work/wasm" --target marrow_wasm
-  compare JavaScript none node "$here/tests/bindings/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
-  node "$here/tests/bindings/gles3.mjs" "$work/wasm/runtime/c/marrow.wasm" "$work/newt_none.mrw"
+  compare JavaScript none node "$programs/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
+  node "$programs/gles3.mjs" "$work/wasm/runtime/c/marrow.wasm" "$work/newt_none.mrw"
   # A library of another release is refused, and says so.
-  cp "$here"/runtime/c/bindings/typescript/*.mjs "$work"
+  cp "$programs"/{marrow,tables}.mjs "$work"
   sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"
   said=$(node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
     "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1) && said=nothing

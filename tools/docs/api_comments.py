@@ -67,7 +67,7 @@ def convert(name, text):
     behind, opened, notes, before = None, False, [], ""
     for line in lines[top:]:
         code, column, comment = split_comment(line)
-        if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", "---")):
+        if re.fullmatch(r"typedef struct (\w+) \1;", line) or comment.startswith((" clang-format", " ---")):
             continue  # the comment above such a line is the struct's
         if opened and re.match(r"}  // namespace|#ifdef __cplusplus", line):
             out.append("/// @}")
@@ -83,12 +83,13 @@ def convert(name, text):
         behind = column
         note = as_text(comment) if column is not None else default_note(line)
         alike = re.match(r"\s*(MARROW_API|[\w:]+ \w+\(.*\{ return|(const )?[a-z]\w+\*? mrw_\w+\()", code) and before == "function"
-        if (alike or code.startswith("#define") and before == "define") and not note:
-            out += notes  # functions and macros one below the other share the comment above them
+        of = next((kind for kind in ("#define", "inline constexpr") if code.startswith(kind)), None)
+        if (alike or of and of == before) and not note:
+            out += notes  # functions, macros and constants one below the other share the comment above them
         for part in declarators(code):
             out += [f"///{note}"] * bool(note) + [part]
         function = re.search(r"\)( const| MRW_NODISCARD)*;|\{ return .*\}$", code.rstrip())
-        before = "define" if code.startswith("#define") else "function" if function else "open" if before == "open" or re.match(r"\s*MARROW_API|(const )?[a-z]\w+\*? mrw_\w+\(", code) else ""
+        before = of if of else "function" if function else "open" if before == "open" or re.match(r"\s*MARROW_API|(const )?[a-z]\w+\*? mrw_\w+\(", code) else ""
         if re.match(r'namespace [\w:]+ {|extern "C" {', line):
             out.append(f"/// @addtogroup header_{name}\n/// @{{")
             opened = True
@@ -108,12 +109,12 @@ def declarators(code):
 def default_note(line):
     """What is said of what is alike everywhere, above all in C, where a span is two members."""
     for pattern, note in {r"\s*(std::)?uint\d+_t reserved\b": " 0.",
-                          r"void mrw_\w+_init\(": " Sets what C++ has by default.",
+                          r"void mrw_\w+_init\(": " Sets defaults.",
                           r"  size_t \w+_count;": " How many there are of the member above.",
                           r"  size_t \w+_bytes;": " How many bytes there are of the member above.",
                           r"  (const )?\w+\* data;": " The first of them.",
                           r"  size_t size;": " How many there are.",
-                          r"struct mrw_(block|bytes|\w+_list) \{": " A pointer and a count: a Span of C++.",
+                          r"struct mrw_(block|bytes|\w+_list) \{": " A list: a pointer and a count.",
                           r"  ((uint32_t|size_t) (numbers|words)\[|const void\* (block|sections);|void\* user;)": " Marrow's own.",
                           r"typedef .*\(\*\w+\)\(": " A function of the caller's."}.items():
         if re.match(pattern, line):

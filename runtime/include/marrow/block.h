@@ -1,7 +1,6 @@
 // Blocks of memory on boundaries of 16 bytes, as load() and whatever lays things out in the caller's memory want them.
 //
-//   std::vector<std::byte> memory(block_bytes(size));
-//   const Span<std::byte> block = block_in(memory);  // at least `size` bytes
+// block_in() finds a block of at least `size` bytes in any memory of block_bytes(size) bytes.
 #pragma once
 
 #include <cstdint>

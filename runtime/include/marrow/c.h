@@ -1,13 +1,11 @@
 // The whole runtime for C99, and for all languages that call C: see docs/c.md. Library marrow::c.
 //
-// Made by tools/c_api from runtime/c/api.txt and the C++ headers, whose words these are: do not edit. Where they name a
-// C++ function or type, here it is mrw_ and that name in small letters; a Span is a pointer and a count, a null pointer
-// with a count of 0 is empty. What is "empty by default" or "may be null" there may be null here.
+// Made by tools/c_api from runtime/c/api.txt and the C++ headers: do not edit. A list is a pointer and a count; a null
+// pointer with a count of 0 is empty. What is said to be empty by default, or that it may be, may be null.
 //
-// A struct that is filled in begins with its mrw_…_init(), which sets what C++ has by default. Memory is the caller's,
-// and nothing is to be freed. A pointer that is null or off the boundary of its type makes a call return
-// MRW_BAD_ARGUMENT, and what returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told
-// why.
+// A struct that is filled in begins with its mrw_…_init(), which sets defaults. Memory is the caller's, and nothing is
+// to be freed. A pointer that is null or off the boundary of its type makes a call return MRW_BAD_ARGUMENT, and what
+// returns no status 0, false or null; the handler of mrw_set_call_error_handler() is told why.
 #ifndef MARROW_C_H
 #define MARROW_C_H
 
@@ -34,14 +32,14 @@ extern "C" {
 uint32_t mrw_abi(void);
 
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part status ----------------------------------------------------------------------------------------------------
 // What a call came to: one enum for the whole runtime, with text. No exceptions, no logging.
 
 // What a call came to.
 typedef uint8_t mrw_status;
 enum {
   MRW_OK = 0,
-  MRW_BAD_ARGUMENT = 1,  // the call is wrong: a span too short, a null pointer, an index out of range
+  MRW_BAD_ARGUMENT = 1,  // the call is wrong: a list too short, a null pointer, an index out of range
   MRW_TRUNCATED = 2,  // the data ends before what it announces
   MRW_BAD_MAGIC = 3,  // not a cooked file
   MRW_BAD_VERSION = 4,  // cooked for another version of the format
@@ -65,19 +63,19 @@ void mrw_data_error_init(mrw_data_error* out);
 // One word or two in English, never null.
 const char* mrw_status_text(mrw_status status);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part call_error ------------------------------------------------------------------------------------------------
 // Who is told when a call is wrong: which function, and what it asks for and did not get.
 
 typedef void (*mrw_call_error_handler)(const char* function, const char* condition);
 
-// From now on `handler` is told of every call that returns Status::bad_argument, on the thread of that call and before
+// From now on `handler` is told of every call that returns MRW_BAD_ARGUMENT, on the thread of that call and before
 // it returns. null: nobody is told. Returns the handler before.
 //
 // The runtime itself never logs. Without a call of this nobody is told in a build with NDEBUG, and in one without a
 // line goes to stderr. A library built with MARROW_CALL_ERRORS=OFF, as it is by default for MinSizeRel, holds no names
 // and no conditions, and tells nobody whatever is set here.
 //
-// Bad data in a file is no bad call: see DataError.
+// Bad data in a file is no bad call: see mrw_data_error.
 // Thread-safe; the handler must be so too, and the one before may still be running on other threads. It may call
 // anything of Marrow, may set another handler, and may stop the program.
 mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler);
@@ -85,11 +83,11 @@ mrw_call_error_handler mrw_set_call_error_handler(mrw_call_error_handler handler
 // The handler of now; null: nobody is told. Thread-safe.
 mrw_call_error_handler mrw_get_call_error_handler(void);
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Blocks of memory on boundaries of 16 bytes, as load() and whatever lays things out in the caller's memory want them.
+// ---- Part block -----------------------------------------------------------------------------------------------------
+// Blocks of memory on boundaries of 16 bytes, as mrw_load() and whatever lays things out in the caller's memory want
+// them.
 //
-//   std::vector<std::byte> memory(block_bytes(size));
-//   const Span<std::byte> block = block_in(memory);  // at least `size` bytes
+// mrw_block_in() finds a block of at least `size` bytes in any memory of mrw_block_bytes(size) bytes.
 
 // Bytes: where blocks begin at multiples of.
 #define MRW_BLOCK_BOUNDARY 16u
@@ -109,12 +107,12 @@ bool mrw_is_on_boundary(const void* first);
 // What lies behind the first boundary in `memory`; empty if there is none.
 mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Before stage 1, for packed files: what a game ships → what load() reads.
+// ---- Part unpack ----------------------------------------------------------------------------------------------------
+// Before stage 1, for packed files: what a game ships → what mrw_load() reads.
 //
 // A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
 // --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so
-// that a game links only the one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
+// that a game links only the one it ships with: mrw_draco_decoder() (smallest), mrw_meshopt_decoder() (fastest).
 
 typedef struct mrw_bytes mrw_bytes;
 struct mrw_bytes {
@@ -130,33 +128,33 @@ struct mrw_mesh_decoder {
   void (*decode)(void);  // the codec
 };
 
-// Bytes of Unpacking's state.
+// Bytes of mrw_unpacking's state.
 #define MRW_UNPACK_STATE_BYTES 512u
 
-// How much memory unpack() takes.
+// How much memory mrw_unpack() takes.
 typedef struct mrw_unpack_sizes mrw_unpack_sizes;
 struct mrw_unpack_sizes {
   uint32_t file_bytes;  // of the unpacked file
-  uint32_t memory_bytes;  // what unpack() wants: the file and, behind it, room to work in
+  uint32_t memory_bytes;  // what mrw_unpack() wants: the file and, behind it, room to work in
 };
 
-// Whether these are the first bytes of a packed file. Anything else is for load() to judge.
+// Whether these are the first bytes of a packed file. Anything else is for mrw_load() to judge.
 bool mrw_is_packed(const void* bytes, size_t byte_count);
 
-// How much memory unpacking takes: what the records need by their counts, and bad_data if the header claims anything
-// else, or a clip or bounds more than their bytes can hold. A mesh's counts are the file's claim, which a codec's few
-// bytes may bear out, so whoever reads files of strangers should set a limit. Errors: bad_magic, bad_version,
-// bad_checksum, truncated, bad_data. Cost: the checksum.
+// How much memory unpacking takes: what the records need by their counts, and MRW_BAD_DATA if the header claims
+// anything else, or a clip or bounds more than their bytes can hold. A mesh's counts are the file's claim, which a
+// codec's few bytes may bear out, so whoever reads files of strangers should set a limit. Errors: MRW_BAD_MAGIC,
+// MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_TRUNCATED, MRW_BAD_DATA. Cost: the checksum.
 // May be null: error.
 mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
     mrw_data_error* error) MRW_NODISCARD;
 
-// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for load()
-// to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for
+// mrw_load() to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
 //
-// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
-// bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
-// bad_argument. On failure
+// packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as
+// mrw_find_unpack_sizes(); MRW_BAD_DATA; MRW_UNSUPPORTED if a mesh's codec is not among `decoders` (mrw_data_error.rule
+// names it); MRW_OUT_OF_MEMORY, by Draco; MRW_BAD_ARGUMENT. On failure
 // `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
 // order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
 // nothing else does.
@@ -166,55 +164,54 @@ mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_de
 
 // The same in steps, for a game that loads while it plays: as many a frame as its time allows.
 //
-//   Unpacking loading;
-//   begin_unpack(packed, decoders, memory, loading);
-//   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
-//   then          load(loading.file, file)
+//   once          mrw_begin_unpack()
+//   every frame   mrw_unpack_step(), while there is time and mrw_unpacking.file is empty
+//   then          mrw_load() of mrw_unpacking.file
 //
-// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
-// step. Stopping half way is forgetting it: nothing is to be freed.
+// A plain struct; a new one has nothing begun. The packed bytes, the decoders and the memory stay as they are until
+// the last step. Stopping half way is forgetting it: nothing is to be freed.
 typedef struct mrw_unpacking mrw_unpacking;
 struct MRW_ALIGN(8) mrw_unpacking {
-  const void* file;  // empty until the last step is done; then as of unpack()
+  const void* file;  // empty until the last step is done; then as of mrw_unpack()
   size_t file_bytes;
   uint32_t done_bytes;  // of total_bytes, for a bar
   uint32_t total_bytes;  // of the unpacked file
-  uint8_t state[512];  // unpack_step()'s own
+  uint8_t state[512];  // mrw_unpack_step()'s own
 };
 void mrw_unpacking_init(mrw_unpacking* out);
 
-// Checks the header and the records' counts. Errors: as unpack_sizes(), and bad_argument; then nothing is begun.
-// Cost: the checksum.
+// Checks the header and the records' counts. Errors: as mrw_find_unpack_sizes(), and MRW_BAD_ARGUMENT; then nothing is
+// begun. Cost: the checksum.
 // May be null: error.
 mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) MRW_NODISCARD;
 
 // Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
 // and decoding that, ordering and writing; then with the file's checksum. A step stops when it has done so much, a few
-// milliseconds whatever the file holds, and the next one goes on there; but for what a codec's library does in one call.
-// meshoptimizer's decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them. Draco's
-// decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
+// milliseconds whatever the file holds, and the next one goes on there; but for what a codec's library does in one
+// call. meshoptimizer's decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them.
+// Draco's decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
 //
-// Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
-// at a time.
+// Errors: as mrw_unpack(); nothing is in work afterwards. MRW_BAD_ARGUMENT: nothing is in work. May run on any thread,
+// on one at a time.
 // May be null: error.
 mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part draco -----------------------------------------------------------------------------------------------------
 // Meshes compressed with Google's Draco: the smallest files, about a microsecond a vertex to decode. Library
 // marrow::draco.
 
-// For unpack(). Draco allocates while it decodes and frees all of it again.
+// For mrw_unpack(). Draco allocates while it decodes and frees all of it again.
 mrw_status mrw_draco_decoder(mrw_mesh_decoder* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part meshopt ---------------------------------------------------------------------------------------------------
 // Meshes compressed with meshoptimizer's vertex and index codecs: several times as fast to decode as Draco, and meant
 // to be compressed once more by whatever packs the game's data. Library marrow::meshopt.
 
-// For unpack(). Allocates nothing.
+// For mrw_unpack(). Allocates nothing.
 mrw_status mrw_meshopt_decoder(mrw_mesh_decoder* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part pose ------------------------------------------------------------------------------------------------------
 // The two forms of a pose that stages hand on: local transforms in groups of four joints, and model-space matrices.
 
 // Local transforms (parent_from_joint = translate · rotate · scale) of four consecutive joints, one lane a joint.
@@ -248,22 +245,22 @@ struct mrw_joint_transform {
 };
 void mrw_joint_transform_init(mrw_joint_transform* out);
 
-// How many SoaTransforms hold a pose of `joint_count` joints.
+// How many elements of mrw_soa_transform hold a pose of `joint_count` joints.
 size_t mrw_soa_count(size_t joint_count);
 
 // Reads and sets the transform of joint `joint` in a local pose; for a few joints a frame. What is set goes in as it
-// is. Errors: bad_argument if the joint is beyond the pose; nothing is written.
+// is. Errors: MRW_BAD_ARGUMENT if the joint is beyond the pose; nothing is written.
 mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uint32_t joint,
     mrw_joint_transform* out) MRW_NODISCARD;
 mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
     const mrw_joint_transform* transform) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part example_space ---------------------------------------------------------------------------------------------
 // Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
 //
-//   once a load    File::example_space, find_example_channels
-//   every frame    sample_channels → parameters → evaluate_examples → weights of each of the space's meshes → morph,
-//                  or CharacterMesh::weights between pose_character() and finish_character()
+//   once a load    mrw_file_example_space, mrw_find_example_channels
+//   every frame    mrw_sample_channels → parameters → mrw_evaluate_examples → weights of each of the space's meshes →
+//                  mrw_morph(), or mrw_character_mesh.weights between mrw_pose_character() and mrw_finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
 // Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
@@ -276,7 +273,7 @@ mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t 
 // An axis of the space.
 typedef struct mrw_example_parameter mrw_example_parameter;
 struct mrw_example_parameter {
-  uint32_t name;  // see File::text; also of the channel that drives it
+  uint32_t name;  // see mrw_file_text; also of the channel that drives it
   float rest;  // where nothing drives it
 };
 
@@ -284,10 +281,10 @@ struct mrw_example_parameter {
 typedef struct mrw_example_space mrw_example_space;
 struct mrw_example_space {
   const char* name;  // as the source calls it; never null
-  uint32_t example_count;  // at most kMaxExamples
-  const mrw_example_parameter* parameters;  // at most kMaxExampleParameters
+  uint32_t example_count;  // at most MRW_MAX_EXAMPLES
+  const mrw_example_parameter* parameters;  // at most MRW_MAX_EXAMPLE_PARAMETERS
   size_t parameter_count;
-  const uint32_t* targets;  // that it weighs, ascending, at most kMaxExamples; the same of each mesh
+  const uint32_t* targets;  // that it weighs, ascending, at most MRW_MAX_EXAMPLES; the same of each mesh
   size_t target_count;
   const uint32_t* meshes;  // of the file, ascending
   size_t mesh_count;
@@ -301,7 +298,7 @@ struct mrw_example_space {
   size_t inverse_width_count;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part file ------------------------------------------------------------------------------------------------------
 // Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
 
 // Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
@@ -310,25 +307,25 @@ struct mrw_example_space {
 // The most palette entries that a vertex follows.
 #define MRW_MAX_INFLUENCES 8u
 
-// In Skeleton::parents: a root.
+// In mrw_skeleton.parents: a root.
 #define MRW_NO_PARENT 0xFFFFu
 
-// In Geometry::source_slots: a vertex of no triangle.
+// In mrw_geometry.source_slots: a vertex of no triangle.
 #define MRW_NO_SLOT 0xFFFFFFFFu
 
-// The most examples of a PoseSpace.
+// The most examples of an mrw_pose_space.
 #define MRW_MAX_POSE_EXAMPLES 32u
 
-// In Mesh::material_index: no more than what stands in the Mesh.
+// In mrw_mesh.material_index: no more than what stands in the mrw_mesh.
 #define MRW_NO_MATERIAL 0xFFFFFFFFu
 
 // In place of an image: none.
 #define MRW_NO_IMAGE 0xFFFFFFFFu
 
-// In Node::joint and elsewhere: none.
+// In mrw_node.joint and elsewhere: none.
 #define MRW_NO_JOINT 0xFFFFu
 
-// What shape the rotations within a JointLimit have.
+// What shape the rotations within an mrw_joint_limit have.
 typedef uint8_t mrw_limit_kind;
 enum {
   MRW_LIMIT_KIND_NONE = 0,  // turns freely; for joints that have a rate limit alone
@@ -348,7 +345,7 @@ enum {
   MRW_AXIS_ORDER_ZYX = 5,
 };
 
-// Which part of a local transform a Track drives.
+// Which part of a local transform an mrw_track drives.
 typedef uint8_t mrw_track_path;
 enum {
   MRW_TRACK_PATH_TRANSLATION = 0,
@@ -428,7 +425,7 @@ enum {
   MRW_IMAGE_FORMAT_DDS = 5,
 };
 
-// What a Property is.
+// What an mrw_property is.
 typedef uint8_t mrw_property_type;
 enum {
   MRW_PROPERTY_TYPE_NUMBER = 0,
@@ -438,7 +435,7 @@ enum {
 
 // Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
 // clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
-// angle_range() in limits.h.
+// mrw_make_angle_range() in part limits.
 typedef struct mrw_angle_range mrw_angle_range;
 struct mrw_angle_range {
   float middle;  // -1 … 1: -180° … 180°
@@ -453,7 +450,7 @@ struct mrw_rate_limit {
 };
 void mrw_rate_limit_init(mrw_rate_limit* out);
 
-// How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
+// How far and how fast a joint may turn, as it lies in a cooked file; make one with mrw_make_limit(), see part limits.
 //
 // The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
 // rotation. A local rotation q (parent_from_joint) is seen in them as
@@ -468,7 +465,7 @@ void mrw_rate_limit_init(mrw_rate_limit* out);
 // euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
 //   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
 //
-// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+// A swing of 180° has no twist: all twists are one step away. See mrw_clamp_rotation().
 typedef struct mrw_joint_limit mrw_joint_limit;
 struct mrw_joint_limit {
   uint16_t joint;  // of the skeleton
@@ -477,20 +474,20 @@ struct mrw_joint_limit {
   float limit_from_parent[4];  // unit quaternion
   float joint_from_limit[4];  // unit quaternion
   mrw_angle_range angles[3];  // of a cone the middles of the second and third are 0; of a hinge both are 0
-  mrw_rate_limit rate;  // of the local rotation, see follow_pose()
+  mrw_rate_limit rate;  // of the local rotation, see mrw_follow_pose()
 };
 void mrw_joint_limit_init(mrw_joint_limit* out);
 
-#define MRW_MAX_SPRING_COLLIDERS 64u  // as many as SpringChain::colliders has bits
+#define MRW_MAX_SPRING_COLLIDERS 64u  // as many as mrw_spring_chain.colliders has bits
 
-// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+// A joint that swings, by the bone that goes from it to the next joint of its chain. See part springs.
 typedef struct mrw_spring_joint mrw_spring_joint;
 struct mrw_spring_joint {
   uint16_t joint;  // of the skeleton
   uint16_t most_pull;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
   float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
   float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-  float gravity;  // -10 … 10, times SpringFrame::gravity
+  float gravity;  // -10 … 10, times mrw_spring_frame.gravity
   float drag;  // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
   float radius_m;  // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
   float weight;  // 0 … 1, of what is shown; the motion itself goes on
@@ -503,7 +500,7 @@ struct mrw_spring_chain {
   const mrw_spring_joint* joints;  // from the chain's root to its end
   size_t joint_count;
   float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-  uint64_t colliders;  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
+  uint64_t colliders;  // bit i, lowest first: it stays out of mrw_spring_frame.colliders[i]
 };
 void mrw_spring_chain_init(mrw_spring_chain* out);
 
@@ -530,25 +527,25 @@ struct mrw_spring_collider_list {
 typedef struct mrw_skeleton mrw_skeleton;
 struct mrw_skeleton {
   const char* name;  // as the source calls it; never null
-  uint32_t joint_count;  // 1 … kMaxJoints
+  uint32_t joint_count;  // 1 … MRW_MAX_JOINTS
   uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
   const mrw_affine* scene_from_root;  // root_count; what stands above each root and never moves
-  const mrw_soa_transform* rest;  // soa_count(joint_count); the pose of joints that a clip leaves alone
-  const uint16_t* parents;  // joint_count; kNoParent for roots
-  const uint32_t* names;  // joint_count; see File::text
+  const mrw_soa_transform* rest;  // mrw_soa_count(joint_count); the pose of joints that a clip leaves alone
+  const uint16_t* parents;  // joint_count; MRW_NO_PARENT for roots
+  const uint32_t* names;  // joint_count; see mrw_file_text
   const mrw_joint_limit* limits;  // ascending by joint; those that the asset came with
   size_t limit_count;
 };
 
-// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+// In a clip pack, instead of a skeleton: which one its clips were made for. See part clip_pack.
 typedef struct mrw_skeleton_reference mrw_skeleton_reference;
 struct mrw_skeleton_reference {
   const char* name;  // the skeleton's
   uint32_t joint_count;  // the skeleton's
-  uint64_t hash;  // skeleton_hash() of the skeleton
-  const uint32_t* names;  // joint_count; see File::text
+  uint64_t hash;  // mrw_skeleton_hash() of the skeleton
+  const uint32_t* names;  // joint_count; see mrw_file_text
   const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
-  const uint16_t* parents;  // joint_count; kNoParent for roots
+  const uint16_t* parents;  // joint_count; MRW_NO_PARENT for roots
 };
 
 // One channel of a clip stored without loss: the source's own keys at the source's own times.
@@ -558,8 +555,8 @@ struct mrw_track {
   mrw_track_path path;  // what of the joint it drives
   mrw_interpolation interpolation;  // between its keys
   uint32_t key_count;  // ≥ 1
-  uint32_t first_time;  // into Clip::times; tracks with the same keys share them
-  uint32_t first_value;  // Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
+  uint32_t first_time;  // into mrw_clip.times_s; tracks with the same keys share them
+  uint32_t first_value;  // Into mrw_clip.values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
 };
 
 // Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
@@ -574,11 +571,11 @@ struct mrw_group_masks {
 // that keys on a straight line between others may have been left out (docs/cooking/clips.md).
 typedef struct mrw_channel mrw_channel;
 struct mrw_channel {
-  uint32_t name;  // see File::text
+  uint32_t name;  // see mrw_file_text
   float rest;  // the number where no clip drives it
   uint32_t key_count;  // ≥ 1
-  uint32_t first_time;  // as in Track
-  uint32_t first_value;  // into Clip::values; one float a key, three for cubic_spline (in, value, out)
+  uint32_t first_time;  // as in mrw_track
+  uint32_t first_value;  // into mrw_clip.values; one float a key, three for cubic_spline (in, value, out)
   mrw_interpolation interpolation;  // between its keys
   uint8_t reserved[3];
 };
@@ -610,7 +607,7 @@ struct mrw_clip {
   uint32_t skeleton;  // which skeleton of the file; in a clip pack, which reference
   uint32_t joint_count;  // of that skeleton
   float duration_s;  // time of the last key; ≥ 0
-  bool additive;  // for sample_additive(), not for sample()
+  bool additive;  // for mrw_sample_additive(), not for mrw_sample()
   const mrw_soa_transform* reference;  // additive: the pose that changes are taken from; null: the rest pose
   mrw_coded_tracks coded;  // what is compressed
   const mrw_track* tracks;  // what is stored without loss
@@ -619,7 +616,7 @@ struct mrw_clip {
   size_t channel_count;
   const float* times_s;  // key times of tracks and channels, seconds
   const float* values;  // keys of tracks and channels
-  uint64_t id;  // of its bytes and its place in the file, from File::clip(); 0: made by hand
+  uint64_t id;  // of its bytes and its place in the file, from mrw_file_clip(); 0: made by hand
 };
 
 // Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
@@ -627,34 +624,34 @@ struct mrw_clip {
 typedef struct mrw_run mrw_run;
 struct mrw_run {
   uint32_t vertex_count;  // ≥ 1
-  uint32_t influences;  // 1 … kMaxInfluences
+  uint32_t influences;  // 1 … MRW_MAX_INFLUENCES
 };
 
 // What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
 // blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
 typedef struct mrw_morph_target mrw_morph_target;
 struct mrw_morph_target {
-  uint32_t first_block;  // into Geometry::target_blocks
+  uint32_t first_block;  // into mrw_geometry.target_blocks
   uint32_t block_count;  // how many blocks it moves
-  uint32_t first_record;  // into Geometry::target_records
-  uint32_t attributes;  // MorphAttributes; 0 if it moves nothing
+  uint32_t first_record;  // into mrw_geometry.target_records
+  uint32_t attributes;  // MRW_MORPHS_POSITIONS | …; 0 if it moves nothing
   float position_step;  // metres, mesh space
   float normal_step;  // a unit of its records of normals
   float tangent_step;  // a unit of its records of tangents
   uint32_t reserved;
 };
 
-// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
-// the deltas of some blocks.
+// What pose-space deformation adds to vertices of the bind pose, see mrw_skin_psd() in part skin: example poses, and
+// for each the deltas of some blocks.
 typedef struct mrw_pose_space mrw_pose_space;
 struct mrw_pose_space {
   float sigma;  // width of the Gaussian, a share of 1: sin of half an angle
   const mrw_morph_target* examples;  // positions alone; empty: none
   size_t example_count;
-  const void* blocks;  // as Geometry::target_blocks
-  const int16_t* records;  // as Geometry::target_records
+  const void* blocks;  // as mrw_geometry.target_blocks
+  const int16_t* records;  // as mrw_geometry.target_records
   const int16_t* rotations;  // for each example and palette entry x y z w, up to a positive factor
-  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or kNoParent
+  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or MRW_NO_PARENT
 };
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
@@ -678,11 +675,11 @@ struct mrw_geometry {
   uint32_t mwe_root;  // palette entry whose frame they are meant in
   const float* uvs;  // a slot: u v; null if absent
   const uint8_t* colours;  // a slot: r g b a, linear; null if absent
-  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
-  // part of a primitive in parts.
+  // The slot of each vertex of the source, if cooked with --keep-vertex-order; MRW_NO_SLOT: no triangle uses it, of
+  // this part of a primitive in parts.
   const uint32_t* source_slots;
   size_t source_slot_count;
-  const mrw_morph_target* targets;  // morph targets, as many as MeshTarget of a mesh
+  const mrw_morph_target* targets;  // morph targets, as many as mrw_mesh_target of a mesh
   size_t target_count;
   const void* target_blocks;  // as wide as indices; for each target the blocks it moves, ascending
   const int16_t* target_records;  // twelve a record
@@ -694,8 +691,9 @@ struct mrw_geometry {
 // A morph target of a mesh: what it is called and what drives it.
 typedef struct mrw_mesh_target mrw_mesh_target;
 struct mrw_mesh_target {
-  uint32_t name;  // see File::text; may be empty
-  uint32_t channel;  // Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
+  uint32_t name;  // see mrw_file_text; may be empty
+  // Name of the channel that clips drive its weight by, see mrw_find_weight_channels() in part morph.
+  uint32_t channel;
   float weight;  // where no clip does
 };
 
@@ -712,7 +710,7 @@ struct mrw_texture {
   uint8_t reserved;
 };
 
-// A material as far as Mesh does not say it.
+// A material as far as mrw_mesh does not say it.
 typedef struct mrw_material mrw_material;
 struct mrw_material {
   const char* name;  // as the source calls it; never null
@@ -738,11 +736,11 @@ struct mrw_image {
 // A number, a truth or a text that an artist gave a node.
 typedef struct mrw_property mrw_property;
 struct mrw_property {
-  uint32_t name;  // see File::text; of nested ones the path, as in "door/hinges/0"
+  uint32_t name;  // see mrw_file_text; of nested ones the path, as in "door/hinges/0"
   mrw_property_type type;  // which of the two members below holds it
   uint8_t reserved[3];
   // finite; of a boolean 1 or 0
-  // see File::text
+  // see mrw_file_text
   double number;
 };
 
@@ -758,11 +756,11 @@ struct mrw_node {
   size_t property_count;
 };
 
-// A palette entry that blends those of two joints, for vertices that follow both: see build_palette().
+// A palette entry that blends those of two joints, for vertices that follow both: see mrw_build_palette().
 typedef struct mrw_helper mrw_helper;
 struct mrw_helper {
-  uint16_t first;  // palette entries, below Mesh::joint_count, not the same
-  uint16_t second;  // palette entries, below Mesh::joint_count, not the same
+  uint16_t first;  // palette entries, below mrw_mesh.joint_count, not the same
+  uint16_t second;  // palette entries, below mrw_mesh.joint_count, not the same
   float share;  // of second; above 0, below 1
 };
 void mrw_helper_init(mrw_helper* out);
@@ -796,11 +794,11 @@ struct mrw_mesh {
   float base_colour[4];  // linear RGBA
   bool double_sided;  // backs are drawn, too
   // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
-  // vertex order needs to know: see Geometry::source_slots.
+  // vertex order needs to know: see mrw_geometry.source_slots.
   bool is_next_part;
   const mrw_helper* helpers;  // palette entries behind those of the joints
   size_t helper_count;
-  const float* helper_centres;  // three a helper, or none: see build_palette()
+  const float* helper_centres;  // three a helper, or none: see mrw_build_palette()
   size_t helper_centre_count;
   const mrw_mesh_target* targets;  // as many as the geometry's
   size_t target_count;
@@ -809,7 +807,7 @@ struct mrw_mesh {
   mrw_geometry geometry;  // of the level asked for
 };
 
-// Whether a limit keeps these rules, as those of make_limit() and load() do.
+// Whether a limit keeps these rules, as those of mrw_make_limit() and mrw_load() do.
 bool mrw_is_valid(const mrw_joint_limit* limit);
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
@@ -824,9 +822,9 @@ void mrw_file_init(mrw_file* out);
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.
 //
-// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
-// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
-// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
+// The block must be 16-byte aligned (MRW_BAD_ARGUMENT otherwise; part block helps) and may come from anywhere: nothing
+// is read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out
+// of bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
 // what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
 // are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
 // failure. Cost: one pass over the block; no allocation. Thread-safe.
@@ -858,10 +856,10 @@ mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out) MR
 // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
 // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
 // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
-// pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+// pack has none: mrw_palette_bounds() in part bounds. Cost: a look at every clip and mesh; once a load.
 mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out) MRW_NODISCARD;
 
-// Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
+// Spring bones that the asset came with, of one of the skeletons: chains for mrw_make_springs(), and mrw_spring_frame's
 // colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
 uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton);
 mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
@@ -869,45 +867,47 @@ mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t ind
 mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
     mrw_spring_collider_list* out) MRW_NODISCARD;
 
-// Spaces of example shapes, see example_space.h. load() knows where they stand, example_space() looks at all that one
-// holds; spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported,
-// with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
+// Spaces of example shapes, see part example_space. mrw_load() knows where they stand, mrw_file_example_space() looks
+// at all that one holds; lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index;
+// MRW_BAD_DATA or MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success.
+// Cost: one pass; once a load.
 uint32_t mrw_file_example_space_count(const mrw_file* file);
 
-// Spaces of example shapes, see example_space.h. load() knows where they stand, example_space() looks at all that one
-// holds; spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported,
-// with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
-// May be null: error.
+// Spaces of example shapes, see part example_space. mrw_load() knows where they stand, mrw_file_example_space() looks
+// at all that one holds; lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index;
+// MRW_BAD_DATA or MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success.
+// Cost: one pass; once a load. May be null: error.
 mrw_status mrw_file_example_space(const mrw_file* file, uint32_t index, mrw_example_space* out,
     mrw_data_error* error) MRW_NODISCARD;
 
-// Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
+// Index of the first skeleton with this name, or mrw_file_skeleton_count(). Here and below a null pointer names
+// nothing.
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);
 
 // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
 // frame.
 uint32_t mrw_file_find_joint(const mrw_file* file, const mrw_skeleton* skeleton, const char* name);
 
-// Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
-// same name.
+// Index of the first mesh with this name, or mrw_file_mesh_count(). A mesh of several materials is one a material, all
+// of the same name.
 uint32_t mrw_file_find_mesh(const mrw_file* file, const char* name);
 
-// Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
-// of several skeletons is a clip each, with the same name and duration.
+// Index of the first clip with this name, or mrw_file_clip_count(); the second of those that move one skeleton. An
+// animation of several skeletons is a clip each, with the same name and duration.
 uint32_t mrw_file_find_clip(const mrw_file* file, const char* name);
 uint32_t mrw_file_find_clip_of(const mrw_file* file, const char* name, uint32_t skeleton);
 
-// Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
+// Index of the first channel of `clip`, a clip of this file, with this name, or clip.channel_count. Once a load, not
 // a frame.
 uint32_t mrw_file_find_channel(const mrw_file* file, const mrw_clip* clip, const char* name);
 
-// Index of the first node with this name, or node_count().
+// Index of the first node with this name, or mrw_file_node_count().
 uint32_t mrw_file_find_node(const mrw_file* file, const char* name);
 
 // The property of `node`, a node of this file, with this name; null if there is none.
 const mrw_property* mrw_file_node_property(const mrw_file* file, const mrw_node* node, const char* name);
 
-// A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+// A name by its number (mrw_skeleton.names, mrw_channel.name, mrw_property.name); empty for what is none. UTF-8,
 // zero-terminated, never null.
 const char* mrw_file_text(const mrw_file* file, uint32_t name);
 uint32_t mrw_property_text(const mrw_property* property);
@@ -915,13 +915,13 @@ uint32_t mrw_property_text(const mrw_property* property);
 // How many groups of four joints a local pose has.
 size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
 
-// How many matrices build_palette() writes.
+// How many matrices mrw_build_palette() writes.
 uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
 
 // Whether nothing is known or in it.
 bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part clip_pack -------------------------------------------------------------------------------------------------
 // Clips apart from their character: does a clip pack fit a skeleton, and if not, which joints are in the way.
 
 // Why a joint keeps a clip pack from fitting a skeleton.
@@ -946,38 +946,38 @@ struct mrw_joint_misfit {
 uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
 
 // Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
-// sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
+// mrw_sample() does for every clip of the pack whose mrw_clip.skeleton is `reference` what it would do for the
 // skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
 // within it the pose is nonsense.)
 //
 // misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
 // out. What stands above the roots may differ: it does not concern clips.
-// Errors: mismatch if the skeletons are not the same; bad_argument if an index is out of range. Cost: one pass over the
-// skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+// Errors: MRW_MISMATCH if the skeletons are not the same; MRW_BAD_ARGUMENT if an index is out of range. Cost: one pass
+// over the skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
 // May be null: misfits_there.
 mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character, uint32_t skeleton,
     mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part outfit ----------------------------------------------------------------------------------------------------
 // Hair, clothes and what a hand holds, in files of their own: their joints stand where the body's stand.
 //
 // `marrow cook hair.glb --skeleton body.mrw` gives an outfit the body's whole skeleton, and among it the joints that
 // only the outfit has: of each parent behind its children of the body. So an outfit may be posed, may have springs,
 // clips and masks as anything else, and where it has no joints of its own, its joints are the body's, number by number.
 //
-// character.h does what is here for whole characters: make_outfit(), follow_body().
+// mrw_make_outfit() and mrw_character_follow_body() of part character do what is here for whole characters.
 
 // Whether an outfit fits a body, and which joint of the body each of its joints is.
 //
-// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or kNoJoint for what
-// only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent, and
-// if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the same
-// clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or MRW_NO_JOINT for
+// what only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent,
+// and if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the
+// same clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
 //
-// misfits: as of bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
+// misfits: as of mrw_bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
 // `missing`: a root that the body lacks.
-// Errors: mismatch if it does not fit, where body_joints holds nothing of use; bad_argument if an index is out of range
-// or a span too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
+// Errors: MRW_MISMATCH if it does not fit, where body_joints holds nothing of use; MRW_BAD_ARGUMENT if an index is out
+// of range or a list too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
 // Thread-safe.
 // May be null: misfits_there.
 mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_file* body, uint32_t body_skeleton,
@@ -985,19 +985,19 @@ mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_
     size_t* misfits_there) MRW_NODISCARD;
 
 // The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
-// below their parents. Poses are the same bits as if local_to_model() had posed them all.
+// below their parents. Poses are the same bits as if mrw_local_to_model() had posed them all.
 //
-// skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
-// of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
-// Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
-// Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
-// always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
+// skeleton: the outfit's. body_joints: as mrw_bind_outfit() gives it. local: at least mrw_skeleton_soa_size(skeleton),
+// of which joints of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the
+// body's. Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range, or a root none of the body's.
+// Cost: 48 bytes are copied a joint of the body; the others cost what mrw_local_to_model() does. Where body_joints[j]
+// is always j, mrw_build_palette() and mrw_gles3_pose() may as well take the body's joints themselves, without a copy.
 // Thread-safe on different outputs.
 mrw_status mrw_follow_body(const mrw_skeleton* skeleton, const uint16_t* body_joints, size_t body_joint_count,
     const mrw_affine* body_scene_from_joint, size_t body_scene_from_joint_count, const mrw_soa_transform* local,
     size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part playback --------------------------------------------------------------------------------------------------
 // Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
 
 // What happens at the ends of a clip.
@@ -1016,7 +1016,7 @@ struct mrw_playback {
   float speed;  // seconds of the clip a second; 0 pauses, below 0 runs backwards
   mrw_play_mode mode;  // what happens at the ends
   bool returning;  // ping_pong: on the way back, so time runs against speed
-  // Of the last advance(). loop: how often time went from the clip's end to its start, less how often the other way
+  // Of the last mrw_advance(). loop: how often time went from the clip's end to its start, less how often the other way
   // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
   int32_t turns;
 };
@@ -1028,7 +1028,7 @@ void mrw_playback_init(mrw_playback* out);
 // moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
 // outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
 //
-// Errors: bad_argument if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
+// Errors: MRW_BAD_ARGUMENT if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
 // changed.
 //
 // Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
@@ -1044,7 +1044,7 @@ float mrw_clip_time(const mrw_playback* playback);
 // towards none.
 bool mrw_finished(const mrw_playback* playback, float duration_s);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part sample ----------------------------------------------------------------------------------------------------
 // Stage 2, sample: a clip at a time → local transforms of every joint.
 
 // Which joints are sampled.
@@ -1062,21 +1062,21 @@ void mrw_sample_options_init(mrw_sample_options* out);
 // STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
 // tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
 //
-// out: at least skeleton.soa_size() elements, caller's memory; joints that the clip leaves alone get their rest pose.
-// Errors: bad_argument if `out` or the set of joints is too short, the clip belongs to a skeleton with other joints or
-// is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at most 1e-6 rad plus
-// float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track, wherever time_s
-// is. Stateless; thread-safe on different outputs.
+// out: at least mrw_skeleton_soa_size(skeleton) elements, caller's memory; joints that the clip leaves alone get their
+// rest pose. Errors: MRW_BAD_ARGUMENT if `out` or the set of joints is too short, the clip belongs to a skeleton with
+// other joints or is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at
+// most 1e-6 rad plus float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track,
+// wherever time_s is. Stateless; thread-safe on different outputs.
 // May be null: options.
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
 
-// What an instance that plays a clip keeps between two calls of sample_cached(). {} keeps nothing yet. All but `memory`
-// is sample_cached()'s own.
+// What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new one keeps nothing yet. All
+// but `memory` is mrw_sample_cached()'s own.
 typedef struct mrw_sample_cache mrw_sample_cache;
 struct mrw_sample_cache {
   // The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
-  // With less than sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
+  // With less than mrw_sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
   void* memory;
   size_t memory_bytes;
   const mrw_soa_transform* out;  // where the last call wrote
@@ -1086,48 +1086,51 @@ struct mrw_sample_cache {
 };
 void mrw_sample_cache_init(mrw_sample_cache* out);
 
-// Bytes of SampleCache::memory for this clip: 160 for each four joints that turn, move or change their size, once for
-// each of the three.
+// Bytes of mrw_sample_cache.memory for this clip: 160 for each four joints that turn, move or change their size, once
+// for each of the three.
 size_t mrw_sample_cache_bytes(const mrw_clip* clip);
 
-// sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
-// of a File by Clip::id, one that is made by hand by where its tracks lie.
+// mrw_sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before
+// with this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a
+// clip of an mrw_file by mrw_clip.id, one that is made by hand by where its tracks lie.
 //
-// out: as of sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
-// what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let blend()
-// read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out` was written by others. Errors: as
-// sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing. Cost: in
-// the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
+// out: as of mrw_sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
+// what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let mrw_blend()
+// read it. cache: one for each `out`; put a new one of the same memory in its place if others wrote to `out`. Errors:
+// as mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; then it forgets
+// nothing. Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz
+// about half.
 mrw_status mrw_sample_cached(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, mrw_sample_cache* cache) MRW_NODISCARD;
 
 // Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
-// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
-// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
-// pose in them.
+// that mrw_sample() would give of an ordinary clip, for mrw_add(). Laid on the reference with weight 1 it gives that
+// pose, within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the
+// rest pose in them.
 //
-// out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
-// additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
+// out: at least mrw_skeleton_soa_size(skeleton) elements, caller's memory. Errors: as mrw_sample(), and
+// MRW_BAD_ARGUMENT if the clip is not additive. Cost: mrw_sample() and mrw_make_additive(). Stateless; thread-safe on
+// different outputs.
 mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s,
     mrw_additive_transform* out, size_t out_count) MRW_NODISCARD;
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
-// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
-// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
-// changes. Errors: bad_argument if `out` is too short or time_s is not
+// out: at least clip.channel_count floats. Which channel is which: mrw_file_find_channel; numbers that the clip does
+// not drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
+// changes. Errors: MRW_BAD_ARGUMENT if `out` is too short or time_s is not
 // a number. Cost: a binary search a distinct key-time list and a few operations a channel.
 mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part curve -----------------------------------------------------------------------------------------------------
 // Curves through keys, easings and patches: a time, or any other parameter, → numbers; beside the road of data, for
 // user channels and procedural motion.
 //
 // Everything is plain functions over the caller's memory; nothing is kept, nothing is allocated, all is thread-safe on
 // different outputs. Results are the same bits on every processor.
 
-// How values run between two keys, and what a key holds. N is Curve::components, u goes 0 … 1 from one key to the next.
+// How values run between two keys, and what a key holds. N is mrw_curve.components, u goes 0 … 1 from one key to the
+// next.
 typedef uint8_t mrw_curve_kind;
 enum {
   MRW_CURVE_KIND_STEP = 0,  // key: value. The earlier key's value
@@ -1188,7 +1191,7 @@ struct mrw_curve {
   uint32_t components;  // floats a value: 1 … 4
   const float* times_s;  // one a key, strictly increasing; seconds, or whatever the curve runs over
   size_t time_count;
-  const float* values;  // curve_value_count() floats
+  const float* values;  // mrw_curve_value_count() floats
   size_t value_count;
 };
 void mrw_curve_init(mrw_curve* out);
@@ -1199,7 +1202,7 @@ void mrw_curve_init(mrw_curve* out);
 typedef struct mrw_arc_length mrw_arc_length;
 struct mrw_arc_length {
   uint32_t steps;  // a key interval, at least 1
-  const float* lengths;  // arc_length_count() of them, ascending
+  const float* lengths;  // mrw_arc_length_count() of them, ascending
   size_t length_count;
 };
 void mrw_arc_length_init(mrw_arc_length* out);
@@ -1218,58 +1221,59 @@ void mrw_cubic_bezier_ease_init(mrw_cubic_bezier_ease* out);
 // How many floats `key_count` keys of `components` hold.
 size_t mrw_curve_value_count(mrw_curve_kind kind, uint32_t components, size_t key_count);
 
-// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
-// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
-// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
-// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: MRW_BAD_ARGUMENT if
+// `kind` is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; MRW_BAD_DATA if
+// times do not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the
+// longest interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
 mrw_status mrw_check_curve(const mrw_curve* curve) MRW_NODISCARD;
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
-// out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
-// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
-// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
-// some dozen operations.
+// out: at least curve.components floats. Errors: MRW_BAD_ARGUMENT as in mrw_check_curve(), if `out` is too short, or
+// time_s is not a number. Keys that mrw_check_curve() refuses with MRW_BAD_DATA are safe but give garbage; of others
+// values are finite. At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost:
+// a binary search and some dozen operations.
 mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
-// The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
-// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
-// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+// The derivative of mrw_evaluate_curve() by time, a second. At an inner key: of what follows; before the first and
+// after the last key: 0. Arguments, errors and cost as there; also MRW_UNSUPPORTED for rotations, and
+// MRW_BAD_DATA, with nothing written, if it is not finite, as keys are so far apart in so little time.
 mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
 //
-// keys: kind linear. out: curve_value_count(hermite, …) floats, which with the same times are a curve of kind hermite;
-// it does not overlap the keys. natural_spline: the second derivative is zero at both ends. clamped_spline: the first
-// derivative at the ends is given, `components` floats a second each. One key: tangents 0, or those given.
-// Rotations are written with signs that make neighbours nearest; then the spline runs through the four components.
-// Errors: as check_curve(keys); bad_argument also if kind is not linear or a span is too short; bad_data also if keys
-// are so close in time or so far in value that a tangent is not finite. After bad_data `out` may hold garbage. Method:
-// tridiagonal system of the tangents, diagonally dominant, solved by elimination without pivots (de Boor, A Practical
-// Guide to Splines, chapter IV) in `out` alone. Cost: twice over the keys.
+// keys: kind linear. out: mrw_curve_value_count(hermite, …) floats, which with the same times are a curve of kind
+// hermite; it does not overlap the keys. mrw_natural_spline: the second derivative is zero at both ends.
+// mrw_clamped_spline: the first derivative at the ends is given, `components` floats a second each. One key: tangents
+// 0, or those given. Rotations are written with signs that make neighbours nearest; then the spline runs through the
+// four components. Errors: as mrw_check_curve(keys); MRW_BAD_ARGUMENT also if kind is not linear or a list is too
+// short; MRW_BAD_DATA also if keys are so close in time or so far in value that a tangent is not finite. After
+// MRW_BAD_DATA `out` may hold garbage. Method: tridiagonal system of the tangents, diagonally dominant, solved by
+// elimination without pivots (de Boor, A Practical Guide to Splines, chapter IV) in `out` alone. Cost: twice over the
+// keys.
 mrw_status mrw_natural_spline(const mrw_curve* keys, float* out, size_t out_count) MRW_NODISCARD;
 mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity, size_t first_velocity_count,
     const float* last_velocity, size_t last_velocity_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // A Bézier curve of any degree at u, by de Casteljau's algorithm.
 //
-// points: degree + 1 points of `components` floats (1 … 4). scratch: at least points.size floats, overlapping nothing.
-// out: at least `components`. u outside [0, 1] extrapolates. Errors: bad_argument if there is no point, points.size is
-// no multiple of components, a span is too short, or u is not finite; bad_data if the result is not finite.
+// points: degree + 1 points of `components` floats (1 … 4). scratch: at least point_count floats, overlapping nothing.
+// out: at least `components`. u outside [0, 1] extrapolates. Errors: MRW_BAD_ARGUMENT if there is no point, point_count
+// is no multiple of components, a list is too short, or u is not finite; MRW_BAD_DATA if the result is not finite.
 // Cost: degree · (degree + 1) / 2 interpolations.
 mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
-// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
-// result has no direction, or is too long to be squared.
+// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. MRW_BAD_DATA also if
+// the result has no direction, or is too long to be squared.
 mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
 // A bicubic patch over 4 × 4 points: the tensor product of two cubics.
 //
 // points: 16 · components floats, component by component within a point, points along u first, then v. out: at least
-// `components` (1 … 4). Errors: bad_argument if a span is too short, the basis is unknown, or u or v is not finite;
-// bad_data, with nothing written, if the result is not finite.
+// `components` (1 … 4). Errors: MRW_BAD_ARGUMENT if a list is too short, the basis is unknown, or u or v is not finite;
+// MRW_BAD_DATA, with nothing written, if the result is not finite.
 // Cost: 20 blends of four points.
 mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t point_count, uint32_t components,
     float u, float v, float* out, size_t out_count) MRW_NODISCARD;
@@ -1277,17 +1281,18 @@ mrw_status mrw_bicubic_patch(mrw_patch_basis basis, const float* points, size_t 
 // How many floats the table of a curve has.
 size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
 
-// Measures `curve` once. out: arc_length_count() floats; the last is the length of all, in the unit of the values.
-// Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
-// `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
-// linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
+// Measures `curve` once. out: mrw_arc_length_count() floats; the last is the length of all, in the unit of the values.
+// Errors: as mrw_evaluate_curve(); MRW_UNSUPPORTED for rotations (slerp is even as it is) and for kind step;
+// MRW_BAD_ARGUMENT if `steps` is 0 or `out` too short; MRW_BAD_DATA if a length is not finite. Three-point Gauss
+// quadrature a step: exact for linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost:
+// 3 square roots a step.
 mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) MRW_NODISCARD;
 
 // The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
 // Between two entries the length is taken as linear, so the point found is off along the path by at most
-// A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps,
-// a quarter of the error. Errors: bad_argument if the table is too short for this curve or `distance` is not a number.
-// Cost: a binary search.
+// A / (8 steps²), A being the largest second derivative by u in that key interval, plus rounding: twice the steps, a
+// quarter of the error. Errors: MRW_BAD_ARGUMENT if the table is too short for this curve or `distance` is not a
+// number. Cost: a binary search.
 mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* table, float distance,
     float* time_s) MRW_NODISCARD;
 
@@ -1298,15 +1303,16 @@ mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* ta
 float mrw_ease(mrw_easing easing, mrw_ease_mode mode, float u);
 
 // y at x = u, with u clamped to [0, 1]. The point lies on the curve within 3e-7 in x (4e-7 (1 + |y1| + |y2|) in y):
-// where the curve is steep, y is as uncertain as x is. Errors: bad_argument unless x1 and x2 are in [0, 1], y1 and y2
-// finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
+// where the curve is steep, y is as uncertain as x is. Errors: MRW_BAD_ARGUMENT unless x1 and x2 are in [0, 1], y1 and
+// y2 finite and u a number. Newton's method within a shrinking bracket. Cost: about 5 steps, at most 40.
 mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part blend -----------------------------------------------------------------------------------------------------
 // Stage 2½, blend: local poses of one skeleton → one local pose.
 //
-// Three functions, in the order in which a frame uses them: blend() averages, overlay() replaces parts, add() lays
-// changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on different outputs.
+// Three functions, in the order in which a frame uses them: mrw_blend() averages, mrw_overlay() replaces parts,
+// mrw_add() lays changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on
+// different outputs.
 
 // The largest weight of a layer; results stay far from the limits of float.
 #define MRW_MAX_BLEND_WEIGHT 1e6f
@@ -1317,11 +1323,11 @@ mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float*
 // A pose and how much of it.
 typedef struct mrw_blend_layer mrw_blend_layer;
 struct mrw_blend_layer {
-  const mrw_soa_transform* pose;  // at least skeleton.soa_size()
+  const mrw_soa_transform* pose;  // at least mrw_skeleton_soa_size(skeleton)
   size_t pose_count;
-  float weight;  // 0 … kMaxBlendWeight in blend(), 0 … 1 in overlay()
-  // A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint;
-  // else at least 4 · skeleton.soa_size() floats, in joint order, so that a group's factors are read at once.
+  float weight;  // 0 … MRW_MAX_BLEND_WEIGHT in mrw_blend(), 0 … 1 in mrw_overlay()
+  // A factor for each joint's weight, 0 … 1: below 0 and NaN count as 0, above 1 as 1. Empty: 1 for every joint; else
+  // at least 4 · mrw_skeleton_soa_size(skeleton) floats, in joint order, so that a group's factors are read at once.
   const float* mask;
   size_t mask_count;
 };
@@ -1330,10 +1336,10 @@ void mrw_blend_layer_init(mrw_blend_layer* out);
 // A change, and how much of it.
 typedef struct mrw_additive_layer mrw_additive_layer;
 struct mrw_additive_layer {
-  const mrw_additive_transform* change;  // at least skeleton.soa_size()
+  const mrw_additive_transform* change;  // at least mrw_skeleton_soa_size(skeleton)
   size_t change_count;
   float weight;  // 0 … 1
-  const float* mask;  // as in BlendLayer
+  const float* mask;  // as in mrw_blend_layer
   size_t mask_count;
 };
 void mrw_additive_layer_init(mrw_additive_layer* out);
@@ -1347,37 +1353,38 @@ void mrw_additive_layer_init(mrw_additive_layer* out);
 // single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
 // below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
 //
-// layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
-// kMaxBlendWeight.
-// Errors: bad_argument if a span is too short, or a weight or the threshold is out of its range or not a number.
+// layers: any number; out: at least mrw_skeleton_soa_size(skeleton), and may be the pose of a layer. threshold: 1e-6 …
+// MRW_MAX_BLEND_WEIGHT.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, or a weight or the threshold is out of its range or not a number.
 // Cost: 14 multiply-adds a layer and joint, a square root and a division, four joints at once.
 mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers, size_t layer_count,
     mrw_soa_transform* out, size_t out_count, float threshold) MRW_NODISCARD;
 
 // Replaces a part of `pose`: goes from pose to layer.pose by w = weight · mask, on the shorter arc. Where w is 0 the
 // pose keeps its bits, where it is 1 it gets the layer's bits, whatever the other joints do.
-// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, or the weight is not in 0 … 1.
 mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
 
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
 // scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
-// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+// their reference and yield changes by themselves: mrw_sample_additive(). Errors: MRW_BAD_ARGUMENT if a list is too
+// short.
 mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose, size_t pose_count,
     const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
     size_t out_count) MRW_NODISCARD;
 
 // Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
 // mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
-// Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, or the weight is not in 0 … 1.
 mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part transition ------------------------------------------------------------------------------------------------
 // Stage 2½, transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
 // new one is).
 
-// How a weight goes from 0 to 1; u = time / duration. curve.h has more shapes.
+// How a weight goes from 0 to 1; u = time / duration. Part curve has more shapes.
 typedef uint8_t mrw_fade;
 enum {
   MRW_FADE_LINEAR = 0,  // u
@@ -1399,7 +1406,7 @@ struct MRW_ALIGN(16) mrw_inertial_offset {
 // A transition under way; the memory is the caller's and can be used again for the next one.
 typedef struct mrw_inertia mrw_inertia;
 struct mrw_inertia {
-  mrw_inertial_offset* offsets;  // at least skeleton.soa_size()
+  mrw_inertial_offset* offsets;  // at least mrw_skeleton_soa_size(skeleton)
   size_t offset_count;
   float duration_s;  // 0: none, or over
 };
@@ -1424,14 +1431,14 @@ void mrw_inertial_start_init(mrw_inertial_start* out);
 // 1 from duration_s on (at once if that is not above 0).
 float mrw_fade_weight(mrw_fade shape, float time_s, float duration_s);
 
-// blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
-// from, to, out: at least skeleton.soa_size(); out may be either of the poses.
-// Errors: bad_argument if a span is too short or the weight not in 0 … 1.
+// mrw_blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+// from, to, out: at least mrw_skeleton_soa_size(skeleton); out may be either of the poses.
+// Errors: MRW_BAD_ARGUMENT if a list is too short or the weight not in 0 … 1.
 mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
     const mrw_soa_transform* to, size_t to_count, float weight, mrw_soa_transform* out, size_t out_count) MRW_NODISCARD;
 
-// Captures the offset and its velocity; from then on only the new clip is sampled, and apply_inertia() gives what is
-// shown.
+// Captures the offset and its velocity; from then on only the new clip is sampled, and mrw_apply_inertia() gives what
+// is shown.
 //
 // Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
 // and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
@@ -1440,27 +1447,27 @@ mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform*
 // is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
 // whole one; a turn of more than a quarter in one frame is not carried over faithfully.
 // Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
-// begin anew in the middle of a transition, pass the poses that were shown. Errors: bad_argument if a span is too
+// begin anew in the middle of a transition, pass the poses that were shown. Errors: MRW_BAD_ARGUMENT if a list is too
 // short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
 // quaternions a joint, four joints at a time; no allocation.
 mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_start* start, float duration_s,
     mrw_inertia* inertia) MRW_NODISCARD;
 
 // pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
-// any begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
-// Errors: bad_argument if a span is too short or time_s not a number.
+// any mrw_begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+// Errors: MRW_BAD_ARGUMENT if a list is too short or time_s not a number.
 // Cost: nine quintics and one exponential a joint, four joints at a time.
 mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
     mrw_soa_transform* pose, size_t pose_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part local_to_model --------------------------------------------------------------------------------------------
 // Stage 3, local to model: local transforms → one scene-space matrix a joint.
 
 // scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
 // above the skeleton and never moves, so the matrices are in the source's scene space.
 //
-// local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
-// Errors: bad_argument if a span is too short.
+// local: at least mrw_skeleton_soa_size(skeleton); out: at least skeleton.joint_count; they do not overlap.
+// Errors: MRW_BAD_ARGUMENT if a list is too short.
 // Cost: one quaternion-to-matrix (four joints at a time) and one affine product a joint: 70 instructions on x86-64, 49
 // on AArch64. Thread-safe on different outputs.
 mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
@@ -1469,21 +1476,21 @@ mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transf
 // The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
 // whatever the count, parents are among them. The others' matrices are left as they are.
 //
-// local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
-// joints.
+// local: at least mrw_soa_count(joint_count); out: at least joint_count. Errors: MRW_BAD_ARGUMENT also if there are
+// fewer joints.
 mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint_count, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
 // kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
 //
-// local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
-// such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
-// one comparison for each other joint from `joint` to the last generation.
+// local: at least mrw_skeleton_soa_size(skeleton); out: at least skeleton.joint_count. Errors: MRW_BAD_ARGUMENT also if
+// there is no such joint. Cost: what mrw_local_to_model does for these joints, groups that a generation of them cuts as
+// whole ones, and one comparison for each other joint from `joint` to the last generation.
 mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part limits ----------------------------------------------------------------------------------------------------
 // Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
 
 // Rotations no farther outside than this keep their bits.
@@ -1509,15 +1516,15 @@ struct mrw_limit_description {
 void mrw_limit_description_init(mrw_limit_description* out);
 
 // Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
-// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
-// takes its target as it is, at rest.
+// point that follows. A new one and one whose numbers no call has left begin anew: the next call takes its target as it
+// is, at rest.
 typedef struct mrw_rotation_follower mrw_rotation_follower;
 struct mrw_rotation_follower {
   float rotation[4];  // where it is: x y z w
   float target[4];  // of the last call
   float velocity[3];  // radians a second, about the parent's axes
   float frame_s;  // of the last call
-  uint32_t mode;  // follow_rotation()'s own
+  uint32_t mode;  // mrw_follow_rotation()'s own
 };
 void mrw_rotation_follower_init(mrw_rotation_follower* out);
 
@@ -1528,7 +1535,7 @@ struct mrw_point_follower {
   float target[3];  // of the last call
   float velocity[3];  // metres a second
   float frame_s;  // of the last call
-  uint32_t mode;  // follow_point()'s own
+  uint32_t mode;  // mrw_follow_point()'s own
 };
 void mrw_point_follower_init(mrw_point_follower* out);
 
@@ -1537,14 +1544,14 @@ void mrw_point_follower_init(mrw_point_follower* out);
 mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range* out) MRW_NODISCARD;
 
 // `out` is written only on success.
-// Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
-// above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
-// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+// Errors: MRW_BAD_ARGUMENT if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least
+// is above most, an angle is beyond ±2π, a swing not in 0 … MRW_WIDEST_SWING_RAD or not symmetric, the second angle of
+// an euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
 mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joint, mrw_joint_limit* out) MRW_NODISCARD;
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
 //
-// What is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes nothing.
+// What is inside, or outside by no more than MRW_LIMIT_TOLERANCE_RAD, keeps its bits, so a second call changes nothing.
 // What comes out is inside within the same tolerance.
 //
 // Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
@@ -1556,20 +1563,20 @@ mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joi
 // the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
 // an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
 //
-// Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
+// Errors: MRW_BAD_ARGUMENT if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
 mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]) MRW_NODISCARD;
 
-// By how many radians clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+// By how many radians mrw_clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
 float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]);
 
-// clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not finite.
-// local: of a skeleton that has all the joints. Errors: bad_argument if it has not; nothing is written.
-// Cost: clamp_rotation() a limit. Thread-safe on different poses.
+// mrw_clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not
+// finite. local: of a skeleton that has all the joints. Errors: MRW_BAD_ARGUMENT if it has not; nothing is written.
+// Cost: mrw_clamp_rotation() a limit. Thread-safe on different poses.
 mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
     size_t local_count) MRW_NODISCARD;
 
-// The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
+// The limit of a joint, or null. Precondition: the limits' joints ascend, as in an mrw_skeleton. Cost: a binary search.
 const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint);
 
 // Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
@@ -1589,24 +1596,24 @@ const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limi
 //
 // dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
 // follower keeps is finite.
-// Errors: bad_argument if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15 m
-// on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of a
-// quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere. Thread-safe
-// on different states.
+// Errors: MRW_BAD_ARGUMENT if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15
+// m on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of
+// a quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere.
+// Thread-safe on different states.
 mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[4], float dt_s,
     const mrw_rate_limit* limit) MRW_NODISCARD;
 mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
     const mrw_rate_limit* limit) MRW_NODISCARD;
 
-// follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what follows.
-// All others keep their bits. To stay inside the limits call limit_pose() before, for the targets, and after, for the
-// way there may lead outside.
-// states: one a limit. Errors: bad_argument if there are too few, a joint is beyond the pose, or dt_s is below 0 or not
-// finite; nothing is written. Joints whose rotation is not finite keep it.
+// mrw_follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what
+// follows. All others keep their bits. To stay inside the limits call mrw_limit_pose() before, for the targets, and
+// after, for the way there may lead outside.
+// states: one a limit. Errors: MRW_BAD_ARGUMENT if there are too few, a joint is beyond the pose, or dt_s is below 0 or
+// not finite; nothing is written. Joints whose rotation is not finite keep it.
 mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_rotation_follower* states,
     size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part ik --------------------------------------------------------------------------------------------------------
 // Stage 3½, inverse kinematics in closed form: a limb of two bones reaches for a point, a joint or a chain of them
 // looks at one.
 //
@@ -1616,8 +1623,8 @@ mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mr
 //
 // Vectors named "scene" are in the space of scene_from_joint, "local" ones in the joint's own; neither need be of unit
 // length. Uniform scales, and scales of the joints themselves, are exact. Joints scaled unevenly from above are not
-// rigid when they turn: kernels and aims come near only; solve_two_bone() reckons with it. The same call gives the same
-// bits on every processor.
+// rigid when they turn: kernels and aims come near only; mrw_solve_two_bone() reckons with it. The same call gives the
+// same bits on every processor.
 // Thread-safe on different outputs; no allocation.
 
 // What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
@@ -1676,7 +1683,7 @@ struct MRW_ALIGN(16) mrw_aim {
   float target[3];  // scene, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 aims
   // The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
-  // the target is taken. Less than 0.1 rad off the target's direction it says little, as a TwoBone's pole.
+  // the target is taken. Less than 0.1 rad off the target's direction it says little, as an mrw_two_bone's pole.
   float pole[3];
   float twist_rad;  // turns about the direction of the target, on top; a few turns at most
   float forward[3];  // what is to go through the target; in the joint's local space
@@ -1685,7 +1692,7 @@ struct MRW_ALIGN(16) mrw_aim {
 };
 void mrw_aim_init(mrw_aim* out);
 
-// What aim() gives.
+// What mrw_turn_aim() gives.
 typedef struct mrw_aim_turn mrw_aim_turn;
 struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
@@ -1699,7 +1706,7 @@ struct MRW_ALIGN(16) mrw_aim_turn {
 // Of a bone of no length the rest is still done; nothing becomes infinite. A target at the start joint folds the limb.
 // The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
 // one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
-// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+// Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
 // large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 400 instructions on x86-64, 326 on AArch64; about as much again where the limb is nearly straight or bent the
 // wrong way, the target more than 140° off or near the pole, or there is a twist.
@@ -1711,9 +1718,9 @@ mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bo
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
-// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
-// 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints
-// are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+// The whole call. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the weight
+// is 0. reached: may be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or
+// the joints are not a chain; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
 // Where the limb changes its shape as it turns, by uneven scale above it or of its start joint, it is bent by secants
 // and then turned: three to five times the cost, at most twelve. The target is met nevertheless; reached says if not.
 // May be null: reached.
@@ -1723,14 +1730,14 @@ mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_l
 
 // Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
 // turn about it, in one quaternion.
-// Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
+// Errors: MRW_BAD_ARGUMENT, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
 // Cost: 219 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
-// The whole call. local and scene_from_joint belong together (local_to_model); both are changed, unless the weight is
-// 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing
-// is written. Cost: the kernel's, and local_to_model_below(joint).
+// The whole call. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the weight
+// is 0. reached: may be null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such joint;
+// nothing is written. Cost: the kernel's, and mrw_local_to_model_below(joint).
 // May be null: reached.
 mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
     size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
@@ -1738,17 +1745,17 @@ mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw
 // The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
 // looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
 // falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
-// Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
+// Errors: as above, and MRW_BAD_ARGUMENT if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
 mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
     const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part ik_solve --------------------------------------------------------------------------------------------------
 // Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, one interface for all
 // methods.
 
-// How solve_ik() solves; docs/ik/solvers.md says which is for what.
+// How mrw_solve_ik() solves; docs/ik/solvers.md says which is for what.
 typedef uint8_t mrw_ik_method;
 enum {
   MRW_IK_METHOD_FABRIK = 0,
@@ -1810,9 +1817,9 @@ struct mrw_ik_options {
   // costs as many times as much where goals are out of reach, and the result may jump as goals move.
   uint8_t starts;
   uint16_t max_iterations;  // the most there are
-  float tolerance_m;  // an error (see IkReport) of less ends the iteration
+  float tolerance_m;  // an error (see mrw_ik_report) of less ends the iteration
   float damping;  // of the Jacobian methods: more is calmer and slower
-  uint32_t seed;  // of `starts` and of solve_ik_genetic: the same seed, the same result
+  uint32_t seed;  // of `starts` and of mrw_solve_ik_genetic: the same seed, the same result
   float weight;  // 0 leaves every bit as it was; between, rotations lie between
   // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
   // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
@@ -1829,20 +1836,20 @@ struct mrw_ik_report {
   mrw_ik_stop why;  // why it took no more
 };
 
-// Bytes of scratch memory that solve_ik needs; 0 of a problem without goals or joints that could be read.
+// Bytes of scratch memory that mrw_solve_ik needs; 0 of a problem without goals or joints that could be read.
 // May be null: options.
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem, const mrw_ik_options* options);
 
 // Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
 //
-// local: at least skeleton.soa_size(), parent_from_joint; changed: rotations of problem.joints, and the translation of
-// joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose (local_to_model); brought
-// up to date for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
-// may be null.
+// local: at least mrw_skeleton_soa_size(skeleton), parent_from_joint; changed: rotations of problem.joints, and the
+// translation of joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose
+// (mrw_local_to_model); brought up to date for what hangs below the joints that turn. scratch: at least
+// mrw_ik_scratch_bytes(), of any alignment. report: may be null.
 // A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
-// Errors, and nothing is written: bad_argument if a span is too short, an index out of range, `joints` not ascending,
-// there are more than kMaxJoints goals, or a goal that no joint turns, a number not finite, a weight or a stiffness out
-// of range, or the pose not finite on the way to a goal.
+// Errors, and nothing is written: MRW_BAD_ARGUMENT if a list is too short, an index out of range, `joints` not
+// ascending, there are more than MRW_MAX_JOINTS goals, or a goal that no joint turns, a number not finite, a weight or
+// a stiffness out of range, or the pose not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 // May be null: options, report.
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
@@ -1850,8 +1857,8 @@ mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, 
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
-// memory is that of ik_scratch_bytes(), which links little. Errors: as solve_ik, or options.method is one of the
-// others.
+// memory is that of mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, or options.method is one of
+// the others.
 // May be null: options, report.
 mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
@@ -1883,7 +1890,7 @@ mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform*
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part feet ------------------------------------------------------------------------------------------------------
 // Stage 3½, feet on the ground: soles follow rays, planted feet stay where they are, the pelvis gives way.
 
 // A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
@@ -1894,7 +1901,7 @@ struct mrw_foot {
   uint32_t knee;  // joints of the skeleton
   uint32_t ankle;  // joints of the skeleton
   float sole[3];  // what stands on the ground, in the ankle's space: below the ball of the foot, say
-  float bend_axis[3];  // of the knee; see TwoBone
+  float bend_axis[3];  // of the knee; see mrw_two_bone
   float weight;  // 0 … 1
 };
 void mrw_foot_init(mrw_foot* out);
@@ -1916,14 +1923,14 @@ void mrw_feet_init(mrw_feet* out);
 typedef struct mrw_foot_ground mrw_foot_ground;
 struct mrw_foot_ground {
   bool hit;  // false: as if the ground were level at the height of the scene's origin
-  float point[3];  // of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+  float point[3];  // of a ray along `up` through mrw_foot_sole(), or anywhere on the plane that it hit
   float normal[3];  // of any length; steeper than 80°: no hit
   bool planted;  // the sole stays at its place until this is false again
 };
 void mrw_foot_ground_init(mrw_foot_ground* out);
 
-// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
-// the animation has the foot. World; on a moving platform, let the world be the platform.
+// The motion of one foot: plain numbers. A new one and one whose numbers are out of hand begin where the animation has
+// the foot. World; on a moving platform, let the world be the platform.
 typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
   float place[3];  // of the sole, as shown last
@@ -1945,7 +1952,7 @@ struct mrw_foot_motion {
 };
 void mrw_foot_motion_init(mrw_foot_motion* out);
 
-// What place_feet() is told of a frame.
+// What mrw_place_feet() is told of a frame.
 typedef struct mrw_feet_frame mrw_feet_frame;
 struct mrw_feet_frame {
   float dt_s;  // since the last frame
@@ -1957,14 +1964,15 @@ struct mrw_feet_frame {
 void mrw_feet_frame_init(mrw_feet_frame* out);
 
 // Where a ray for a foot is to go through: its sole as animated, in the world.
-// Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
+// Errors: MRW_BAD_ARGUMENT if the list is too short, there is no such joint, or the place is not finite or beyond 1e6.
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, float sole_world[3]) MRW_NODISCARD;
 
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
-// date. Call it after local_to_model(), and cast the rays before it, from the same pose.
+// date. Call it after mrw_local_to_model(), and cast the rays before it, from the same pose.
 //
-// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count. ground, motion:
+// one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
 // plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
@@ -1974,21 +1982,21 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scen
 // sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
 // and heading. See docs/ik/feet.md.
 //
-// Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
-// range or beyond 1e6; nothing is written.
-// Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
-// up to three where joints are scaled unevenly: 6700 instructions a foot on x86-64, the skeleton having 27 joints. No
-// allocation; thread-safe on different motions and poses.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, joints are not as they should be, or a number is not finite, out of
+// its range or beyond 1e6; nothing is written.
+// Cost: mrw_local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one mrw_solve_two_bone() a
+// foot, up to three where joints are scaled unevenly: 6700 instructions a foot on x86-64, the skeleton having 27
+// joints. No allocation; thread-safe on different motions and poses.
 mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
     const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part springs ---------------------------------------------------------------------------------------------------
 // Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
 //
-// Chains and colliders are SpringChain and SpringCollider in file.h: a game's own, or those that an asset came with,
-// File::spring() and File::spring_colliders().
+// Chains and colliders are mrw_spring_chain and mrw_spring_collider in part file: a game's own, or those that an asset
+// came with, mrw_file_spring() and mrw_file_spring_colliders().
 
 #define MRW_MAX_SPRING_STEP_S (1.0f / 60)  // frames are cut into equal steps no longer than this …
 
@@ -2015,7 +2023,7 @@ struct mrw_springs {
 };
 void mrw_springs_init(mrw_springs* out);
 
-// What simulate_springs() is told of a frame.
+// What mrw_simulate_springs() is told of a frame.
 typedef struct mrw_spring_frame mrw_spring_frame;
 struct mrw_spring_frame {
   float dt_s;  // since the last frame
@@ -2023,7 +2031,7 @@ struct mrw_spring_frame {
   mrw_affine world_from_scene;
   float gravity[3];  // m/s², world
   float wind[3];  // m/s, world; acts by `drag`
-  const mrw_spring_collider* colliders;  // at most kMaxSpringColliders
+  const mrw_spring_collider* colliders;  // at most MRW_MAX_SPRING_COLLIDERS
   size_t collider_count;
   float teleport_m;  // chains whose first joint moves further than this in one frame are moved along …
   bool teleported;  // … and so are all if this is set
@@ -2031,18 +2039,18 @@ struct mrw_spring_frame {
 };
 void mrw_spring_frame_init(mrw_spring_frame* out);
 
-// What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+// What mrw_make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count);
 
 // Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
 //
-// memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
-// Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
-// a chain has no bone, or the memory does not do; nothing is written.
+// memory: at least mrw_springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
+// Errors: MRW_BAD_ARGUMENT if a setting is out of its range, a joint is not in the skeleton or not below the one before
+// it, a chain has no bone, or the memory does not do; nothing is written.
 mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     void* memory, size_t memory_bytes, mrw_springs* out) MRW_NODISCARD;
 
-// New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+// New settings for the same joints, in the midst of motion. Errors: as mrw_make_springs, or not the same joints.
 mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     mrw_springs* springs) MRW_NODISCARD;
 
@@ -2051,15 +2059,16 @@ void mrw_reset_springs(mrw_springs* springs);
 
 // Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
 //
-// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
-// the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count;
+// mrw_local_to_model() has made the one from the other. Springs never read what they have written: give them the
+// animated pose of every frame.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
 // of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
 // with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
 // the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in
+// harder than mrw_spring_joint.most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in
 // proportion to the sine of the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone
 // feels those above it, they do not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the
 // common frequency, less than the upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A
@@ -2075,21 +2084,22 @@ void mrw_reset_springs(mrw_springs* springs);
 //
 // Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
 // than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
-// Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
-// of its range, or there are more than kMaxSpringColliders; nothing is written.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, the skeleton has another count of joints, a number is not finite or
+// out of its range, or there are more than MRW_MAX_SPRING_COLLIDERS; nothing is written.
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
 mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
     size_t scene_from_joint_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part morph -----------------------------------------------------------------------------------------------------
 // Before stage 5, morph: weights of morph targets → bind-pose vertices moved, for any deformer.
 //
-//   once a load       find_weight_channels
-//   once an instance  make_morphed
-//   every frame       sample_channels → morph_weights → morph → a Mesh whose geometry is MorphedGeometry::geometry
-//                     goes through skin_rigid, skin_ssd; through morph_coordinates and skin_as in animation space
+//   once a load       mrw_find_weight_channels
+//   once an instance  mrw_make_morphed
+//   every frame       mrw_sample_channels → mrw_morph_weights → mrw_morph() → an mrw_mesh whose geometry is
+//                     mrw_morphed_geometry.geometry goes through mrw_skin_rigid, mrw_skin_ssd; through
+//                     mrw_morph_coordinates and mrw_skin_as in animation space
 //
 // glTF 2.0, section 3.7.2.2: attribute = bind + Σ_i weight_i · change_i, before skinning; normals and tangents are
 // normalised afterwards. Any finite weight is legal.
@@ -2101,60 +2111,62 @@ struct mrw_morphed_geometry {
   mrw_geometry bind;  // as the file has it
   const uint32_t* offsets;  // a block's first float in the skin; one more for the end
   uint32_t* moved;  // a bit a block: differs from the bind pose
-  uint32_t* changed;  // a bit a block: written since morph_coordinates()
-  uint32_t* attributes;  // one, MorphAttributes: what differs in the blocks moved
+  uint32_t* changed;  // a bit a block: written since mrw_morph_coordinates()
+  uint32_t* attributes;  // one, MRW_MORPHS_POSITIONS | …: what differs in the blocks moved
 };
 
-// For each target of `mesh` the index of the channel of `clip` that drives its weight, or kNoChannel. The mesh is of
-// `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.targets.size; errors: bad_argument. Cost:
-// compares names; once a load.
+// For each target of `mesh` the index of the channel of `clip` that drives its weight, or MRW_NO_CHANNEL. The mesh is
+// of `file`, the clip of `clips`, the same or a clip pack. out: at least mesh.target_count; errors: MRW_BAD_ARGUMENT.
+// Cost: compares names; once a load.
 mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
     const mrw_clip* clip, uint32_t* out, size_t out_count) MRW_NODISCARD;
 
 // The weights of a moment: of each target its channel's value, or its default without. channels: from
-// find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
-// out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
+// mrw_find_weight_channels(); values: from mrw_sample_channels() of the same clip; empty lists: all defaults.
+// out: at least mesh.target_count. Errors: MRW_BAD_ARGUMENT (`out` or `channels` too short, a channel outside the
+// values).
 mrw_status mrw_morph_weights(const mrw_mesh* mesh, const uint32_t* channels, size_t channel_count, const float* values,
     size_t value_count, float* out, size_t out_count) MRW_NODISCARD;
 
-// Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
+// Bytes that mrw_make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.
 size_t mrw_morphed_bytes(const mrw_geometry* geometry);
 
-// The bind pose. memory: at least morphed_bytes(), 16-byte aligned (bad_argument otherwise); `out` keeps pointers into
-// it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
+// The bind pose. memory: at least mrw_morphed_bytes(), 16-byte aligned (MRW_BAD_ARGUMENT otherwise); `out` keeps
+// pointers into it and into `geometry`'s block. Cost: a copy of the vertices; once an instance.
 mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t memory_bytes,
     mrw_morphed_geometry* out) MRW_NODISCARD;
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
-// cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
+// cost nothing. Errors: MRW_BAD_ARGUMENT (too few weights, or one that is not finite: nothing is written).
 // Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
 // moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
 // however many targets move it, 8, 20 or 29 to undo and normalise.
 mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed) MRW_NODISCARD;
 
-// Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
-// Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
-// the morphed geometry is the same where no residual changes a weight.
+// Brings animation-space coordinates up to date with the last mrw_morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ,
+// where Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through;
+// mrw_as_coordinates() of the morphed geometry is the same where no residual changes a weight.
 //
-// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
-// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+// coordinates: mrw_as_coordinates() of the bind geometry, given to every call since. Errors: MRW_BAD_ARGUMENT (too
+// short). Cost: 60 instructions a vertex with four influences and a residual, of those written by mrw_morph() since the
+// last call.
 mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
     size_t coordinate_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part example_space ---------------------------------------------------------------------------------------------
 // Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
 //
-//   once a load    File::example_space, find_example_channels
-//   every frame    sample_channels → parameters → evaluate_examples → weights of each of the space's meshes → morph,
-//                  or CharacterMesh::weights between pose_character() and finish_character()
+//   once a load    mrw_file_example_space, mrw_find_example_channels
+//   every frame    mrw_sample_channels → parameters → mrw_evaluate_examples → weights of each of the space's meshes →
+//                  mrw_morph(), or mrw_character_mesh.weights between mrw_pose_character() and mrw_finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
 // Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
 // (docs/deformers.md).
 
-// For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the
-// clip of `clips`, the same or a clip pack. out: at least space.parameters.size. Errors: bad_argument. Cost: compares
-// names; once a load.
+// For each parameter the index of the channel of `clip` that has its name, or MRW_NO_CHANNEL. The space is of `file`,
+// the clip of `clips`, the same or a clip pack. out: at least space.parameter_count. Errors: MRW_BAD_ARGUMENT. Cost:
+// compares names; once a load.
 mrw_status mrw_find_example_channels(const mrw_file* file, const mrw_example_space* space, const mrw_file* clips,
     const mrw_clip* clip, uint32_t* out, size_t out_count) MRW_NODISCARD;
 
@@ -2163,22 +2175,21 @@ mrw_status mrw_find_example_channels(const mrw_file* file, const mrw_example_spa
 //   R(x) = 2/3 - x² + x³/2 below 1, (2 - x)³/6 below 2, 0 beyond: the cubic B-spline
 // At an example's place its own target has weight 1 and all others 0, but for rounding. Far from all examples weights
 // are linear: they leave 0 … 1, so clamp parameters where a shape must not be exaggerated.
-// parameters: finite, at least space.parameters.size; weights: one a target of the mesh. Errors: bad_argument (also for
-// a space by hand whose spans are too short, or with a target beyond the weights); bad_data if a weight is not finite:
-// nothing is written. The same bits on every processor.
+// parameters: finite, at least space.parameter_count; weights: one a target of the mesh. Errors: MRW_BAD_ARGUMENT (also
+// for a space by hand whose lists are too short, or with a target beyond the weights); MRW_BAD_DATA if a weight is not
+// finite: nothing is written. The same bits on every processor.
 // Method: P.-P. Sloan, C. Rose, M. Cohen, "Shape by example", I3D 2001, section 3: cardinal functions.
 // Cost: instructions an example, each with a target of its own, x86-64, g++ 12 -O3: in spaces of 2 parameters 91 of 8
 // examples, 69 of 64; of 6 parameters 142 and 131. It grows with the examples that are near.
 mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* parameters, size_t parameter_count,
     float* weights, size_t weight_count) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part debug_lines -----------------------------------------------------------------------------------------------
 // Lines that show what a frame came to: joints, limits, goals, springs, bounds. For a game's own debug view, which
 // draws them as it draws any lines; a game that calls none of these links none of it.
 //
-//   DebugLine room[4096];
-//   DebugLines lines{room};
-//   every frame   lines.count = lines.left_out = 0; joint_lines(…, lines); limit_lines(…, lines); …
+//   once          lines in mrw_debug_lines.room
+//   every frame   mrw_debug_lines.count = mrw_debug_lines.left_out = 0; then mrw_joint_lines(), mrw_limit_lines(), …
 //
 // All lines are in scene space, metres. Each call appends. A line without room is left out and counted, and so is one
 // with a number that is not finite. No allocation; thread-safe on different lines. Cost: a few products a line.
@@ -2204,15 +2215,15 @@ void mrw_debug_lines_init(mrw_debug_lines* out);
 
 // A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
 // whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
-// Errors, of all that follow: bad_argument if a span is too short, a joint is not in the skeleton, or a length is below
-// 0 or not finite; nothing is appended.
+// Errors, of all that follow: MRW_BAD_ARGUMENT if a list is too short, a joint is not in the skeleton, or a length is
+// below 0 or not finite; nothing is appended.
 mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
 // A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
 // angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
-// now, in green inside the limit and red outside of it. Limits that is_valid() refuses are passed over. At most 51
+// now, in green inside the limit and red outside of it. Limits that mrw_is_valid() refuses are passed over. At most 51
 // lines a limit.
 mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits, size_t limit_count,
     const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
@@ -2224,7 +2235,7 @@ mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals
     const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
     mrw_debug_lines* lines) MRW_NODISCARD;
 
-// The bones of each chain, and its tip. scene_from_joint: after simulate_springs(). At most a line a joint.
+// The bones of each chain, and its tip. scene_from_joint: after mrw_simulate_springs(). At most a line a joint.
 mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
 
@@ -2235,17 +2246,17 @@ mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_col
 // The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
 mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part palette ---------------------------------------------------------------------------------------------------
 // Stage 4, palette: scene-space joints → the matrices that skinning blends.
 
 // out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
-// joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
-// bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
-// scene_from_joint.size, what helpers name below joints.size and not the same.
-// Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
+// joints, bind: one a palette entry, equal in size (mrw_mesh.joints and mrw_mesh.inverse_bind; the GLES path brings its
+// own bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
+// scene_from_joint_count, what helpers name below joint_count and not the same.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range or a share not between 0 and 1.
 //
-// helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
+// helpers: written behind the joints' entries: entry joint_count + h blends the entries `first` and `second`, the
 // latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
 // shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
 // where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
@@ -2275,19 +2286,19 @@ bool mrw_turns_inside_out(const mrw_affine* map);
 
 // The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
 // double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
-// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
-// matrix.
+// turns if either this or its scene_from_character does, not if both do: see part gles3_crowd of c_gles3.h. Cost: a
+// determinant a matrix.
 bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_count);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part bounds ----------------------------------------------------------------------------------------------------
 // Beside stage 4, bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
 //
-//   over a whole clip   File::bounds(clip, mesh): from the file, no work
-//   in one frame        make_reach() once a load; palette_bounds() every frame
+//   over a whole clip   mrw_file_bounds(clip, mesh): from the file, no work
+//   in one frame        mrw_make_reach() once a load; mrw_palette_bounds() every frame
 //
 // Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
-// the file holds for animation space and multi-weights too, as it was measured with them; palette_bounds() knows
+// the file holds for animation space and multi-weights too, as it was measured with them; mrw_palette_bounds() knows
 // nothing of their residuals (docs/benchmarks.md, "Bounds", has how far they went beyond it).
 
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
@@ -2315,32 +2326,33 @@ struct mrw_reach {
   mrw_morph_reach pose_space;  // the sum of what all examples may add
 };
 
-// Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+// Bytes that mrw_make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
 size_t mrw_reach_bytes(const mrw_mesh* mesh);
 
 // Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
 // are among those of `mesh`.
 //
-// mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
-// `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
+// mesh: of a file, not of a character whose vertices are morphed. memory: at least mrw_reach_bytes(), 16-byte aligned;
+// `out` keeps pointers into it. Errors: MRW_BAD_ARGUMENT (the memory). Cost: once a load.
 mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out) MRW_NODISCARD;
 
 // The box of the mesh and a sphere about the box's centre, in the palette's space.
 //
-// palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
-// active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
-// is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
-// sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
-// 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
+// palette: of the mesh, reach.joint_count entries. weights: of its morph targets, any finite numbers; empty: none is
+// active. Without a vertex `out` is empty (mrw_bounds_is_empty()). Errors: MRW_BAD_ARGUMENT (a list too short, a weight
+// that is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its
+// half sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics
+// Gems, 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
 // instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
 mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
     const float* weights, size_t weight_count, mrw_bounds* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part skin ------------------------------------------------------------------------------------------------------
 // Stage 5, skin on the CPU: bind vertices and a palette → deformed vertices.
 //
-// Every deformer writes whole slots (Geometry::slot_count, padding included), so that indices can be used as they are.
-// Positions are in the palette's space (scene space after local_to_model). All are thread-safe on different outputs.
+// Every deformer writes whole slots (mrw_geometry.slot_count, padding included), so that indices can be used as they
+// are. Positions are in the palette's space (scene space after mrw_local_to_model). All are thread-safe on different
+// outputs.
 //
 // Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
 
@@ -2373,22 +2385,22 @@ struct mrw_skin_output {
 };
 void mrw_skin_output_init(mrw_skin_output* out);
 
-// A mesh in animation space, for as_tangents().
+// A mesh in animation space, for mrw_as_tangents().
 typedef struct mrw_as_part mrw_as_part;
 struct mrw_as_part {
   const mrw_mesh* mesh;  // cooked with animation space
-  const float* coordinates;  // from as_coordinates()
+  const float* coordinates;  // from mrw_as_coordinates()
   size_t coordinate_count;
-  float* tangents;  // as_tangent_count() floats, to be written
+  float* tangents;  // mrw_as_tangent_count() floats, to be written
   size_t tangent_count;
 };
 void mrw_as_part_init(mrw_as_part* out);
 
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
-// palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
-// follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
-// or if the geometry's floats do not stand on 16-byte boundaries.
+// palette: mrw_mesh_palette_size(mesh) entries. Errors, here and below: MRW_BAD_ARGUMENT if a list is too short, if the
+// geometry follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh
+// without, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
@@ -2402,7 +2414,7 @@ mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_
 mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
 
-// How many floats as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+// How many floats mrw_as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
 size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
 
 // Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
@@ -2410,13 +2422,13 @@ size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
 //
 // As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
 // x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
-// out: as_coordinate_count() floats. Done once a mesh, not a frame.
+// out: mrw_as_coordinate_count() floats. Done once a mesh, not a frame.
 mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count) MRW_NODISCARD;
 
-// How many floats as_tangents() writes of a mesh: twice as_coordinate_count().
+// How many floats mrw_as_tangents() writes of a mesh: twice mrw_as_coordinate_count().
 size_t mrw_as_tangent_count(const mrw_geometry* geometry);
 
-// Bytes of scratch memory that as_tangents() wants: about 32 a slot and 4 an index.
+// Bytes of scratch memory that mrw_as_tangents() wants: about 32 a slot and 4 an index.
 size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count);
 
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
@@ -2430,8 +2442,9 @@ size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count)
 //
 // parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
 // the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
-// scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
-// no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex, beside helpers 23 000.
+// scratch: mrw_as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: MRW_BAD_ARGUMENT if a
+// mesh has no normals or a list is too short. Done once, not a frame: some 11 000 instructions a vertex, beside helpers
+// 23 000.
 mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch,
     size_t scratch_bytes) MRW_NODISCARD;
 
@@ -2439,12 +2452,12 @@ mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* sc
 //   position = Σ_j M_j q_j        (= Σ_j W_j p_j)
 //            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
 // Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
-// coordinates: from as_coordinates() of this geometry.
+// coordinates: from mrw_as_coordinates() of this geometry.
 // Cost: positions 40 / 31; with normals through the blended matrix 73 / 56, and tangents 85 / 62; through the inverse
 // transpose 92 / 69 and 108 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
 // more an influence but the last.
 //
-// tangents: from as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
+// tangents: from mrw_as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
 // t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
 // run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
 mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
@@ -2453,61 +2466,61 @@ mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t co
 
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
-//   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
-// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
+//   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + mrw_geometry.mwe_residual, ∘ element by element
+// Elements mean something in one frame only; R is that of the palette entry mrw_geometry.mwe_root: the rotation next to
 // its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
 // Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
 // zero. With blended_matrix it is that blend that is asked whether it mirrors.
 //
-// Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
-// blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
-// four influences nine times as much as SSD.
+// Errors: also MRW_BAD_ARGUMENT for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through
+// the blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so
+// with four influences nine times as much as SSD.
 mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
 
-// How many floats psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
+// How many floats mrw_psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
 // examples.
 size_t mrw_psd_distance_count(const mrw_geometry* geometry);
 
-// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
-// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
-// rotations as in skin_mwe(); 0 for an entry without a parent.
+// How far a pose is from the examples, joint by joint: what mrw_skin_psd() weighs a vertex. Of palette entry j and
+// example k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its
+// parent's, rotations as in mrw_skin_mwe(); 0 for an entry without a parent.
 // out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
-// bad_argument if a span is too short.
+// MRW_BAD_ARGUMENT if a list is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
 mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count, float* out,
     size_t out_count) MRW_NODISCARD;
 
 // Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
 // weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
-//   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
+//   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: mrw_geometry.pose_space
 //   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
-// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
-// distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
-// geometry without examples is SSD's.
+// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's. distances: from
+// mrw_psd_distances() of this geometry and palette. Errors: also MRW_BAD_ARGUMENT if they are too few. A geometry
+// without examples is SSD's.
 // Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
 // vertex for each example that moves its block.
 mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count, const mrw_affine* palette,
     size_t palette_count, const mrw_skin_output* out) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part character -------------------------------------------------------------------------------------------------
 // A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
 //
-//   once a load       make_animations
-//   once a character  make_character
-//   every frame       pose_character; the game reaches, places feet, lets springs swing; finish_character
-//   then              skin_ssd() and its like of a CharacterMesh, or pose() of a gles3::Skinner
+//   once a load       mrw_make_animations
+//   once a character  mrw_make_character
+//   every frame       mrw_pose_character; the game reaches, places feet, lets springs swing; mrw_finish_character
+//   then              mrw_skin_ssd() and its like of an mrw_character_mesh, or mrw_gles3_pose() of an mrw_gles3_skinner
 //
 // A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
 // a skeleton or a mesh has its index in the file.
 //
-// Local poses may come from anyone. Instead of pose_character(): write CharacterSkeleton::local and
-// CharacterMesh::weights, then call local_to_model().
+// Local poses may come from anyone. Instead of mrw_pose_character(): write mrw_character_skeleton.local and
+// mrw_character_mesh.weights, then call mrw_character_to_model().
 //
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
 // only read, and serve any number of them.
 
-// In Animation: the skeleton plays nothing.
+// In mrw_animation: the skeleton plays nothing.
 #define MRW_NO_CLIP 0xFFFFFFFFu
 
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
@@ -2515,9 +2528,9 @@ typedef struct mrw_animation mrw_animation;
 struct mrw_animation {
   mrw_file clips;  // that they are from: the character's file, or a clip pack
   float duration_s;  // of the longest
-  const uint32_t* clip_of_skeleton;  // One a skeleton of the character: which clip it plays; kNoClip: it rests.
+  const uint32_t* clip_of_skeleton;  // One a skeleton of the character: which clip it plays; MRW_NO_CLIP: it rests.
   size_t clip_of_skeleton_count;
-  // One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
+  // One a morph target of the character, mesh after mesh: from mrw_find_weight_channels() with the clip that the mesh's
   // skeleton plays.
   const uint32_t* channels;
   size_t channel_count;
@@ -2536,29 +2549,30 @@ struct mrw_animations {
 typedef struct mrw_character_options mrw_character_options;
 struct mrw_character_options {
   uint32_t layers;  // that are blended at once, at most; at least 1
-  uint32_t level;  // of detail, as in File::mesh
-  bool skin;  // on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
-  bool animation_space;  // skin by skin_as(), too
+  uint32_t level;  // of detail, as in mrw_file_mesh
+  bool skin;  // on the CPU; false: neither palettes nor morphed vertices, an mrw_gles3_skinner has them
+  bool animation_space;  // skin by mrw_skin_as(), too
 };
 void mrw_character_options_init(mrw_character_options* out);
 
-// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
-// the other alike; all calls of stage 3½ do.
+// A skeleton and its pose in both forms. What changes one between mrw_pose_character() and mrw_finish_character() must
+// keep the other alike; all calls of stage 3½ do.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
   mrw_skeleton skeleton;  // of the file
-  mrw_soa_transform* local;  // skeleton.soa_size()
+  mrw_soa_transform* local;  // mrw_skeleton_soa_size(skeleton)
   size_t local_count;
   mrw_affine* scene_from_joint;  // skeleton.joint_count
   size_t scene_from_joint_count;
-  // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
+  // mrw_sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   mrw_soa_transform* sampled;
   size_t sampled_count;
   mrw_sample_cache* caches;  // as `sampled`
   size_t cache_count;
 };
 
-// A mesh, ready for skin_ssd(mesh, palette, …) or skin_as(mesh, coordinates, palette, …) after finish_character().
+// A mesh, ready for mrw_skin_ssd(mesh, palette, …) or mrw_skin_as(mesh, coordinates, palette, …) after
+// mrw_finish_character().
 typedef struct mrw_character_mesh mrw_character_mesh;
 struct mrw_character_mesh {
   mrw_mesh mesh;  // of the level asked for; with `skin` its geometry is this character's own, morphed
@@ -2571,7 +2585,7 @@ struct mrw_character_mesh {
   mrw_morphed_geometry morphed;  // with `skin`
   void* vertices;  // what it lies in
   size_t vertices_bytes;
-  uint32_t first_target;  // in Animation::channels
+  uint32_t first_target;  // in mrw_animation.channels
 };
 
 // Views into the caller's memory. A copy is the same character.
@@ -2594,75 +2608,76 @@ struct mrw_character {
 typedef struct mrw_animation_layer mrw_animation_layer;
 struct mrw_animation_layer {
   const mrw_animation* animation;  // made for the character's file
-  float time_s;  // see playback.h
-  float weight;  // 0 … kMaxBlendWeight
+  float time_s;  // see part playback
+  float weight;  // 0 … MRW_MAX_BLEND_WEIGHT
 };
 void mrw_animation_layer_init(mrw_animation_layer* out);
 
-// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+// Bytes that mrw_make_animations() needs: for each clip an mrw_animation, 4 a skeleton and 4 a morph target. A multiple
+// of 16.
 size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
 
 // Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
-// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
-// fits none, its clips are left out: no skeleton plays them.
+// its name if it fits that, else with the first that it fits and no reference before it has; see mrw_bind_clips(). If
+// it fits none, its clips are left out: no skeleton plays them.
 //
-// memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
-// Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
-// a skeleton). Cost: compares names; once a load.
+// memory: at least mrw_animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
+// Errors: MRW_BAD_ARGUMENT (the memory); MRW_MISMATCH (`clips` is another file but no pack, or a pack none of whose
+// clips fits a skeleton). Cost: compares names; once a load.
 mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory, size_t memory_bytes,
     mrw_animations* out) MRW_NODISCARD;
 
 // The first with this name that moves anything; null if there is none. Cost: compares names.
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
 
-// Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
+// Bytes that mrw_make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
 // May be null: options.
 size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options);
 
 // A character in its rest pose, finished.
 //
-// `file`'s block must outlive it. memory: at least character_bytes(), 16-byte aligned.
-// Errors: bad_argument (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices of
-// meshes with morph targets, and as_coordinates().
+// `file`'s block must outlive it. memory: at least mrw_character_bytes(), 16-byte aligned.
+// Errors: MRW_BAD_ARGUMENT (the memory, no layers, a default weight that is not finite). Cost: a copy of the vertices
+// of meshes with morph targets, and mrw_as_coordinates().
 // May be null: options.
 mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out) MRW_NODISCARD;
 
 // Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
-// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
+// mrw_blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
 // reference.
 //
-// Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
-// out of range, a time that is not a number); a part of the character may have been written then.
-// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+// Errors: MRW_BAD_ARGUMENT (more layers than the options say, an animation that is null or not made for this file, a
+// weight out of range, a time that is not a number); a part of the character may have been written then.
+// Cost: mrw_sample() and mrw_blend() of each skeleton, mrw_sample_channels() of what drives morph targets.
 mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count) MRW_NODISCARD;
 
 // Brings scene_from_joint of all skeletons up to date with `local`.
 mrw_status mrw_character_to_model(mrw_character* character) MRW_NODISCARD;
 
-// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as mrw_sample_character().
 mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count) MRW_NODISCARD;
 
 // Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
 // animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
-// bits, and so do poses. Between pose_character() and finish_character().
+// bits, and so do poses. Between mrw_pose_character() and mrw_finish_character().
 //
-// Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
-// a number); nothing is written. Cost: sample_channels() of what drives morph targets.
+// Errors: MRW_BAD_ARGUMENT (an animation that is null or not made for this file, a weight out of range, a time that is
+// not a number); nothing is written. Cost: mrw_sample_channels() of what drives morph targets.
 mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression) MRW_NODISCARD;
 
 // Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
-// Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
-// mesh.
+// Errors: MRW_BAD_ARGUMENT (a weight that is not finite). Cost: mrw_build_palette(), mrw_morph() and
+// mrw_morph_coordinates() of each mesh.
 mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
 
 // Of one skeleton of an outfit: what it follows.
 typedef struct mrw_outfit_skeleton mrw_outfit_skeleton;
 struct mrw_outfit_skeleton {
   uint32_t body_skeleton;  // of the body's character
-  const uint16_t* body_joints;  // one a joint of the outfit; see bind_outfit()
+  const uint16_t* body_joints;  // one a joint of the outfit; see mrw_bind_outfit()
   size_t body_joint_count;
 };
 
@@ -2673,29 +2688,29 @@ struct mrw_outfit {
   size_t skeleton_count;
 };
 
-// Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
+// Bytes that mrw_make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
 size_t mrw_outfit_bytes(const mrw_file* outfit);
 
 // Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
-// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+// that it fits. An outfit is cooked with `--skeleton BODY`; part outfit says when it fits.
 //
-// memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
-// Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
-// way. Cost: compares names; once a load.
+// memory: at least mrw_outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one
+// body. Errors: MRW_BAD_ARGUMENT (the memory); MRW_MISMATCH if a skeleton fits none, and mrw_bind_outfit() says which
+// joints are in the way. Cost: compares names; once a load.
 mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* memory, size_t memory_bytes,
     mrw_outfit* out) MRW_NODISCARD;
 
 // Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
-// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
-// So where its clips or springs move them, a frame is
+// mrw_finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to
+// frame. So where its clips or springs move them, a frame is
 //
-//   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
+//   mrw_sample_character(outfit, …); mrw_character_follow_body(…); springs; mrw_finish_character(outfit)
 //
-// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
-// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+// where mrw_sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
+// written. Morph targets are the outfit's own: its clips move them, or the game writes mrw_character_mesh.weights.
 //
-// worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
-// outfit.h for each skeleton.
+// worn: made from the outfit's file. Errors: MRW_BAD_ARGUMENT if `outfit` was made for other files. Cost:
+// mrw_follow_body() of part outfit for each skeleton.
 mrw_status mrw_character_follow_body(const mrw_outfit* outfit, const mrw_character* body,
     mrw_character* worn) MRW_NODISCARD;
 

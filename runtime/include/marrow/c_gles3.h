@@ -1,9 +1,7 @@
 // Skinning by OpenGL ES 3.0 for C99, and for all languages that call C: see docs/c.md. Library marrow::c_gles3.
 //
-// Made by tools/c_api from runtime/c/gles3.txt and the C++ headers, whose words these are: do not edit. Where they name
-// a C++ function or type, here it is mrw_gles3_ and that name in small letters. All else is as marrow/c.h says: a Span
-// is a pointer and a count, what is "empty by default" or "may be null" may be null, a struct that is filled in begins
-// with its mrw_gles3_…_init().
+// Made by tools/c_api from runtime/c/gles3.txt and the C++ headers: do not edit. Lists, structs that are filled in, and
+// what may be null are as marrow/c.h says.
 //
 // A pointer that is null or off the boundary of its type is refused, and so is an mrw_gles3_api full of zeros, which
 // mrw_gles3_load_api() has not filled yet.
@@ -23,7 +21,7 @@ extern "C" {
 uint32_t mrw_gles3_abi(void);
 
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part gles3_entry -----------------------------------------------------------------------------------------------
 // An entry point of the driver, and who watches its calls for errors.
 
 typedef void (*mrw_gles3_error_report)(void* user, const char* call, uint32_t error);
@@ -31,7 +29,7 @@ typedef void (*mrw_gles3_error_report)(void* user, const char* call, uint32_t er
 typedef uint32_t (*mrw_gles3_get_error)(void);
 
 // Told of every GL error by the call that caused it: for debugging, as each call is then between two of glGetError.
-// One an Api and thread.
+// One an mrw_gles3_api and thread.
 typedef struct mrw_gles3_error_watch mrw_gles3_error_watch;
 struct mrw_gles3_error_watch {
   // call: "glBindBuffer", a static string. May be null.
@@ -40,21 +38,22 @@ struct mrw_gles3_error_watch {
   // call: "glBindBuffer", a static string. May be null.
   // what `report` gets
   void* user;
-  uint32_t pending;  // what the Api's GetError has yet to tell, as it would without a watch
+  uint32_t pending;  // what the mrw_gles3_api's GetError has yet to tell, as it would without a watch
   mrw_gles3_get_error get_error;  // the driver's glGetError
 };
 void mrw_gles3_error_watch_init(mrw_gles3_error_watch* out);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part gles3 -----------------------------------------------------------------------------------------------------
 // Stage 5 on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
 //
-//   once a context   load_api, query_caps, create_palette_ring, build_program
-//   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
-//   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
-//                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw
+//   once a context   mrw_gles3_load_api, mrw_gles3_query_caps, mrw_gles3_create_palette_ring, mrw_gles3_build_program
+//   once a mesh      mrw_gles3_prepare(): compact attributes, and the bind matrices that undo their quantisation
+//   every frame      mrw_gles3_begin_frame, then for each mesh: mrw_build_palette_of_joints(mesh.joints, bind, joints,
+//                    …) → mrw_gles3_push_palette → mrw_gles3_set_morphs, if it has morph targets →
+//                    mrw_gles3_bind_examples, for its pose space → mrw_gles3_draw_mesh()
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
-// the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
+// the context is current. What a call leaves changed in the GL state is said with it. Nothing is deleted by itself: GL
 // objects may only be deleted while their context is current, which the caller alone knows.
 
 typedef void* (*mrw_gles3_load_proc)(const char* name);
@@ -72,15 +71,16 @@ enum {
   MRW_GLES3_DEFORMER_RIGID = 1,  // the joint with the largest weight
   MRW_GLES3_DEFORMER_SSD = 2,
   MRW_GLES3_DEFORMER_AS = 3,
-  MRW_GLES3_DEFORMER_PSD = 4,  // SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
+  MRW_GLES3_DEFORMER_PSD = 4,  // SSD of what the mesh's pose space has moved, see mrw_skin_psd() in part skin of c.h
 };
 
 // Where a program finds its palettes.
 typedef uint8_t mrw_gles3_palettes;
 enum {
-  MRW_GLES3_PALETTES_UNIFORM_BLOCK = 0,  // PaletteRing: one palette a draw call
-  MRW_GLES3_PALETTES_TEXTURE = 1,  // PaletteTexture: of any size; one draw call may draw many characters
-  // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
+  MRW_GLES3_PALETTES_UNIFORM_BLOCK = 0,  // mrw_gles3_palette_ring: one palette a draw call
+  MRW_GLES3_PALETTES_TEXTURE = 1,  // mrw_gles3_palette_texture: of any size; one draw call may draw many characters
+  // mrw_gles3_crowd_mesh, see part gles3_crowd: likewise, without work on the CPU; not for MRW_GLES3_DEFORMER_NONE, psd
+  // or MRW_GLES3_MORPHS
   MRW_GLES3_PALETTES_CROWD = 2,
 };
 
@@ -99,14 +99,15 @@ enum {
 // Morph targets.
 #define MRW_GLES3_MORPHS 16u
 
-// In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
+// In animation space normals and tangents are the deformed surface's own, by mrw_as_tangents(): see
+// mrw_gles3_prepare_options.
 #define MRW_GLES3_SURFACE_NORMALS 32u
 
 // A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
 #define MRW_GLES3_MOTION 64u
 
 // Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
-// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+// MRW_GLES3_SURFACE_NORMALS is drawn by programs with it alone, as it has other vectors where normals and tangents are.
 #define MRW_GLES3_POSITION_LOCATION 0u  // animation space: 0 … 7 are the coordinates
 #define MRW_GLES3_WEIGHTS_LOCATION 1u  // and 2
 #define MRW_GLES3_JOINTS_LOCATION 8u  // and 9; on Mali-G up to eight here, two in a number
@@ -121,8 +122,9 @@ enum {
 #define MRW_GLES3_MORPH_TARGETS 64u
 
 // Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
-// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-#define MRW_GLES3_PREVIOUS_LOCATION 1u  // Deformer::none with kMotion: the position of the frame before
+// MRW_GLES3_SURFACE_NORMALS is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+// MRW_GLES3_DEFORMER_NONE with MRW_GLES3_MOTION: the position of the frame before
+#define MRW_GLES3_PREVIOUS_LOCATION 1u
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 #define MRW_GLES3_PALETTE_JOINTS 341u
@@ -173,9 +175,9 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //              weight of the second influence        snorm16
 //              weights of the others                 unorm16×2, ×4 or ×6; the first has what they leave of 1
 //              joints                                u8×4, or ×8; u16 above 256 entries
-//              PrepareOptions::psd: first change     u32; of vertices that no example moves 0
+//              mrw_gles3_prepare_options.psd: first change     u32; of vertices that no example moves 0
 //   AS         coordinates, an influence             snorm16×4; their w sum to 32767, or less: see coordinate_scale
-//              kSurfaceNormals: both tangents of it  snorm16×4 each; their w sum to 0
+//              MRW_GLES3_SURFACE_NORMALS: both tangents of it  snorm16×4 each; their w sum to 0
 //              joints                                as SSD's
 //   surface    normal                                octahedral snorm16×2
 //              tangent                               octahedral snorm16×2, the sign in y
@@ -183,7 +185,7 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //              colour                                unorm8×4
 //   morphs     row of the morph texture              u32; of vertices that no target moves 0
 //
-//   bytes a vertex    SSD    AS    AS, kSurfaceNormals    surface, normals alone
+//   bytes a vertex    SSD    AS    AS, MRW_GLES3_SURFACE_NORMALS    surface, normals alone
 //   4 influences       16    36                    100                         4
 //   5                  24    48                    128                         4
 //   6                  24    56                    152                         4
@@ -200,53 +202,55 @@ struct mrw_gles3_gpu_mesh {
   uint32_t surface_buffer;  // 0 for a mesh of bare positions
   uint32_t morph_buffer;  // 0 for a mesh without morph targets
   uint32_t morph_texture;  // likewise
-  uint32_t example_texture;  // 0 without PrepareOptions::psd, or examples
+  uint32_t example_texture;  // 0 without mrw_gles3_prepare_options.psd, or examples
   uint32_t index_buffer;  // of all three vertex arrays
   uint32_t index_count;  // three a triangle
   uint32_t index_type;  // GL_UNSIGNED_SHORT or GL_UNSIGNED_INT
   uint32_t primitive;  // what the indices draw: GL_TRIANGLES
-  uint32_t slot_count;  // as Geometry::slot_count
+  uint32_t slot_count;  // as mrw_geometry.slot_count
   uint32_t joint_count;  // matrices in its palette
   uint32_t vertex_bytes;  // all vertex buffers together
   uint8_t influences;  // the most of any vertex, 4 to 8
-  uint8_t features;  // kNormals | …
+  uint8_t features;  // MRW_GLES3_NORMALS | …
   uint8_t morph_per_row;  // texels a vertex: positions, normals, tangents
   uint8_t morph_shift;  // the texture's width is 1 << morph_shift
   uint32_t morph_texels;  // of a target
-  float morph_unit;  // 1 / half-extent, see prepare()
+  float morph_unit;  // 1 / half-extent, see mrw_gles3_prepare()
   float example_step;  // of changes, in half-extents
-  uint32_t distances;  // distance_matrices() of the mesh, where it has examples here
+  uint32_t distances;  // mrw_gles3_distance_matrices() of the mesh, where it has examples here
   uint32_t distance_texels;  // of them, a palette entry
   float coordinate_scale;  // Coordinates are stored divided by this; 1 unless a fitted weight lies outside [-1, 1].
   mrw_gles3_vertex_layout layout;  // of its vertex buffers
 };
 void mrw_gles3_gpu_mesh_init(mrw_gles3_gpu_mesh* out);
 
-// What prepare() puts on the GPU.
+// What mrw_gles3_prepare() puts on the GPU.
 typedef struct mrw_gles3_prepare_options mrw_gles3_prepare_options;
 struct mrw_gles3_prepare_options {
   bool ssd;  // also what rigid draws from
   bool as;  // neither: for vertices skinned on the CPU
-  // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
-  // kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
+  // From mrw_as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features`
+  // has MRW_GLES3_SURFACE_NORMALS. Empty, or of a mesh with morph targets or without normals: normals through the
+  // blend.
   const float* as_tangents;
   size_t as_tangent_count;
-  bool psd;  // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+  bool psd;  // With `ssd`: what MRW_GLES3_DEFORMER_PSD draws from, too; nothing more of a mesh without examples.
 };
 void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out);
 
-// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
-// frame before, positions alone. Those, bound for each draw call like the others, are
-//   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
-//   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
-//   skinned elsewhere    set_previous(), see gles3_skinned.h
-// and with kMorphs set_previous_morphs().
+// What a program is compiled for: of the mesh's features those that it is to read. With MRW_GLES3_MORPHS it draws only
+// meshes that have targets; mrw_gles3_set_morphs() before each. With MRW_GLES3_MOTION it skins twice: by the palettes
+// of this frame, and of the frame before, positions alone. Those, bound for each draw call like the others, are
+//   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by
+//                        mrw_gles3_bind_palette()
+//   in a texture         mrw_gles3_bind_previous_palette(); of crowds mrw_gles3_bind_crowd() does it
+//   skinned elsewhere    mrw_gles3_set_previous(), see part gles3_skinned
+// and with MRW_GLES3_MORPHS mrw_gles3_set_previous_morphs().
 typedef struct mrw_gles3_program_key mrw_gles3_program_key;
 struct mrw_gles3_program_key {
   mrw_gles3_deformer deformer;  // by which vertices are skinned
   uint8_t influences;  // 4 to 8: that of the mesh or more
-  uint8_t features;  // kNormals | …, that it reads
+  uint8_t features;  // MRW_GLES3_NORMALS | …, that it reads
   mrw_gles3_palettes palettes;  // where they are
 };
 void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
@@ -260,15 +264,15 @@ void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 //   }
 //
 // What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
-// What the vertex text may use:
+// was built to read it (mrw_gles3_program_key.features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for
+// crowds. What the vertex text may use:
 //   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
 //                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
 //                                    not read is 0, but previous_position is then the position
 //   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 //   vec4 marrow_instance_colour()    of an instance of a crowd; else white
 // Names that begin with marrow_, MARROW_, Marrow or in_ are Marrow's; all others the game's, uniforms, too: set those
-// after UseProgram(program.id), by Api or by any other loader.
+// after UseProgram(program.id), by mrw_gles3_api or by any other loader.
 typedef struct mrw_gles3_program_source mrw_gles3_program_source;
 struct mrw_gles3_program_source {
   const char* vertex;  // as above
@@ -283,7 +287,7 @@ typedef struct mrw_gles3_program mrw_gles3_program;
 struct mrw_gles3_program {
   uint32_t id;  // for UseProgram(); 0: none
   mrw_gles3_palettes reads;  // where it reads palettes
-  bool motion;  // built with kMotion
+  bool motion;  // built with MRW_GLES3_MOTION
   // Locations of uniforms.
   // of attributes; here and below -1: there is none
   int32_t coordinate_scale;
@@ -318,7 +322,7 @@ struct mrw_gles3_palette_ring {
   uint32_t buffer;  // a uniform buffer; 0: none
   uint32_t alignment;  // of offsets, bytes
   uint32_t capacity;  // bytes that palettes may use
-  uint32_t used;  // bytes, since begin_frame()
+  uint32_t used;  // bytes, since mrw_gles3_begin_frame()
 };
 void mrw_gles3_palette_ring_init(mrw_gles3_palette_ring* out);
 
@@ -335,8 +339,9 @@ struct mrw_gles3_palette_texture {
 void mrw_gles3_palette_texture_init(mrw_gles3_palette_texture* out);
 
 // Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
-// Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
-// put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+// Errors: MRW_BAD_ARGUMENT without a loader; MRW_UNSUPPORTED if it returns null for a function of OpenGL ES 3.0, whose
+// name is put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on
+// success.
 //
 // ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
 // and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
@@ -345,10 +350,10 @@ void mrw_gles3_palette_texture_init(mrw_gles3_palette_texture* out);
 mrw_status mrw_gles3_load_api(mrw_gles3_api* api, mrw_gles3_load_proc load_proc, const char** missing) MRW_NODISCARD;
 
 // Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
-// Then call on_context_lost() for each object that has it, destroy the context, make another, and call
-// on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
-// a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
-// platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+// Then call mrw_gles3_…_on_context_lost() for each object that has it, destroy the context, make another, and call
+// mrw_gles3_…_on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to
+// lose itself on a reset (EGL_LOSE_CONTEXT_ON_RESET); other contexts never tell, and platforms have ways of their own
+// (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
 bool mrw_gles3_context_was_reset(const mrw_gles3_api* api);
 
 // Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
@@ -357,11 +362,11 @@ bool mrw_gles3_context_was_reset(const mrw_gles3_api* api);
 // May be null: watch.
 void mrw_gles3_watch_errors(mrw_gles3_api* api, mrw_gles3_error_watch* watch);
 
-// Errors: unsupported below OpenGL ES 3.0; gl_error.
+// Errors: MRW_UNSUPPORTED below OpenGL ES 3.0; MRW_GL_ERROR.
 mrw_status mrw_gles3_query_caps(const mrw_gles3_api* api, mrw_gles3_caps* caps) MRW_NODISCARD;
 
-// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
-// May be null: options.
+// Bytes of scratch memory that mrw_gles3_prepare() wants: the largest of its vertex buffers, with `psd` and all
+// changes. May be null: options.
 size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options);
 
 // Uploads a mesh, and writes the bind matrices to build its palettes with:
@@ -370,12 +375,12 @@ size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_pre
 // shader need not undo it. The same palette serves rigid, SSD and AS. In animation space the stored coordinate of an
 // influence is (w (v - c) + d - δ c, (w + δ) h) / h; where residuals need more room, h grows for the whole mesh.
 //
-// bind: at least mesh.joint_count, the caller's to keep. scratch: at least prepare_scratch_bytes(), 4-byte aligned,
-// free again afterwards. Errors: bad_argument (a mesh without vertices or with another one's geometry, a span too
-// short); unsupported (more morph targets or examples than a texture of 2048 × 2048 holds); gl_error (out of memory:
-// nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the vertex array
-// and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of the formats:
-// docs/performance.md. Cost: a few passes over the vertices; once a mesh.
+// bind: at least mesh.joint_count, the caller's to keep. scratch: at least mrw_gles3_prepare_scratch_bytes(), 4-byte
+// aligned, free again afterwards. Errors: MRW_BAD_ARGUMENT (a mesh without vertices or with another one's geometry, a
+// list too short); MRW_UNSUPPORTED (more morph targets or examples than a texture of 2048 × 2048 holds); MRW_GL_ERROR
+// (out of memory: nothing is left allocated). `out` and `bind` are written only on success. Leaves GL_ARRAY_BUFFER, the
+// vertex array and, of a mesh with morph targets or, with `psd`, examples, the active unit's 2D texture at 0. Error of
+// the formats: docs/performance.md. Cost: a few passes over the vertices; once a mesh.
 // May be null: options.
 mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, void* scratch, size_t scratch_bytes, mrw_affine* bind, size_t bind_count,
@@ -384,10 +389,11 @@ mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* cap
 // Deletes the GL objects and clears the struct.
 void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh);
 
-// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
-// frame before to the next binding.
-// Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
-// words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
+// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with MRW_GLES3_MOTION that
+// of the frame before to the next binding.
+// Errors: MRW_BAD_ARGUMENT (a text missing, influences other than 4 to 8, what crowds cannot); MRW_GL_ERROR, with the
+// driver's words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a
+// frame.
 mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
     const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
@@ -396,7 +402,8 @@ mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_pro
 void mrw_gles3_destroy_program(const mrw_gles3_api* api, mrw_gles3_program* program);
 
 // Room for palettes of `joints` matrices altogether in `palettes` pieces.
-// Errors: bad_argument (zero); unsupported (caps of less than OpenGL ES 3.0); gl_error. Leaves GL_UNIFORM_BUFFER at 0.
+// Errors: MRW_BAD_ARGUMENT (zero); MRW_UNSUPPORTED (caps of less than OpenGL ES 3.0); MRW_GL_ERROR. Leaves
+// GL_UNIFORM_BUFFER at 0.
 mrw_status mrw_gles3_create_palette_ring(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
     uint32_t palettes, mrw_gles3_palette_ring* out) MRW_NODISCARD;
 
@@ -407,7 +414,8 @@ void mrw_gles3_destroy_palette_ring(const mrw_gles3_api* api, mrw_gles3_palette_
 void mrw_gles3_begin_frame(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring);
 
 // Uploads one palette (48 bytes a matrix, nothing else) and says where it lies. Leaves GL_UNIFORM_BUFFER bound to the
-// ring. Errors: bad_argument (empty, or more than kPaletteJoints); unsupported (the ring is full until begin_frame).
+// ring. Errors: MRW_BAD_ARGUMENT (empty, or more than MRW_GLES3_PALETTE_JOINTS); MRW_UNSUPPORTED (the ring is full
+// until mrw_gles3_begin_frame).
 mrw_status mrw_gles3_push_palette(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring, const mrw_affine* palette,
     size_t palette_count, uint32_t* offset) MRW_NODISCARD;
 
@@ -416,89 +424,94 @@ void mrw_gles3_bind_palette(const mrw_gles3_api* api, const mrw_gles3_palette_ri
     uint32_t binding);
 
 // Room for `joints` matrices: 48 B each, three times.
-// Errors: bad_argument (zero); unsupported (more than a texture of the caps' size holds: 1.39 million in 2048²);
-// gl_error. Leaves the active unit's 2D texture at 0.
+// Errors: MRW_BAD_ARGUMENT (zero); MRW_UNSUPPORTED (more than a texture of the caps' size holds: 1.39 million in
+// 2048²); MRW_GL_ERROR. Leaves the active unit's 2D texture at 0.
 mrw_status mrw_gles3_create_palette_texture(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
     mrw_gles3_palette_texture* out) MRW_NODISCARD;
 
 // Deletes the textures and clears the struct.
 void mrw_gles3_destroy_palette_texture(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture);
 
-// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
-// may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
-// than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and
+// mrw_build_palette() may write right there. 48 bytes a matrix go up, and nothing else. Errors: MRW_BAD_ARGUMENT
+// (empty); MRW_UNSUPPORTED (more than there is room for). Leaves the active unit's 2D texture at 0,
+// GL_PIXEL_UNPACK_BUFFER must be 0.
 mrw_status mrw_gles3_upload_palettes(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture,
     const mrw_affine* palettes, size_t palette_count) MRW_NODISCARD;
 
 // `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
 // `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
-// the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
+// the texture bound to it. Errors: MRW_BAD_ARGUMENT (a program of another kind, a palette that reaches beyond what was
 // uploaded).
 mrw_status mrw_gles3_bind_texture_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
     uint32_t first, uint32_t joints, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
-// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
-// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
-// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
-// what was uploaded then).
+// The palettes of the frame before, which are there still, for a program with MRW_GLES3_MOTION that draws from
+// mrw_gles3_bind_palette() of the same arguments. kept: false for characters without a frame before; their palettes of
+// this frame are bound then, and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is
+// bound for a program whose text does not read previous_position. Errors: MRW_BAD_ARGUMENT (a program of another kind,
+// a palette that reaches beyond what was uploaded then).
 mrw_status mrw_gles3_bind_previous_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
     uint32_t first, uint32_t joints, bool kept, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
-// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
-// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
-// targets, a program without kMorphs, too few weights, one that is not finite).
+// Sets by which weights, one a target, `program`, which must be in use, morphs: as mrw_morph() does on the CPU, in
+// animation space through the same blend as normals. Of more than MRW_GLES3_MORPH_TARGETS weights other than 0 those
+// count that move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: MRW_BAD_ARGUMENT (a
+// mesh without targets, a program without MRW_GLES3_MORPHS, too few weights, one that is not finite).
 mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The weights of the frame before, for a program with kMotion, after set_morphs(). Errors: as there.
+// The weights of the frame before, for a program with MRW_GLES3_MOTION, after mrw_gles3_set_morphs(). Errors: as there.
 mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// Room that pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and four
-// examples. 0 without examples.
+// Room that mrw_gles3_pack_distances() wants, in matrices of 12 floats: about a third of one for each palette entry and
+// four examples. 0 without examples.
 uint32_t mrw_gles3_distance_matrices(const mrw_geometry* geometry);
 
-// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
-// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
-// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
-// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+// How far a pose is from the examples, as MRW_GLES3_DEFORMER_PSD reads it: mrw_psd_distances() in another order. It
+// goes up with those of other characters as palettes do, by mrw_gles3_upload_palettes() into an
+// mrw_gles3_palette_texture of its own, on every path. palette: built with the bind matrices of mrw_gles3_prepare(), or
+// those of the mesh; no matter which. out: mrw_gles3_distance_matrices(). Errors: MRW_BAD_ARGUMENT (no examples, a list
+// too short). Cost: that of mrw_psd_distances().
 mrw_status mrw_gles3_pack_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count,
     mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
-// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
-// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
-// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
-// distances that reach beyond what was uploaded).
+// `program`, which must be in use and of MRW_GLES3_DEFORMER_PSD, deforms by the mesh's examples and by distances that
+// begin at matrix `first` of what was uploaded, its instance i by those mrw_gles3_gpu_mesh.distances · i behind. Leaves
+// `texture_unit` and the next one taken, the latter active. Errors: MRW_BAD_ARGUMENT (a mesh without examples, a
+// program of another kind, distances that reach beyond what was uploaded).
 mrw_status mrw_gles3_bind_examples(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     const mrw_gles3_palette_texture* distances, uint32_t first, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The distances of the frame before, for a program with kMotion, after bind_examples(). kept and errors: as in
-// bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
+// The distances of the frame before, for a program with MRW_GLES3_MOTION, after mrw_gles3_bind_examples(). kept and
+// errors: as in mrw_gles3_bind_previous_palette(). Leaves `texture_unit` active and the texture bound to it.
 mrw_status mrw_gles3_bind_previous_distances(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     const mrw_gles3_palette_texture* distances, uint32_t first, bool kept, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
-// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
-// turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
-// Errors: bad_argument if the mesh was not prepared for this deformer.
+// say: as glTF has it, GL_CULL_FACE is enabled unless mrw_mesh.double_sided, and fronts are GL_CCW, but GL_CW where
+// mrw_palette_turns_inside_out(palette), see part palette of c.h. So characters that mirror take a draw call of their
+// own.
+// Errors: MRW_BAD_ARGUMENT if the mesh was not prepared for this deformer.
 mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
     const mrw_gles3_program* program, uint32_t instances) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part gles3_skinned ---------------------------------------------------------------------------------------------
 // Stage 5 on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
 // colour, or that the CPU has skinned.
 //
-//   once a mesh      prepare, create_skinned
-//   once a context   build_preskin for GPU skinning; build_program with Deformer::none for drawing
-//   every frame      upload_skinned (the CPU's), or: use the program, bind its palette, set_morphs, preskin
-//   every pass       draw
+//   once a mesh      mrw_gles3_prepare(), mrw_gles3_create_skinned
+//   once a context   mrw_gles3_build_preskin for GPU skinning; mrw_gles3_build_program with MRW_GLES3_DEFORMER_NONE for
+//                    drawing
+//   every frame      mrw_gles3_upload_skinned (the CPU's), or: use the program, bind its palette, mrw_gles3_set_morphs,
+//                    mrw_gles3_preskin_mesh()
+//   every pass       mrw_gles3_draw_skinned()
 //
-// The conventions are those of gles3.h.
+// The conventions are those of part gles3.
 
 // What skins vertices ahead of drawing.
 typedef uint8_t mrw_gles3_preskin;
@@ -515,29 +528,31 @@ struct mrw_gles3_skinned_mesh {
   uint32_t array;  // vertex array object
   uint32_t buffer;  // of the vertices
   uint32_t slot_count;  // the mesh's
-  uint8_t features;  // kNormals, kTangents, kUvs, kColours: what programs with Deformer::none may read
+  // MRW_GLES3_NORMALS, MRW_GLES3_TANGENTS, MRW_GLES3_UVS, MRW_GLES3_COLOURS: what programs with MRW_GLES3_DEFORMER_NONE
+  // may read
+  uint8_t features;
 };
 void mrw_gles3_skinned_mesh_init(mrw_gles3_skinned_mesh* out);
 
-// Errors: gl_error (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the vertex
-// array at 0.
+// Errors: MRW_GL_ERROR (nothing is left allocated). `out` is written only on success. Leaves GL_ARRAY_BUFFER and the
+// vertex array at 0.
 mrw_status mrw_gles3_create_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     mrw_gles3_skinned_mesh* out) MRW_NODISCARD;
 
 // Deletes the GL objects and clears the struct.
 void mrw_gles3_destroy_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_mesh* mesh);
 
-// What skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
-// Errors: bad_argument (a span of another size than the mesh has; normals or tangents may be empty, then they are
+// What mrw_skin_ssd() and their like have written. The old contents are orphaned, so the CPU never waits for the GPU.
+// Errors: MRW_BAD_ARGUMENT (a list of another size than the mesh has; normals or tangents may be empty, then they are
 // undefined). Leaves GL_ARRAY_BUFFER at 0.
 mrw_status mrw_gles3_upload_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_mesh* mesh,
     const mrw_skin_output* vertices) MRW_NODISCARD;
 
-// A program for preskin(), of the key's deformer, palettes, and of its features kNormals, kTangents, kMorphs and
-// kSurfaceNormals. Those must be the mesh's.
-// Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
-// (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
-// a compile.
+// A program for mrw_gles3_preskin_mesh(), of the key's deformer, palettes, and of its features MRW_GLES3_NORMALS,
+// MRW_GLES3_TANGENTS, MRW_GLES3_MORPHS and MRW_GLES3_SURFACE_NORMALS. Those must be the mesh's.
+// Errors: MRW_BAD_ARGUMENT (a key of MRW_GLES3_DEFORMER_NONE, of a crowd, or with influences other than 4 to 8);
+// MRW_UNSUPPORTED (compute, without caps.compute); MRW_GL_ERROR, with the driver's words in `log`. `out` is written
+// only on success. Cost: a compile.
 mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_program_key* key, mrw_gles3_preskin method, uint32_t palette_binding, mrw_gles3_program* out,
     char* log, size_t log_bytes) MRW_NODISCARD;
@@ -545,31 +560,34 @@ mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_cap
 // Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
 // leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at
 // 0, and GL_RASTERIZER_DISCARD off; by compute shader GL_SHADER_STORAGE_BUFFER and its bindings 0 … 3 at 0.
-// Errors: bad_argument (a mesh that was not prepared for this deformer, a program of another kind).
+// Errors: MRW_BAD_ARGUMENT (a mesh that was not prepared for this deformer, a program of another kind).
 mrw_status mrw_gles3_preskin_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
     const mrw_gles3_program* program, const mrw_gles3_skinned_mesh* to) MRW_NODISCARD;
 
-// Programs with kMotion take from `previous` where the vertices of `mesh` were in the frame before: another SkinnedMesh
-// of the same GpuMesh, skinned then; or `mesh` itself, of what has no frame before. To be said again whenever it
-// changes, so each frame where two take turns. Errors: bad_argument (of another number of slots). Leaves
-// GL_ARRAY_BUFFER and the vertex array at 0.
+// Programs with MRW_GLES3_MOTION take from `previous` where the vertices of `mesh` were in the frame before: another
+// mrw_gles3_skinned_mesh of the same mrw_gles3_gpu_mesh, skinned then; or `mesh` itself, of what has no frame before.
+// To be said again whenever it changes, so each frame where two take turns. Errors: MRW_BAD_ARGUMENT (of another number
+// of slots). Leaves GL_ARRAY_BUFFER and the vertex array at 0.
 mrw_status mrw_gles3_set_previous(const mrw_gles3_api* api, const mrw_gles3_skinned_mesh* mesh,
     const mrw_gles3_skinned_mesh* previous) MRW_NODISCARD;
 
-// Draws all triangles with the program in use, one with Deformer::none. Leaves the vertex array at 0.
+// Draws all triangles with the program in use, one with MRW_GLES3_DEFORMER_NONE. Leaves the vertex array at 0.
 void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
     const mrw_gles3_skinned_mesh* skinned);
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part gles3_skinner ---------------------------------------------------------------------------------------------
 // Stage 5 on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
 //
-//   once a context   load_api, query_caps; a ProgramSet with the game's own texts, one a role (colour, shadow, …)
-//   once a mesh      create_skinner
-//   every frame      pose each character; update; for each role: use(program), its uniforms, draw
-//   context lost     on_context_lost; with the new context load_api, query_caps, then on_context_restored
+//   once a context   mrw_gles3_load_api, mrw_gles3_query_caps; an mrw_gles3_program_set with the game's own texts, one
+//                    a role (colour, shadow, …)
+//   once a mesh      mrw_gles3_create_skinner
+//   every frame      mrw_gles3_pose() each character; mrw_gles3_update(); for each role: use its program, set uniforms,
+//                    mrw_gles3_draw()
+//   context lost     mrw_gles3_…_on_context_lost; with the new context mrw_gles3_load_api, mrw_gles3_query_caps, then
+//                    mrw_gles3_…_on_context_restored
 //
 // No allocation but the driver's: memory is the caller's, sizes are asked for first. The conventions are those of
-// gles3.h; what a call leaves changed is what the calls that it is made of do.
+// part gles3; what a call leaves changed is what the calls that it is made of do.
 
 // Where vertices are skinned.
 typedef uint8_t mrw_gles3_skinning_path;
@@ -582,20 +600,20 @@ enum {
   MRW_GLES3_SKINNING_PATH_CPU = 4,  // once a frame, by the CPU
 };
 
-// How many values SkinningPath has.
+// How many values mrw_gles3_skinning_path has.
 #define MRW_GLES3_PATH_COUNT 5u
 
-// The most roles of a ProgramSet.
+// The most roles of an mrw_gles3_program_set.
 #define MRW_GLES3_MOST_ROLES 4u
 
-// The most programs of a ProgramSet.
+// The most programs of an mrw_gles3_program_set.
 #define MRW_GLES3_MOST_PROGRAMS 192u
 
 // One of a set, filled in by Marrow.
 typedef struct mrw_gles3_program_set_entry mrw_gles3_program_set_entry;
 struct mrw_gles3_program_set_entry {
   mrw_gles3_program_key key;  // what it was built for
-  uint32_t role;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+  uint32_t role;  // MRW_GLES3_MOST_ROLES + mrw_gles3_preskin: pre-skinning; and 2: blending of crowds
   mrw_gles3_program program;  // as it was built
 };
 
@@ -604,8 +622,8 @@ typedef struct mrw_gles3_program_set mrw_gles3_program_set;
 struct mrw_gles3_program_set {
   mrw_gles3_program_source roles[4];  // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   uint32_t role_count;  // of `roles`, that are used
-  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
-  // read previous_position of skinners and crowds that keep it.
+  // Of what a mesh has, what each role's texts read: a shadow's none, or MRW_GLES3_UVS where it has holes.
+  // MRW_GLES3_MOTION: whether they read previous_position of skinners and crowds that keep it.
   uint8_t role_features[4];
   uint32_t palette_binding;  // uniform buffer binding of the palettes
   char* log;  // what the driver says of a text that does not compile
@@ -618,24 +636,27 @@ void mrw_gles3_program_set_init(mrw_gles3_program_set* out);
 // How a mesh is skinned, and for how many characters.
 typedef struct mrw_gles3_skinner_options mrw_gles3_skinner_options;
 struct mrw_gles3_skinner_options {
-  mrw_gles3_skinning_path path;  // choose() in gles3_self_test.h names the best
+  mrw_gles3_skinning_path path;  // mrw_gles3_choose() in part gles3_self_test names the best
   mrw_gles3_deformer deformer;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
   uint32_t instances;  // characters, at most
   // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
   // A pose space takes the fourth and fifth, with `motion` the sixth.
   uint32_t texture_unit;
   uint8_t features;  // what programs are to read of what the mesh has and their role reads
-  // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
+  // From mrw_as_tangents() of this mesh, in the caller's memory for as long as the skinner; see
+  // mrw_gles3_prepare_options.
   const float* as_tangents;
   size_t as_tangent_count;
-  // For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
-  // MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
-  // too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+  // For motion vectors: keeps what the mrw_gles3_update() before left on the GPU, and programs of roles that read
+  // MRW_GLES3_MOTION have MarrowVertex::previous_position from it. The uniform buffer binding behind
+  // mrw_gles3_program_set.palette_binding is taken, too. Nothing more goes up; what it costs: docs/performance.md,
+  // "Motion vectors".
   bool motion;
 };
 void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out);
 
-// What skinners with SkinnerOptions::motion keep of the update() before: two of each, which take turns.
+// What skinners with mrw_gles3_skinner_options.motion keep of the mrw_gles3_update() before: two of each, which take
+// turns.
 typedef struct mrw_gles3_skinner_motion mrw_gles3_skinner_motion;
 struct mrw_gles3_skinner_motion {
   mrw_gles3_palette_ring ring;  // path ubo
@@ -645,15 +666,15 @@ struct mrw_gles3_skinner_motion {
   size_t skinned_count;
   float* weights;  // of morph targets
   size_t weight_count;
-  float* sent_weights;  // of the last update()
+  float* sent_weights;  // of the last mrw_gles3_update()
   size_t sent_weight_count;
-  uint8_t* still;  // a character each: 1 if it had no update() before its last
+  uint8_t* still;  // a character each: 1 if it had no mrw_gles3_update() before its last
   size_t still_count;
-  uint8_t* reset;  // 1 if the next update() is to be its first
+  uint8_t* reset;  // 1 if the next mrw_gles3_update() is to be its first
   size_t reset_count;
 };
 
-// A mesh as many characters. Filled in by create_skinner(), to be read only.
+// A mesh as many characters. Filled in by mrw_gles3_create_skinner(), to be read only.
 typedef struct mrw_gles3_skinner mrw_gles3_skinner;
 struct mrw_gles3_skinner {
   mrw_mesh mesh;  // as it was given
@@ -662,8 +683,8 @@ struct mrw_gles3_skinner {
   mrw_gles3_palette_ring ring;  // path ubo, feedback and compute
   mrw_gles3_palette_texture texture;  // path texture
   mrw_gles3_palette_texture distance_texture;  // of pose spaces
-  uint32_t updated;  // characters that the last update() brought up
-  bool lost;  // between on_context_lost() and on_context_restored()
+  uint32_t updated;  // characters that the last mrw_gles3_update() brought up
+  bool lost;  // between mrw_gles3_…_on_context_lost() and mrw_gles3_…_on_context_restored()
   // In the caller's memory.
   // what palettes are built with
   mrw_affine* bind;
@@ -678,7 +699,7 @@ struct mrw_gles3_skinner {
   size_t offset_count;
   mrw_gles3_skinned_mesh* skinned;  // a character each, of paths that skin once a frame
   size_t skinned_count;
-  mrw_gles3_skinner_motion motion;  // with SkinnerOptions::motion
+  mrw_gles3_skinner_motion motion;  // with mrw_gles3_skinner_options.motion
   float* positions;  // path cpu: one character's
   size_t position_count;
   float* normals;  // path cpu: one character's
@@ -688,7 +709,7 @@ struct mrw_gles3_skinner {
   float* coordinates;  // path cpu: one character's
   size_t coordinate_count;
   mrw_morphed_geometry morphed;  // path cpu: one character's
-  void* scratch;  // of prepare(), kept for the next context
+  void* scratch;  // of mrw_gles3_prepare(), kept for the next context
   size_t scratch_bytes;
 };
 
@@ -698,17 +719,17 @@ const char* mrw_gles3_skinning_path_text(mrw_gles3_skinning_path path);
 // Deletes all programs. Skinners that use the set must go first.
 void mrw_gles3_destroy_programs(const mrw_gles3_api* api, mrw_gles3_program_set* programs);
 
-// Bytes of memory that create_skinner() wants.
+// Bytes of memory that mrw_gles3_create_skinner() wants.
 size_t mrw_gles3_skinner_bytes(const mrw_mesh* mesh, const mrw_gles3_skinner_options* options);
 
-// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: pose() each
-// before the first update(). Compiles what `programs` lacks for it.
+// Puts the mesh on the GPU, ready for `options.instances` characters in the rest pose of no skeleton: mrw_gles3_pose()
+// each before the first mrw_gles3_update(). Compiles what `programs` lacks for it.
 //
 // mesh: its geometry must live as long as the skinner, so that it can be put on the next context. memory: at least
-// skinner_bytes(), 16-byte aligned, the skinner's until destroy().
-// Errors: bad_argument (a span too short, no instances, Deformer::none, no role); unsupported (a path that the caps or
-// the number of joints rule out, a full program set); gl_error (nothing is left allocated but programs). `out` is
-// written only on success.
+// mrw_gles3_skinner_bytes(), 16-byte aligned, the skinner's until mrw_gles3_destroy_…().
+// Errors: MRW_BAD_ARGUMENT (a list too short, no instances, MRW_GLES3_DEFORMER_NONE, no role); MRW_UNSUPPORTED (a path
+// that the caps or the number of joints rule out, a full program set); MRW_GL_ERROR (nothing is left allocated but
+// programs). `out` is written only on success.
 mrw_status mrw_gles3_create_skinner(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_skinner_options* options, mrw_gles3_program_set* programs, void* memory, size_t memory_bytes,
     mrw_gles3_skinner* out) MRW_NODISCARD;
@@ -716,67 +737,71 @@ mrw_status mrw_gles3_create_skinner(const mrw_gles3_api* api, const mrw_gles3_ca
 // Deletes the GL objects and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skinner);
 
-// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
-// another thread than the context's, different instances on different threads.
-// Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
+// Character `instance` takes this pose at the next mrw_gles3_update(). weights: one a morph target. Calls no GL: may
+// run on another thread than the context's, different instances on different threads.
+// Errors: MRW_BAD_ARGUMENT (no such instance, a list too short, a skinner that was destroyed).
 mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
 
-// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
-// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
-// destroyed).
+// Of a skinner with options.motion: to the next mrw_gles3_update() the character has no frame before, so its vertices
+// do not move: for one that appears, or is put elsewhere at once. Characters that the mrw_gles3_update() before left
+// out have none anyway. May be called where mrw_gles3_pose() may. Errors: MRW_BAD_ARGUMENT (no such instance, a skinner
+// without motion or that was destroyed).
 mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) MRW_NODISCARD;
 
 // Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
 // and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
 // vertices.
-// Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
-// context is lost).
+// Errors: MRW_BAD_ARGUMENT (more than there are, a weight that is not finite, a skinner that was destroyed);
+// MRW_GL_ERROR (the context is lost).
 mrw_status mrw_gles3_update(const mrw_gles3_api* api, mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
     uint32_t count) MRW_NODISCARD;
 
-// The program of a role for this mesh, never null: use it and set the game's own uniforms before draw().
+// The program of a role for this mesh, never null: use it and set the game's own uniforms before mrw_gles3_draw().
 const mrw_gles3_program* mrw_gles3_program_of(const mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
     uint32_t role);
 
-// Draws characters first … first + count - 1 with `program`, which is program_of() of a role and in use.
-// Errors: bad_argument (not all of them updated, a skinner that was destroyed); gl_error (the context is lost).
+// Draws characters first … first + count - 1 with `program`, which is mrw_gles3_program_of() of a role and in use.
+// Errors: MRW_BAD_ARGUMENT (not all of them updated, a skinner that was destroyed); MRW_GL_ERROR (the context is lost).
 mrw_status mrw_gles3_draw(const mrw_gles3_api* api, const mrw_gles3_skinner* skinner,
     const mrw_gles3_program_set* programs, const mrw_gles3_program* program, uint32_t first,
     uint32_t count) MRW_NODISCARD;
 
 // After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
-// on_context_restored() update() and draw() refuse. The set first or last, as one likes.
+// mrw_gles3_…_on_context_restored() mrw_gles3_update() and mrw_gles3_draw() refuse. The set first or last, as one
+// likes.
 void mrw_gles3_programs_on_context_lost(mrw_gles3_program_set* programs);
 void mrw_gles3_skinner_on_context_lost(mrw_gles3_skinner* skinner);
 
-// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
-// create_skinner(); then it may be tried again.
+// Builds everything anew in the context that is current. What had been posed is there at the next mrw_gles3_update().
+// Errors: as mrw_gles3_create_skinner(); then it may be tried again.
 mrw_status mrw_gles3_programs_on_context_restored(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
 mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     mrw_gles3_skinner* skinner) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- Part gles3_crowd -----------------------------------------------------------------------------------------------
 // Stage 5 on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
 // by one instanced call a mesh. A frame in which no instance changes uploads nothing but a few uniforms.
 //
-//   once a character   plan_crowd, bake_crowd: clips → frames, for meshes and sockets alike
-//   once a mesh        create_crowd_mesh, build_crowd_programs
-//   once a crowd       create_crowd
-//   on changes         set_instances
-//   every frame        with motion vectors: begin_frame for each mesh
-//                      for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
-//   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
-//   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
+//   once a character   mrw_gles3_plan_crowd, mrw_gles3_bake_crowd: clips → frames, for meshes and sockets alike
+//   once a mesh        mrw_gles3_create_crowd_mesh, mrw_gles3_build_crowd_programs
+//   once a crowd       mrw_gles3_create_crowd
+//   on changes         mrw_gles3_set_instances
+//   every frame        with motion vectors: mrw_gles3_begin_crowd_frame for each mesh
+//                      for each mesh: use the blending program, mrw_gles3_blend_crowd; use the drawing program,
+//                      mrw_gles3_bind_crowd, mrw_gles3_draw_mesh() of part gles3
+//   on the CPU         mrw_gles3_crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
+//   context lost       mrw_gles3_…_on_context_lost; with the new context mrw_gles3_load_api, mrw_gles3_query_caps, then
+//                      mrw_gles3_…_on_context_restored
 //
-// Back faces are culled as gles3.h says at draw(): by each mesh's double_sided. Which way fronts are wound is the same
-// for all instances of a draw call, so those whose scene_from_character mirrors, see turns_inside_out() in palette.h,
-// stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
-// the character itself is mirrored, which turns_inside_out() of its palette tells, both are the other way round.
+// Back faces are culled as mrw_gles3_draw_mesh() of part gles3 says: by each mesh's double_sided. Which way fronts are
+// wound is the same for all instances of a draw call, so those whose scene_from_character mirrors, see
+// mrw_turns_inside_out() in part palette of c.h, stand behind the others in the crowd, and each of the two ranges is
+// bound and drawn with its own glFrontFace. Where the character itself is mirrored, which
+// mrw_palette_turns_inside_out(palette) tells, both are the other way round.
 //
-// The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
+// The conventions are those of part gles3. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 
 // Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 #define MRW_GLES3_MAX_CROWD_FRAMES 1048576u
@@ -784,7 +809,7 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 // Nothing to play.
 #define MRW_GLES3_NO_CROWD_CLIP 4294967295u
 
-// Bytes of memory an instance for create_crowd().
+// Bytes of memory an instance for mrw_gles3_create_crowd().
 #define MRW_GLES3_CROWD_INSTANCE_BYTES 128u
 
 // What is baked, and how it ends.
@@ -805,7 +830,7 @@ struct mrw_gles3_crowd_clip {
 };
 void mrw_gles3_crowd_clip_init(mrw_gles3_crowd_clip* out);
 
-// Baked clips of one skeleton: a matrix each frame and joint, as local_to_model() writes them.
+// Baked clips of one skeleton: a matrix each frame and joint, as mrw_local_to_model() writes them.
 typedef struct mrw_gles3_crowd_frames mrw_gles3_crowd_frames;
 struct mrw_gles3_crowd_frames {
   const mrw_gles3_crowd_clip* clips;  // in the order of their sources
@@ -820,7 +845,7 @@ void mrw_gles3_crowd_frames_init(mrw_gles3_crowd_frames* out);
 // At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
 typedef struct mrw_gles3_crowd_play mrw_gles3_crowd_play;
 struct mrw_gles3_crowd_play {
-  uint32_t clip;  // of CrowdFrames::clips
+  uint32_t clip;  // of mrw_gles3_crowd_frames.clips
   float phase_s;  // of a clip that does not loop within 0 … duration_s, else the nearer end
   float speed;  // seconds of the clip a second; may be negative
   double start_s;  // seconds
@@ -832,7 +857,7 @@ typedef struct mrw_gles3_crowd_instance mrw_gles3_crowd_instance;
 struct mrw_gles3_crowd_instance {
   mrw_affine scene_from_character;  // where it stands
   mrw_gles3_crowd_play a;  // must have a clip
-  mrw_gles3_crowd_play b;  // kNoCrowdClip: a alone
+  mrw_gles3_crowd_play b;  // MRW_GLES3_NO_CROWD_CLIP: a alone
   double blend_start_s;  // until then a alone
   float blend_s;  // and b alone so much later
   float colour[4];  // marrow_instance_colour() in the vertex shader
@@ -843,24 +868,24 @@ void mrw_gles3_crowd_instance_init(mrw_gles3_crowd_instance* out);
 // (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
 typedef struct mrw_gles3_crowd_mesh mrw_gles3_crowd_mesh;
 struct mrw_gles3_crowd_mesh {
-  mrw_gles3_gpu_mesh gpu;  // what draw() takes
+  mrw_gles3_gpu_mesh gpu;  // what mrw_gles3_draw() takes
   uint32_t frames_texture;  // palettes of all frames
   uint32_t blended_texture;  // palettes of the instances
   uint32_t framebuffer;  // around the blended texture
-  // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+  // With motion alone: as they were in the frame before. mrw_gles3_begin_crowd_frame() has the two take turns.
   uint32_t previous_texture;
   uint32_t previous_framebuffer;  // around the previous texture
   uint32_t joints;  // matrices of a palette
   uint32_t frame_count;  // of its frames
   uint32_t capacity;  // instances
-  bool motion;  // as create_crowd_mesh() was asked
-  bool lost;  // between on_context_lost() and on_context_restored()
+  bool motion;  // as mrw_gles3_create_crowd_mesh() was asked
+  bool lost;  // between mrw_gles3_…_on_context_lost() and mrw_gles3_…_on_context_restored()
   mrw_mesh mesh;  // What it is put on the next context from.
   mrw_gles3_prepare_options options;  // as they were given
   mrw_gles3_crowd_frames frames;  // as they were given
   mrw_affine* bind;  // what palettes are built with
   size_t bind_count;
-  void* scratch;  // of prepare(), and of palettes on their way up
+  void* scratch;  // of mrw_gles3_prepare(), and of palettes on their way up
   size_t scratch_bytes;
 };
 void mrw_gles3_crowd_mesh_init(mrw_gles3_crowd_mesh* out);
@@ -872,7 +897,7 @@ struct mrw_gles3_crowd {
   uint32_t capacity;  // instances, at most
   uint32_t count;  // that have been set
   uint32_t frame_count;  // of the frames that they play
-  bool lost;  // between on_context_lost() and on_context_restored()
+  bool lost;  // between mrw_gles3_…_on_context_lost() and mrw_gles3_…_on_context_restored()
   void* records;  // as the texture has them
   size_t records_bytes;
 };
@@ -880,14 +905,14 @@ void mrw_gles3_crowd_init(mrw_gles3_crowd* out);
 
 // How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
 // enough for most motion. out: at least as many as sources.
-// Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
-// unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
+// Errors: MRW_BAD_ARGUMENT (no sources, a rate that is not finite or not above 0, an additive clip, a list too short);
+// MRW_UNSUPPORTED (more than 65535 steps of a clip, or MRW_GLES3_MAX_CROWD_FRAMES). Written only on success.
 mrw_status mrw_gles3_plan_crowd(const mrw_gles3_crowd_source* sources, size_t source_count, float rate_hz,
     mrw_gles3_crowd_clip* out, size_t out_count, uint32_t* frame_count) MRW_NODISCARD;
 
-// Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
-// keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
-// Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
+// Samples them. scratch: at least mrw_skeleton_soa_size(skeleton); matrices: at least frame_count × joint_count, the
+// caller's to keep, as are the clips, which must be those that mrw_gles3_plan_crowd() wrote for these sources; 48 B a
+// joint and frame. Errors: MRW_BAD_ARGUMENT (a list too short, a clip of another skeleton, clips that are not a plan).
 mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_crowd_source* sources,
     size_t source_count, const mrw_gles3_crowd_clip* clips, size_t clip_count, mrw_soa_transform* scratch,
     size_t scratch_count, mrw_affine* matrices, size_t matrice_count, mrw_gles3_crowd_frames* out) MRW_NODISCARD;
@@ -895,7 +920,7 @@ mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_cr
 // Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
 // are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
 // is linear in the drawing too.
-// Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
+// Errors: MRW_BAD_ARGUMENT (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // scene_from_character beyond 1e12).
 mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
     double time_s, uint32_t joint, mrw_affine* scene_from_joint) MRW_NODISCARD;
@@ -907,21 +932,23 @@ mrw_status mrw_gles3_crowd_pose(const mrw_gles3_crowd_frames* frames, const mrw_
 // What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
 uint32_t mrw_gles3_crowd_palettes_that_fit(const mrw_gles3_caps* caps, uint32_t joints);
 
-// Bytes of memory that create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and prepare_scratch_bytes().
-// May be null: options.
+// Bytes of memory that mrw_gles3_create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and
+// mrw_gles3_prepare_scratch_bytes(). May be null: options.
 size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options);
 
-// Puts a mesh, by prepare(), and its palettes of all frames on the GPU. A level of detail is a CrowdMesh of its own.
+// Puts a mesh, by mrw_gles3_prepare(), and its palettes of all frames on the GPU. A level of detail is an
+// mrw_gles3_crowd_mesh of its own.
 //
-// The mesh's geometry, the frames and options.as_tangents must live as long as the CrowdMesh, so that they can be put
-// on the next context. capacity: instances that are drawn in a frame, at most. memory: at least crowd_mesh_bytes(),
-// 16-byte aligned, the CrowdMesh's until destroy(). Errors: bad_argument (no capacity, no frames, memory too short or
-// askew, a joint that the frames lack); unsupported (a mesh with morph targets; more frames or instances than
-// crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
-// what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-// the vertices, and 48 B a matrix and frame, go up, once.
+// The mesh's geometry, the frames and options.as_tangents must live as long as the mrw_gles3_crowd_mesh, so that they
+// can be put on the next context. capacity: instances that are drawn in a frame, at most. memory: at least
+// mrw_gles3_crowd_mesh_bytes(), 16-byte aligned, the mrw_gles3_crowd_mesh's until mrw_gles3_destroy_…(). Errors:
+// MRW_BAD_ARGUMENT (no capacity, no frames, memory too short or askew, a joint that the frames lack); MRW_UNSUPPORTED
+// (a mesh with morph targets; more frames or instances than mrw_gles3_crowd_palettes_that_fit()); MRW_GL_ERROR (nothing
+// is left allocated). `out` is written only on success. Leaves changed what mrw_gles3_prepare() does, the active unit's
+// 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost: the vertices, and 48 B a matrix and
+// frame, go up, once.
 // motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-// kMotion have MarrowVertex::previous_position from them.
+// MRW_GLES3_MOTION have MarrowVertex::previous_position from them.
 // May be null: options.
 mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
@@ -930,9 +957,9 @@ mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3
 // Deletes the GL objects and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh* mesh);
 
-// Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
-// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
-// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+// Room for `capacity` instances. memory: MRW_GLES3_CROWD_INSTANCE_BYTES each, 4-byte aligned, the crowd's until
+// mrw_gles3_destroy_…(). Errors: MRW_BAD_ARGUMENT (zero, memory too short or askew); MRW_UNSUPPORTED (more than 256 ×
+// the caps' texture size: 524 288); MRW_GL_ERROR. Leaves the active unit's 2D texture at 0.
 mrw_status mrw_gles3_create_crowd(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t capacity, void* memory,
     size_t memory_bytes, mrw_gles3_crowd* out) MRW_NODISCARD;
 
@@ -940,22 +967,23 @@ mrw_status mrw_gles3_create_crowd(const mrw_gles3_api* api, const mrw_gles3_caps
 void mrw_gles3_destroy_crowd(const mrw_gles3_api* api, mrw_gles3_crowd* crowd);
 
 // Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
-// they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
-// the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
-// changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
-// instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+// they are kept, and there once it is restored. Errors: MRW_BAD_ARGUMENT (a gap before `first`, frames other than those
+// of the instances before, an instance as mrw_gles3_crowd_joint() refuses it); MRW_UNSUPPORTED (more than the
+// capacity). Nothing is changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
+// 30 ns and 128 B an instance, in at most three pieces; where the GPU still draws from the texture the driver may wait
+// or copy it.
 mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_frames* frames, uint32_t first, const mrw_gles3_crowd_instance* instances,
     size_t instance_count) MRW_NODISCARD;
 
-// The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+// The program for mrw_gles3_blend_crowd(). Errors: MRW_GL_ERROR, with the driver's words in `log`. Cost: a compile.
 mrw_status mrw_gles3_build_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
 
 // The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
 // compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
-// features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
-// unsupported (a full set); gl_error, with the driver's words in programs.log.
+// features: what programs are to read of what the mesh has. Errors: MRW_BAD_ARGUMENT (MRW_GLES3_DEFORMER_NONE, no
+// role); MRW_UNSUPPORTED (a full set); MRW_GL_ERROR, with the driver's words in programs.log.
 mrw_status mrw_gles3_build_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer, uint8_t features,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
@@ -965,37 +993,38 @@ const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* 
     uint8_t features, const mrw_gles3_program_set* programs, uint32_t role);
 const mrw_gles3_program* mrw_gles3_blending_program_of(const mrw_gles3_program_set* programs);
 
-// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+// With motion: once a frame, before mrw_gles3_blend_crowd(). What was blended is now the frame before. No call to GL.
 void mrw_gles3_begin_crowd_frame(mrw_gles3_crowd_mesh* mesh);
 
 // With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
 // have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
 // before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
-// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+// Otherwise as mrw_gles3_blend_crowd(). Errors: as there; MRW_BAD_ARGUMENT too of a mesh without motion.
 mrw_status mrw_gles3_blend_previous_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
-// colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
-// and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
-// are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
-// has capacity for); gl_error (the context is lost).
+// mrw_gles3_build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off
+// and no colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture,
+// `texture_unit` and the one behind it bound and the latter active. Errors: MRW_BAD_ARGUMENT (a program of another
+// kind, instances that are not there, frames other than the mesh's, a time that is not finite); MRW_UNSUPPORTED (more
+// instances than the mesh has capacity for); MRW_GL_ERROR (the context is lost).
 mrw_status mrw_gles3_blend_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
-// Errors: as there.
+// The next mrw_gles3_draw() with `count` instances draws those from `first` on, as they were blended. `program`, which
+// must be in use, reads palettes of crowds. Binds two texture units as mrw_gles3_blend_crowd() does, with
+// MRW_GLES3_MOTION the one behind them, too. Errors: as there.
 mrw_status mrw_gles3_bind_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
 // After the context is gone, with all that was in it: forgets GL objects without a call to GL. Until
-// on_context_restored() blend_crowd() and bind_crowd() refuse. Meshes, crowds and the program set in any order.
+// mrw_gles3_…_on_context_restored() mrw_gles3_blend_crowd() and mrw_gles3_bind_crowd() refuse. Meshes, crowds and the
+// program set in any order.
 void mrw_gles3_crowd_mesh_on_context_lost(mrw_gles3_crowd_mesh* mesh);
 void mrw_gles3_crowd_on_context_lost(mrw_gles3_crowd* crowd);
 
@@ -1006,32 +1035,34 @@ mrw_status mrw_gles3_crowd_mesh_on_context_restored(const mrw_gles3_api* api, co
 mrw_status mrw_gles3_crowd_on_context_restored(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     mrw_gles3_crowd* crowd) MRW_NODISCARD;
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Which paths of gles3_skinner.h a device can be trusted with, found out by trying them once at start-up: drivers
+// ---- Part gles3_self_test -------------------------------------------------------------------------------------------
+// Which paths of part gles3_skinner a device can be trusted with, found out by trying them once at start-up: drivers
 // miscompile, lose uploads, crash, or are slow at what others are fast at.
 //
-//   start            restore() what was stored; unless that is ok, self_test(), then save() and store the bytes
-//   once a mesh      choose() → SkinnerOptions::path
+//   start            mrw_gles3_restore() what was stored; unless that is ok, mrw_gles3_run_self_test(), then
+//                    mrw_gles3_save() and store the bytes
+//   once a mesh      mrw_gles3_choose() → mrw_gles3_skinner_options.path
 //
 // Every path skins two small meshes, by each deformer asked for, as two characters in two frames. Each vertex is drawn
 // as a point into a texture of integers and read back, so that no path is needed to see what another does, and compared
-// with skin_ssd() and skin_as(). Motion vectors (kMotion) and crowds are not tried. The conventions are those of
-// gles3.h.
+// with mrw_skin_ssd() and mrw_skin_as(). Motion vectors (MRW_GLES3_MOTION) and crowds are not tried. The conventions
+// are those of part gles3.
 
 // What the self-test says of a path.
 typedef uint8_t mrw_gles3_verdict;
 enum {
   MRW_GLES3_VERDICT_USABLE = 0,
-  MRW_GLES3_VERDICT_NOT_TRIED = 1,  // not among SelfTestOptions::paths
-  MRW_GLES3_VERDICT_CRASHED = 2,  // among SelfTestOptions::crashed
+  MRW_GLES3_VERDICT_NOT_TRIED = 1,  // not among mrw_gles3_self_test_options.paths
+  MRW_GLES3_VERDICT_CRASHED = 2,  // among mrw_gles3_self_test_options.crashed
   MRW_GLES3_VERDICT_UNSUPPORTED = 3,  // the caps rule it out
   MRW_GLES3_VERDICT_REFUSED = 4,  // the driver refuses its programs or its buffers
   MRW_GLES3_VERDICT_GL_ERROR = 5,  // GL reports an error while it skins
   MRW_GLES3_VERDICT_WRONG = 6,  // its vertices differ from the CPU's
-  MRW_GLES3_VERDICT_SLOW = 7,  // right, but SelfTestOptions::slow times slower than the fastest that skins on the GPU
+  // right, but mrw_gles3_self_test_options.slow times slower than the fastest that skins on the GPU
+  MRW_GLES3_VERDICT_SLOW = 7,
 };
 
-// How many values Verdict has.
+// How many values mrw_gles3_verdict has.
 #define MRW_GLES3_VERDICT_COUNT 8u
 
 // Chips that want another order of paths where nothing is timed, and other texts of shaders.
@@ -1046,22 +1077,22 @@ enum {
   MRW_GLES3_GPU_FAMILY_NVIDIA = 4,
 };
 
-// How many values GpuFamily has.
+// How many values mrw_gles3_gpu_family has.
 #define MRW_GLES3_GPU_FAMILY_COUNT 5u
 
-// The most that PathResult::position_error may be, metres.
+// The most that mrw_gles3_path_result.position_error may be, metres.
 #define MRW_GLES3_MOST_POSITION_ERROR 0.001f
 
-// The most that PathResult::normal_error may be.
+// The most that mrw_gles3_path_result.normal_error may be.
 #define MRW_GLES3_MOST_NORMAL_ERROR 0.005f
 
 // All paths, as bits.
 #define MRW_GLES3_ALL_PATHS 31u
 
-// From so many characters on choose() prefers palettes in a texture.
+// From so many characters on mrw_gles3_choose() prefers palettes in a texture.
 #define MRW_GLES3_MANY_CHARACTERS 8u
 
-// A result as bytes that a game stores. Errors: bad_argument (too short).
+// A result as bytes that a game stores. Errors: MRW_BAD_ARGUMENT (too short).
 #define MRW_GLES3_SAVED_SELF_TEST_BYTES 128u
 
 typedef double (*mrw_gles3_clock)(void* user);
@@ -1074,7 +1105,8 @@ struct mrw_gles3_path_result {
   mrw_gles3_verdict verdict;  // whether to use it
   // The largest difference from the CPU in a coordinate: metres, of a mesh 2 m high that stands 100 m from the origin;
   // and of unit normals and tangents. Quantised vertices differ by some 0.0001 and 0.0002. Above
-  // kMostPositionError and kMostNormalError the path is wrong: numbers of 16 bits are off by more. Never NaN.
+  // MRW_GLES3_MOST_POSITION_ERROR and MRW_GLES3_MOST_NORMAL_ERROR the path is wrong: numbers of 16 bits are off by
+  // more. Never NaN.
   float position_error;
   float normal_error;  // of normals and tangents
   float ns_per_vertex;  // to skin and draw once; 0: not timed
@@ -1082,10 +1114,10 @@ struct mrw_gles3_path_result {
 };
 void mrw_gles3_path_result_init(mrw_gles3_path_result* out);
 
-// What self_test() found.
+// What mrw_gles3_run_self_test() found.
 typedef struct mrw_gles3_self_test mrw_gles3_self_test;
 struct mrw_gles3_self_test {
-  mrw_gles3_path_result paths[5];  // by SkinningPath
+  mrw_gles3_path_result paths[5];  // by mrw_gles3_skinning_path
   mrw_gles3_gpu_family family;  // by GL_RENDERER
   uint64_t key;  // of driver, caps, options and this library's shader texts
 };
@@ -1094,7 +1126,7 @@ void mrw_gles3_self_test_init(mrw_gles3_self_test* out);
 // What is tried, and how it is timed.
 typedef struct mrw_gles3_self_test_options mrw_gles3_self_test_options;
 struct mrw_gles3_self_test_options {
-  uint32_t paths;  // bit_of() of those to try
+  uint32_t paths;  // of those to try a bit each: 1 << path
   uint32_t crashed;  // Paths during which the process came to its end: they are not tried again. See about_to_try.
   bool ssd;  // the deformers that the game uses
   bool as;  // animation space
@@ -1105,8 +1137,8 @@ struct mrw_gles3_self_test_options {
   uint32_t timed_vertices;
   uint32_t timed_characters;  // of that mesh
   // Called before a path is tried. A game that wants to outlive a driver that crashes stores which, durably, and
-  // forgets it once self_test() has returned. What it finds stored at its next start goes into `crashed`, together
-  // with what has been there before.
+  // forgets it once mrw_gles3_run_self_test() has returned. What it finds stored at its next start goes into `crashed`,
+  // together with what has been there before.
   // what the two functions above get
   mrw_gles3_about_to_try about_to_try;
   void* user;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
@@ -1117,26 +1149,27 @@ void mrw_gles3_self_test_options_init(mrw_gles3_self_test_options* out);
 typedef struct mrw_gles3_path_need mrw_gles3_path_need;
 struct mrw_gles3_path_need {
   uint32_t passes;  // that draw it in a frame: colour, depth, shadows
-  uint32_t characters;  // in one Skinner
-  uint32_t joints;  // Mesh::palette_size()
+  uint32_t characters;  // in one mrw_gles3_skinner
+  uint32_t joints;  // mrw_mesh_palette_size()
 };
 void mrw_gles3_path_need_init(mrw_gles3_path_need* out);
 
 // "usable", or why a path is ruled out, in a few words; "" for a value that is none.
 const char* mrw_gles3_verdict_text(mrw_gles3_verdict verdict);
 
-// Bytes of memory that self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as the defaults.
+// Bytes of memory that mrw_gles3_run_self_test() wants: 0.15 MB, and 0.5 MB where it takes times of as many vertices as
+// the defaults.
 size_t mrw_gles3_self_test_bytes(const mrw_gles3_self_test_options* options);
 
-// Tries the paths, in the order of SkinningPath. memory: at least self_test_bytes(), 16-byte aligned, free again
-// afterwards. Errors: bad_argument (no deformer, options beyond what they may be, memory too short or askew); gl_error
-// (the context is lost, or nothing can be read back from it; then nothing is known of any path). `out` is written only
-// on success; no GL object is left.
+// Tries the paths, in the order of mrw_gles3_skinning_path. memory: at least mrw_gles3_self_test_bytes(), 16-byte
+// aligned, free again afterwards. Errors: MRW_BAD_ARGUMENT (no deformer, options beyond what they may be, memory too
+// short or askew); MRW_GL_ERROR (the context is lost, or nothing can be read back from it; then nothing is known of any
+// path). `out` is written only on success; no GL object is left.
 //
 // Wants the defaults of GL_PACK_ALIGNMENT and its like and no sampler on texture unit 0. Leaves as they were: both
 // framebuffers, viewport, program, vertex array, active texture unit, the 2D texture of unit 0, GL_ARRAY_BUFFER,
 // GL_UNIFORM_BUFFER, the pixel buffers, colour mask, scissor test and rasterizer discard. Leaves at 0 uniform buffer
-// binding 0 and what preskin() says.
+// binding 0 and what mrw_gles3_preskin_mesh() says.
 // Cost: some twenty programs compiled, and a wait for each frame; only where nothing is stored.
 mrw_status mrw_gles3_run_self_test(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_self_test_options* options, void* memory, size_t memory_bytes,
@@ -1148,20 +1181,20 @@ mrw_status mrw_gles3_run_self_test(const mrw_gles3_api* api, const mrw_gles3_cap
 //
 //                                one pass                           several passes
 //   up to 7 characters           ubo texture compute feedback cpu   compute feedback ubo texture cpu
-//   kManyCharacters and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
-//   GpuFamily::mali_g            texture compute feedback ubo cpu   the same
+//   MRW_GLES3_MANY_CHARACTERS and more     texture ubo compute feedback cpu   texture compute feedback ubo cpu
+//   MRW_GLES3_GPU_FAMILY_MALI_G            texture compute feedback ubo cpu   the same
 //
-// More than kPaletteJoints leave texture and cpu. Why so: docs/decisions.md, "Which path".
-// Errors: unsupported (none is usable). `out` is written only on success.
+// More than MRW_GLES3_PALETTE_JOINTS leave texture and cpu. Why so: docs/decisions.md, "Which path".
+// Errors: MRW_UNSUPPORTED (none is usable). `out` is written only on success.
 mrw_status mrw_gles3_choose(const mrw_gles3_self_test* test, const mrw_gles3_path_need* need,
     mrw_gles3_skinning_path* out) MRW_NODISCARD;
 
-// Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
+// Writes MRW_GLES3_SAVED_SELF_TEST_BYTES. Errors: MRW_BAD_ARGUMENT (`out` too short).
 mrw_status mrw_gles3_save(const mrw_gles3_self_test* test, void* out, size_t out_bytes) MRW_NODISCARD;
 
-// The result in bytes that save() has written, if it still holds. Errors: truncated, bad_magic, bad_version,
-// bad_checksum, bad_data; mismatch (another driver, version of it, library, or other caps or options): then test anew,
-// and with another driver without what had crashed. `out` is written only on success.
+// The result in bytes that mrw_gles3_save() has written, if it still holds. Errors: MRW_TRUNCATED, MRW_BAD_MAGIC,
+// MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_BAD_DATA; MRW_MISMATCH (another driver, version of it, library, or other caps
+// or options): then test anew, and with another driver without what had crashed. `out` is written only on success.
 mrw_status mrw_gles3_restore(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_self_test_options* options, const void* saved, size_t saved_bytes,
     mrw_gles3_self_test* out) MRW_NODISCARD;

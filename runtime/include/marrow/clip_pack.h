@@ -26,9 +26,9 @@ struct JointMisfit {
 MARROW_API std::uint64_t skeleton_hash(const File& file, std::uint32_t skeleton);
 
 // Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
-// sample(skeleton, pack.clip(i), …) does for every clip whose Clip::skeleton is `reference` what it would do for the
-// skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
-// within it the pose is nonsense.)
+// sample() does for every clip of the pack whose Clip::skeleton is `reference` what it would do for the skeleton's
+// own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and within it the
+// pose is nonsense.)
 //
 // misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
 // out. What stands above the roots may differ: it does not concern clips.

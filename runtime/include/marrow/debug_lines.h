@@ -1,9 +1,8 @@
 // Lines that show what a frame came to: joints, limits, goals, springs, bounds. For a game's own debug view, which
 // draws them as it draws any lines; a game that calls none of these links none of it.
 //
-//   DebugLine room[4096];
-//   DebugLines lines{room};
-//   every frame   lines.count = lines.left_out = 0; joint_lines(…, lines); limit_lines(…, lines); …
+//   once          lines in DebugLines::room
+//   every frame   DebugLines::count = DebugLines::left_out = 0; then joint_lines(), limit_lines(), …
 //
 // All lines are in scene space, metres. Each call appends. A line without room is left out and counted, and so is one
 // with a number that is not finite. No allocation; thread-safe on different lines. Cost: a few products a line.

@@ -1,7 +1,7 @@
 // Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
 //
 //   once a load    File::example_space, find_example_channels
-//   every frame    sample_channels → parameters → evaluate_examples → weights of each of the space's meshes → morph,
+//   every frame    sample_channels → parameters → evaluate_examples → weights of each of the space's meshes → morph(),
 //                  or CharacterMesh::weights between pose_character() and finish_character()
 //
 // An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.

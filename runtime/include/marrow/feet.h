@@ -33,8 +33,8 @@ struct FootGround {
   bool planted = false;         // the sole stays at its place until this is false again
 };
 
-// The motion of one foot: plain numbers. A new one, one set to `{}`, and one whose numbers are out of hand begins where
-// the animation has the foot. World; on a moving platform, let the world be the platform.
+// The motion of one foot: plain numbers. A new one and one whose numbers are out of hand begin where the animation has
+// the foot. World; on a moving platform, let the world be the platform.
 struct FootMotion {
   float place[3] = {};                            // of the sole, as shown last
   float offset[3] = {}, offset_speed[3] = {};     // of the sole from its target

@@ -141,7 +141,7 @@ struct Track {
   TrackPath path = TrackPath::translation;            // what of the joint it drives
   Interpolation interpolation = Interpolation::step;  // between its keys
   std::uint32_t key_count = 0;                        // ≥ 1
-  std::uint32_t first_time = 0;                       // into Clip::times; tracks with the same keys share them
+  std::uint32_t first_time = 0;                       // into Clip::times_s; tracks with the same keys share them
   // Into Clip::values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
   std::uint32_t first_value = 0;
 };
@@ -223,7 +223,7 @@ struct MorphTarget {
   std::uint32_t first_block = 0;   // into Geometry::target_blocks
   std::uint32_t block_count = 0;   // how many blocks it moves
   std::uint32_t first_record = 0;  // into Geometry::target_records
-  std::uint32_t attributes = 0;    // MorphAttributes; 0 if it moves nothing
+  std::uint32_t attributes = 0;    // kMorphsPositions | …; 0 if it moves nothing
   float position_step = 0;         // metres, mesh space
   float normal_step = 0;           // a unit of its records of normals
   float tangent_step = 0;          // a unit of its records of tangents

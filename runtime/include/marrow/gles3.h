@@ -1,12 +1,12 @@
 // Stage 5 on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
 //
 //   once a context   load_api, query_caps, create_palette_ring, build_program
-//   once a mesh      prepare: compact attributes, and the bind matrices that undo their quantisation
+//   once a mesh      prepare(): compact attributes, and the bind matrices that undo their quantisation
 //   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
-//                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw
+//                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw()
 //
 // No globals, no allocation but the driver's, no linkage to a GL library. Everything here is called on the thread where
-// the context is current. What a call leaves changed in the GL state is said with it. There are no destructors: GL
+// the context is current. What a call leaves changed in the GL state is said with it. Nothing is deleted by itself: GL
 // objects may only be deleted while their context is current, which the caller alone knows.
 #pragma once
 
@@ -39,8 +39,8 @@ MARROW_API Status load_api(Api& api, void* (*load_proc)(const char* name), const
 // Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
 // Then call on_context_lost() for each object that has it, destroy the context, make another, and call
 // on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
-// a reset (EGL_LOSE_CONTEXT_ON_RESET, as marrow::egl::HeadlessContext asks for); other contexts never tell, and
-// platforms have ways of their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+// a reset (EGL_LOSE_CONTEXT_ON_RESET); other contexts never tell, and platforms have ways of their own
+// (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
 MARROW_API bool context_was_reset(const Api& api);
 
 // Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
@@ -388,7 +388,7 @@ MARROW_API Status bind_previous_distances(const Api& api, const GpuMesh& mesh, c
 // Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
 // `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
 // say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
-// turns_inside_out() of the palette, see palette.h. So characters that mirror take a draw call of their own.
+// turns_inside_out(palette), see palette.h. So characters that mirror take a draw call of their own.
 // Errors: bad_argument if the mesh was not prepared for this deformer.
 MARROW_API Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
                        std::uint32_t instances = 1);

@@ -6,14 +6,15 @@
 //   once a crowd       create_crowd
 //   on changes         set_instances
 //   every frame        with motion vectors: begin_frame for each mesh
-//                      for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd, draw
+//                      for each mesh: use the blending program, blend_crowd; use the drawing program, bind_crowd,
+//                      draw() of gles3.h
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
-// Back faces are culled as gles3.h says at draw(): by each mesh's double_sided. Which way fronts are wound is the same
+// Back faces are culled as draw() of gles3.h says: by each mesh's double_sided. Which way fronts are wound is the same
 // for all instances of a draw call, so those whose scene_from_character mirrors, see turns_inside_out() in palette.h,
 // stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
-// the character itself is mirrored, which turns_inside_out() of its palette tells, both are the other way round.
+// the character itself is mirrored, which turns_inside_out(palette) tells, both are the other way round.
 //
 // The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 #pragma once

@@ -74,7 +74,7 @@ inline constexpr std::uint32_t kAllPaths = (1u << kPathCount) - 1;
 
 // What is tried, and how it is timed.
 struct SelfTestOptions {
-  std::uint32_t paths = kAllPaths;  // bit_of() of those to try
+  std::uint32_t paths = kAllPaths;  // of those to try a bit each: 1 << path
   // Paths during which the process came to its end: they are not tried again. See about_to_try.
   std::uint32_t crashed = 0;
   bool ssd = true;  // the deformers that the game uses

@@ -1,10 +1,10 @@
 // Stage 5 on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
 // colour, or that the CPU has skinned.
 //
-//   once a mesh      prepare, create_skinned
+//   once a mesh      prepare(), create_skinned
 //   once a context   build_preskin for GPU skinning; build_program with Deformer::none for drawing
-//   every frame      upload_skinned (the CPU's), or: use the program, bind its palette, set_morphs, preskin
-//   every pass       draw
+//   every frame      upload_skinned (the CPU's), or: use the program, bind its palette, set_morphs, preskin()
+//   every pass       draw()
 //
 // The conventions are those of gles3.h.
 #pragma once

@@ -2,7 +2,7 @@
 //
 //   once a context   load_api, query_caps; a ProgramSet with the game's own texts, one a role (colour, shadow, …)
 //   once a mesh      create_skinner
-//   every frame      pose each character; update; for each role: use(program), its uniforms, draw
+//   every frame      pose() each character; update(); for each role: use its program, set uniforms, draw()
 //   context lost     on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
 // No allocation but the driver's: memory is the caller's, sizes are asked for first. The conventions are those of

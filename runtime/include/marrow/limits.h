@@ -65,8 +65,8 @@ MARROW_API Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> l
 MARROW_API const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
 // Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
-// point that follows. A new one, one set to `{}`, and one whose numbers no call has left begins anew: the next call
-// takes its target as it is, at rest.
+// point that follows. A new one and one whose numbers no call has left begin anew: the next call takes its target as it
+// is, at rest.
 struct RotationFollower {
   float rotation[4] = {};  // where it is: x y z w
   float target[4] = {};    // of the last call

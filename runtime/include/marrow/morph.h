@@ -2,7 +2,7 @@
 //
 //   once a load       find_weight_channels
 //   once an instance  make_morphed
-//   every frame       sample_channels → morph_weights → morph → a Mesh whose geometry is MorphedGeometry::geometry
+//   every frame       sample_channels → morph_weights → morph() → a Mesh whose geometry is MorphedGeometry::geometry
 //                     goes through skin_rigid, skin_ssd; through morph_coordinates and skin_as in animation space
 //
 // glTF 2.0, section 3.7.2.2: attribute = bind + Σ_i weight_i · change_i, before skinning; normals and tangents are
@@ -33,7 +33,7 @@ struct MorphedGeometry {
   const std::uint32_t* offsets = nullptr;  // a block's first float in the skin; one more for the end
   std::uint32_t* moved = nullptr;          // a bit a block: differs from the bind pose
   std::uint32_t* changed = nullptr;        // a bit a block: written since morph_coordinates()
-  std::uint32_t* attributes = nullptr;     // one, MorphAttributes: what differs in the blocks moved
+  std::uint32_t* attributes = nullptr;     // one, kMorphsPositions | …: what differs in the blocks moved
 };
 
 // Bytes that make_morphed() needs; 0 for a geometry without targets, which is its own morphed geometry.

@@ -4,7 +4,7 @@
 // only the outfit has: of each parent behind its children of the body. So an outfit may be posed, may have springs,
 // clips and masks as anything else, and where it has no joints of its own, its joints are the body's, number by number.
 //
-// character.h does what is here for whole characters: make_outfit(), follow_body().
+// make_outfit() and follow_body() of character.h do what is here for whole characters.
 #pragma once
 
 #include "marrow/api.h"

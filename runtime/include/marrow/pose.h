@@ -32,7 +32,7 @@ struct alignas(16) Affine {
 };
 static_assert(sizeof(Affine) == 48);
 
-// How many SoaTransforms hold a pose of `joint_count` joints.
+// How many elements of SoaTransform hold a pose of `joint_count` joints.
 constexpr std::size_t soa_count(std::size_t joint_count) {
   return (joint_count + 3) / 4;
 }

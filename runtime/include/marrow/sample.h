@@ -14,8 +14,8 @@ struct SampleOptions {
   Span<const std::uint32_t> joints = {};
 };
 
-// What an instance that plays a clip keeps between two calls of sample_cached(). {} keeps nothing yet. All but `memory`
-// is sample_cached()'s own.
+// What an instance that plays a clip keeps between two calls of sample_cached(). A new one keeps nothing yet. All
+// but `memory` is sample_cached()'s own.
 struct SampleCache {
   // The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
   // With less than sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
@@ -48,9 +48,9 @@ MARROW_API std::size_t sample_cache_bytes(const Clip& clip);
 //
 // out: as of sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
 // what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let blend()
-// read it. cache: one for each `out`; `= {memory}` forgets, as is needed if `out` was written by others. Errors: as
-// sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing. Cost: in
-// the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
+// read it. cache: one for each `out`; put a new one of the same memory in its place if others wrote to `out`. Errors:
+// as sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing. Cost:
+// in the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
 MARROW_API Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                                 SampleCache& cache);
 

@@ -2,7 +2,7 @@
 //
 // A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
 // --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so
-// that a game links only the one it ships with: marrow/draco.h (smallest), marrow/meshopt.h (fastest).
+// that a game links only the one it ships with: draco_decoder() (smallest), meshopt_decoder() (fastest).
 #pragma once
 
 #include "marrow/api.h"
@@ -51,13 +51,12 @@ MARROW_API Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> d
 
 // The same in steps, for a game that loads while it plays: as many a frame as its time allows.
 //
-//   Unpacking loading;
-//   begin_unpack(packed, decoders, memory, loading);
-//   every frame   while (loading.file.empty() && there is time) unpack_step(loading);
-//   then          load(loading.file, file)
+//   once          begin_unpack()
+//   every frame   unpack_step(), while there is time and Unpacking::file is empty
+//   then          load() of Unpacking::file
 //
-// A plain struct; {} is nothing begun. The packed bytes, the decoders and the memory stay as they are until the last
-// step. Stopping half way is forgetting it: nothing is to be freed.
+// A plain struct; a new one has nothing begun. The packed bytes, the decoders and the memory stay as they are until
+// the last step. Stopping half way is forgetting it: nothing is to be freed.
 struct Unpacking {
   Span<const std::byte> file = {};                     // empty until the last step is done; then as of unpack()
   std::uint32_t done_bytes = 0;                        // of total_bytes, for a bar
@@ -72,9 +71,9 @@ MARROW_API Status begin_unpack(Span<const std::byte> packed, Span<const MeshDeco
 
 // Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
 // and decoding that, ordering and writing; then with the file's checksum. A step stops when it has done so much, a few
-// milliseconds whatever the file holds, and the next one goes on there; but for what a codec's library does in one call.
-// meshoptimizer's decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them. Draco's
-// decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
+// milliseconds whatever the file holds, and the next one goes on there; but for what a codec's library does in one
+// call. meshoptimizer's decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them.
+// Draco's decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
 //
 // Errors: as unpack(); nothing is in work afterwards. bad_argument: nothing is in work. May run on any thread, on one
 // at a time.

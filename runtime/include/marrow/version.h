@@ -6,14 +6,11 @@
 
 // The release: MAJOR.MINOR.PATCH.
 #define MARROW_VERSION_MAJOR 0
-// Likewise.
 #define MARROW_VERSION_MINOR 1
-// Likewise.
 #define MARROW_VERSION_PATCH 0
 
 // The versions of the cooked file and of the packed one: load() and unpack() take these and no others.
 #define MARROW_FILE_FORMAT 1
-// Of the packed file.
 #define MARROW_PACKED_FORMAT 3
 
 namespace marrow {
@@ -21,9 +18,8 @@ namespace marrow {
 // One number that grows with each release: of 1.2.3 it is 10203.
 inline constexpr std::uint32_t kVersion =
     10000 * MARROW_VERSION_MAJOR + 100 * MARROW_VERSION_MINOR + MARROW_VERSION_PATCH;
-// The macro of this name, as a constant.
+// The versions of files, as constants.
 inline constexpr std::uint32_t kFileFormat = MARROW_FILE_FORMAT;
-// The macro of this name, as a constant.
 inline constexpr std::uint32_t kPackedFormat = MARROW_PACKED_FORMAT;
 
 }  // namespace marrow

@@ -125,8 +125,9 @@ def main():
     marrow, package = (pathlib.Path(argument) for argument in sys.argv[1:3])
     framework = package / "Marrow.xcframework"
     wanted = set()
-    for exports in ("exports.txt", "gles3_exports.txt"):
-        wanted |= {"_" + name for name in (marrow / "runtime/c" / exports).read_text().split()}
+    for wrappers in ("wrappers.cpp", "gles3_wrappers.cpp"):
+        text = (marrow / "runtime/c" / wrappers).read_text()
+        wanted |= {"_" + name for name in re.findall(r"^[a-z].*?(mrw_\w+)\(", text, re.M)}
     try:
         place = framework / "Info.plist"
         plist = read_plist(place)
