@@ -51,6 +51,25 @@ TEST(Smoothness, MeanCurvatureOfKnownSurfaces) {
   EXPECT_NEAR(middle_curvature(ball, kSide), 0.5, 0.01) << "1 / r";
 }
 
+// A sheet with a ridge, folded along a line on either side of it: what the ridge has in the bind pose does not count.
+TEST(Smoothness, TheSharpestEdgeIsFoundAmongAll) {
+  const SkinnedMesh mesh = grid(9, [](double u, double v) { return glm::dvec3(8 * u, 8 * v, u == 0.5 ? 2 : 0); });
+  const Shape shape(mesh);
+  std::size_t tried = 0;
+  for (const double left_deg : {0.0, 20.0, 70.0, 150.0, 179.0})
+    for (const double right_deg : {0.0, 30.0, 69.0, 120.0, 180.0}) {
+      deform::Positions p = mesh.positions;
+      const double left = glm::radians(left_deg), right = glm::radians(right_deg);
+      for (glm::dvec3& v : p) {
+        if (v.x < 2) v = {2 - (2 - v.x) * std::cos(left), v.y, v.z + (2 - v.x) * std::sin(left)};
+        if (v.x > 6) v = {6 + (v.x - 6) * std::cos(right), v.y, v.z + (v.x - 6) * std::sin(right)};
+      }
+      EXPECT_NEAR(glm::degrees(shape.sharpest_rad(p)), std::max(left_deg, right_deg), 1e-5) << left_deg << right_deg;
+      ++tried;
+    }
+  EXPECT_EQ(tried, 25u);
+}
+
 // A sheet that folds along its middle by 40°: only edges there jump.
 TEST(Smoothness, JumpsByHand) {
   constexpr std::uint32_t kSide = 5;

@@ -134,19 +134,23 @@ Contestant in_animation_space(const std::string& name, const LearnOptions& optio
 
 }  // namespace
 
+glm::dvec3 blended_normal(const std::vector<deform::Influence>& blend, const Pose& extended,
+                          const glm::dvec3& bind_normal) {
+  glm::dmat3 matrix(0);
+  for (const deform::Influence& i : blend) matrix += deform::linear_of(extended[i.joint]) * i.weight;
+  const glm::dvec3 n = glm::inverseTranspose(matrix) * bind_normal;
+  const double length = glm::length(n);
+  return length > 0 && std::isfinite(length) ? n / length : glm::dvec3(0);
+}
+
 std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
-                                        const Pose& pose, bool blended) {
-  if (!blended && trained.normals) return trained.normals(pose);
+                                        const Pose& pose) {
+  if (trained.normals) return trained.normals(pose);
   const Pose extended = trained.extend(pose);
-  if (!blended && !trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
+  if (!trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
   std::vector<glm::dvec3> out;
-  for (std::size_t v = 0; v < bind_normals.size(); ++v) {
-    glm::dmat3 blend(0);
-    for (const deform::Influence& i : trained.blend[v]) blend += deform::linear_of(extended[i.joint]) * i.weight;
-    const glm::dvec3 n = glm::inverseTranspose(blend) * bind_normals[v];
-    const double length = glm::length(n);
-    out.push_back(length > 0 && std::isfinite(length) ? n / length : glm::dvec3(0));
-  }
+  for (std::size_t v = 0; v < bind_normals.size(); ++v)
+    out.push_back(blended_normal(trained.blend[v], extended, bind_normals[v]));
   return out;
 }
 

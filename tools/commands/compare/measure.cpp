@@ -37,43 +37,58 @@ struct PoseErrors {
   std::size_t normals = 0;
 };
 
+// A pose that all deformers are judged in.
+struct JudgedPose {
+  const Pose* pose;
+  bool is_held;
+  // By the truth and by plain skinning.
+  Positions wanted, plain;
+  double ssd_squares = 0, volume = 0;
+
+  void place(const Shape& shape, const deform::Deformer& truth, const deform::Deformer& ssd) {
+    truth(*pose, wanted);
+    ssd(*pose, plain);
+    for (std::size_t v = 0; v < wanted.size(); ++v) ssd_squares += glm::dot(plain[v] - wanted[v], plain[v] - wanted[v]);
+    if (is_held) volume = volume_of(wanted, shape.mesh.indices);
+  }
+};
+
 void measure_normals(const Shape& shape, const Trained& trained, const Pose& pose, const Positions& p,
                      PoseErrors& out) {
   const std::vector<glm::dvec3> own = deform::vertex_normals(p, shape.mesh.indices);
-  const std::vector<glm::dvec3> shaded = shading_normals(trained, shape.bind_normals, pose, false),
-                                blended = shading_normals(trained, shape.bind_normals, pose, true);
+  const bool are_one = !trained.normals && trained.tangents.empty();
+  const std::vector<glm::dvec3> shaded =
+      are_one ? std::vector<glm::dvec3>() : shading_normals(trained, shape.bind_normals, pose);
+  const Pose extended = trained.extend(pose);
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
   };
   for (std::size_t v = 0; v < p.size(); ++v) {
     if (shape.mesh.influences[v].size() < 2 || own[v] == glm::dvec3(0)) continue;
-    if (shaded[v] == glm::dvec3(0) || blended[v] == glm::dvec3(0)) continue;
-    out.normal_rad += angle(shaded[v], own[v]);
-    out.blended_normal_rad += angle(blended[v], own[v]);
+    const glm::dvec3 blended = blended_normal(trained.blend[v], extended, shape.bind_normals[v]);
+    if (blended == glm::dvec3(0) || (!are_one && shaded[v] == glm::dvec3(0))) continue;
+    const double off = angle(blended, own[v]);
+    out.normal_rad += are_one ? off : angle(shaded[v], own[v]);
+    out.blended_normal_rad += off;
     ++out.normals;
   }
 }
 
-PoseErrors pose_errors(const Shape& shape, const Trained& trained, const deform::Deformer& truth,
-                       const deform::Deformer& ssd, const Pose& pose, bool all) {
-  Positions ours, wanted, plain;
-  trained.deform(pose, ours);
-  truth(pose, wanted);
-  ssd(pose, plain);
+PoseErrors pose_errors(const Shape& shape, const Trained& trained, const JudgedPose& judged) {
+  Positions ours;
+  trained.deform(*judged.pose, ours);
   PoseErrors out;
+  out.ssd_squares = judged.ssd_squares;
   for (std::size_t v = 0; v < ours.size(); ++v) {
-    const double d = glm::length(ours[v] - wanted[v]), s = glm::length(plain[v] - wanted[v]);
-    out.squares += d * d;
-    out.ssd_squares += s * s;
-    out.largest = std::max(out.largest, d);
+    const double square = glm::dot(ours[v] - judged.wanted[v], ours[v] - judged.wanted[v]);
+    out.squares += square;
+    out.largest = std::max(out.largest, square);
   }
-  if (!all) return out;
-  const double whole = volume_of(wanted, shape.mesh.indices);
-  if (whole != 0) out.volume = volume_of(ours, shape.mesh.indices) / whole;
-  const std::vector<double> angles = shape.angles(ours);
-  for (std::size_t h = 0; h < angles.size(); ++h)
-    out.crease_rad = std::max(out.crease_rad, angles[h] - shape.bind_angles[h]);
-  measure_normals(shape, trained, pose, ours, out);
+  out.largest = std::sqrt(out.largest);
+  if (!judged.is_held) return out;
+  if (judged.volume != 0) out.volume = volume_of(ours, shape.mesh.indices) / judged.volume;
+  out.crease_rad = shape.sharpest_rad(ours);
+  measure_normals(shape, trained, *judged.pose, ours, out);
   return out;
 }
 
@@ -85,28 +100,38 @@ struct Totals {
   std::size_t trained = 0, held = 0, worse = 0, normals = 0;
 };
 
-void measure_round(const Shape& shape, const Trained& trained, const deform::Deformer& truth, const Round& round,
-                   std::size_t rounds, Totals& totals, DeformerRow& row) {
-  const deform::Deformer ssd = deform::ssd(shape.mesh);
-  std::vector<const Pose*> shipped;
+// Of each deformer its errors in each pose. A pose is the truth's and plain skinning's once, and kept no longer than it
+// is judged.
+std::vector<std::vector<PoseErrors>> errors_in_round(const Shape& shape, const std::vector<Trained>& all,
+                                                     const deform::Deformer& truth, const Round& round) {
+  std::vector<std::pair<const Pose*, bool>> poses;  // and whether it is held out
   for (const deform::TrainingPose& p : round.train)
-    if (p.shipped) shipped.push_back(&p.pose);
-  std::vector<PoseErrors> train(shipped.size()), held(round.held.size());
-  for_each_in_parallel(train.size() + held.size(), [&](std::size_t i) {
-    if (i < train.size()) {
-      train[i] = pose_errors(shape, trained, truth, ssd, *shipped[i], false);
-    } else {
-      held[i - train.size()] = pose_errors(shape, trained, truth, ssd, round.held[i - train.size()].pose, true);
-    }
+    if (p.shipped) poses.emplace_back(&p.pose, false);
+  for (const HeldPose& p : round.held) poses.emplace_back(&p.pose, true);
+  const deform::Deformer ssd = deform::ssd(shape.mesh);
+  std::vector<std::vector<PoseErrors>> out(all.size(), std::vector<PoseErrors>(poses.size()));
+  for_each_in_parallel(poses.size(), [&](std::size_t i) {
+    JudgedPose judged{poses[i].first, poses[i].second, {}, {}};
+    judged.place(shape, truth, ssd);
+    for (std::size_t d = 0; d < all.size(); ++d) out[d][i] = pose_errors(shape, all[d], judged);
   });
+  return out;
+}
+
+// errors: of poses learnt from, then of those held out.
+void add_round(const Shape& shape, const std::vector<PoseErrors>& errors, const Round& round, std::size_t rounds,
+               Totals& totals, DeformerRow& row) {
   const auto vertices = static_cast<double>(shape.mesh.positions.size());
   const double rounding = vertices * std::pow(kRounding * deform::diagonal(shape.mesh), 2);
-  for (const PoseErrors& e : train) {
-    totals.train_squares += e.squares;
-    row.train_max = std::max(row.train_max, e.largest);
-  }
+  const std::size_t trained = errors.size() - round.held.size();
   const bool first = totals.held == 0;
-  for (const PoseErrors& e : held) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const PoseErrors& e = errors[i];
+    if (i < trained) {
+      totals.train_squares += e.squares;
+      row.train_max = std::max(row.train_max, e.largest);
+      continue;
+    }
     totals.held_squares += e.squares;
     totals.worse += e.squares > e.ssd_squares * (1 + kRounding) + rounding;
     totals.volume += e.volume;
@@ -114,11 +139,11 @@ void measure_round(const Shape& shape, const Trained& trained, const deform::Def
     totals.blended_normal_rad += e.blended_normal_rad;
     totals.normals += e.normals;
     row.held_max = std::max(row.held_max, e.largest);
-    row.crease_deg += glm::degrees(e.crease_rad) / static_cast<double>(held.size() * rounds);
+    row.crease_deg += glm::degrees(e.crease_rad) / static_cast<double>(round.held.size() * rounds);
     if (first) row.error_of_pose.push_back(std::sqrt(e.squares / vertices));
   }
-  totals.trained += train.size();
-  totals.held += held.size();
+  totals.trained += trained;
+  totals.held += round.held.size();
 }
 
 static_assert(static_cast<int>(GpuDeformer::rigid) == static_cast<int>(Contestant::Kernel::rigid) &&
@@ -251,6 +276,18 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
     row.instructions_per_vertex = static_cast<double>(*count) / run.vertices();
 }
 
+// Mean and root mean square over all rounds.
+void finish(const Totals& totals, double vertices, DeformerRow& row) {
+  if (totals.trained > 0)
+    row.train_rms = std::sqrt(totals.train_squares / vertices / static_cast<double>(totals.trained));
+  row.held_rms = std::sqrt(totals.held_squares / vertices / static_cast<double>(totals.held));
+  row.worse_share = static_cast<double>(totals.worse) / static_cast<double>(totals.held);
+  row.volume = totals.volume / static_cast<double>(totals.held);
+  const auto normals = static_cast<double>(std::max<std::size_t>(1, totals.normals));
+  row.normal_deg = glm::degrees(totals.normal_rad / normals);
+  row.blended_normal_deg = glm::degrees(totals.blended_normal_rad / normals);
+}
+
 }  // namespace
 
 DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options, int eigen_fields,
@@ -260,34 +297,32 @@ DeformerComparison compare_deformers(const Study& study, const cook::LearnOption
   DeformerComparison out;
   out.diagonal_m = deform::diagonal(study.source.mesh);
   const std::vector<Contestant> all = contestants(options, eigen_fields);
-  deform::Steps steps(progress, all.size() * study.rounds.size());
-  for (const Contestant& contestant : all) {
-    DeformerRow row;
-    row.deformer = contestant.name;
-    Totals totals;
-    for (std::size_t r = 0; r < study.rounds.size(); ++r) {
+  const std::size_t rounds = study.rounds.size();
+  deform::Steps steps(progress, (all.size() + 1) * rounds);
+  out.rows.resize(all.size());
+  std::vector<Totals> totals(all.size());
+  for (const Round& round : study.rounds) {
+    std::vector<Trained> trained;
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      DeformerRow& row = out.rows[d];
       const auto start = std::chrono::steady_clock::now();
-      Trained trained = contestant.train(study, study.rounds[r], options);
-      row.train_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
-                     static_cast<double>(study.rounds.size());
-      row.displacements_per_vertex += trained.displacements / static_cast<double>(study.rounds.size());
-      measure_round(shape, trained, truth, study.rounds[r], study.rounds.size(), totals, row);
-      if (r == 0) out.trained_in_first_round.push_back(std::move(trained));
+      trained.push_back(all[d].train(study, round, options));
+      row.train_s +=
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / static_cast<double>(rounds);
+      row.displacements_per_vertex += trained.back().displacements / static_cast<double>(rounds);
       steps.one_more();
     }
-    const auto vertices = static_cast<double>(shape.mesh.positions.size());
-    if (totals.trained > 0)
-      row.train_rms = std::sqrt(totals.train_squares / vertices / static_cast<double>(totals.trained));
-    row.held_rms = std::sqrt(totals.held_squares / vertices / static_cast<double>(totals.held));
-    row.worse_share = static_cast<double>(totals.worse) / static_cast<double>(totals.held);
-    row.volume = totals.volume / static_cast<double>(totals.held);
-    const auto normals = static_cast<double>(std::max<std::size_t>(1, totals.normals));
-    row.normal_deg = glm::degrees(totals.normal_rad / normals);
-    row.blended_normal_deg = glm::degrees(totals.blended_normal_rad / normals);
-    measure_cost(study, contestant, row);
-    out.trained = totals.trained;
-    out.held = totals.held;
-    out.rows.push_back(std::move(row));
+    const auto errors = errors_in_round(shape, trained, truth, round);
+    for (std::size_t d = 0; d < all.size(); ++d) add_round(shape, errors[d], round, rounds, totals[d], out.rows[d]);
+    if (out.trained_in_first_round.empty()) out.trained_in_first_round = std::move(trained);
+    steps.one_more();
+  }
+  out.trained = totals.front().trained;
+  out.held = totals.front().held;
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    out.rows[d].deformer = all[d].name;
+    finish(totals[d], static_cast<double>(shape.mesh.positions.size()), out.rows[d]);
+    measure_cost(study, all[d], out.rows[d]);
   }
   return out;
 }

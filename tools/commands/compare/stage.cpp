@@ -115,7 +115,7 @@ void Stage::draw(const Scene& scene, const ViewOf& view_of, PictureRow& row) {
   for (const std::size_t d : scene.deformers) {
     const Trained& trained = scene.comparison.trained_in_first_round[d];
     trained.deform(scene.pose, positions);
-    shapes.push_back(posed(scene.pose, positions, shading_normals(trained, bind_normals_, scene.pose, false)));
+    shapes.push_back(posed(scene.pose, positions, shading_normals(trained, bind_normals_, scene.pose)));
     scale = std::max(scale, largest_distance(shapes.back(), wanted));
   }
   const View from = view_of({wanted, shapes.front(), shapes.back()});

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -37,6 +40,23 @@ double weighted(const std::vector<Influence>& influences, const Distances& d) {
   return sum;
 }
 
+// Vertices that follow the same joints by the same weights see poses alike: one answer is all of theirs.
+struct Groups {
+  std::vector<std::uint32_t> of_vertex;
+  std::vector<const std::vector<Influence>*> influences;  // a group
+
+  explicit Groups(const SkinnedMesh& mesh) {
+    std::map<std::vector<std::pair<std::uint32_t, double>>, std::uint32_t> found;
+    for (const std::vector<Influence>& of : mesh.influences) {
+      std::vector<std::pair<std::uint32_t, double>> key;
+      for (const Influence& i : of) key.emplace_back(i.joint, i.weight);
+      const auto [at, is_new] = found.try_emplace(std::move(key), static_cast<std::uint32_t>(influences.size()));
+      if (is_new) influences.push_back(&of);
+      of_vertex.push_back(at->second);
+    }
+  }
+};
+
 // How far a pose is from the examples and from the bind pose.
 struct FromExamples {
   Distances bind;
@@ -53,6 +73,21 @@ struct FromExamples {
   double lift(const std::vector<Influence>& influences, double sigma) const {
     return -tools::exponential_less_1(-weighted(influences, bind) / (2 * sigma * sigma));
   }
+};
+
+// What groups see of a pose.
+struct Seen {
+  Seen(const Groups& groups, const FromExamples& from, double sigma, const Pose& pose) : examples(from.to.size()) {
+    for (const std::vector<Influence>* const influences : groups.influences) {
+      for (std::size_t k = 0; k < examples; ++k) phi.push_back(from.phi(*influences, k, sigma));
+      lift.push_back(from.lift(*influences, sigma));
+      blend.push_back(blended(*influences, pose));
+    }
+  }
+  std::size_t examples;
+  std::vector<double> phi;  // of each group its examples
+  std::vector<double> lift;
+  std::vector<Matrix> blend;
 };
 
 // A pose of the training with what SSD misses there.
@@ -77,6 +112,7 @@ Example make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, c
 
 struct Examples {
   const SkinnedMesh& mesh;
+  Groups groups;
   std::vector<TrainingPose> poses;
   std::vector<Example> examples;  // a pose
   double diagonal_m;
@@ -154,15 +190,14 @@ std::vector<double> errors_of(const Examples& t, const Interpolant& with, const 
   std::vector<double> out(poses.size(), 0);
   const auto examples = rotations_of_chosen(t, with.chosen);
   tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
-    const FromExamples from(t.examples[poses[i]].rotations, examples);
+    const Seen seen(t.groups, {t.examples[poses[i]].rotations, examples}, with.sigma, t.poses[poses[i]].pose);
     for (std::size_t v = 0; v < t.mesh.positions.size(); ++v) {
-      const std::vector<Influence>& influences = t.mesh.influences[v];
+      const std::uint32_t group = t.groups.of_vertex[v];
       glm::dvec3 delta(0);
       for (std::size_t k = 0; k < with.chosen.size(); ++k)
-        if (with.deltas[k][v] != glm::dvec3(0)) delta += with.deltas[k][v] * from.phi(influences, k, with.sigma);
-      delta *= from.lift(influences, with.sigma);
-      const Matrix m = blended(influences, t.poses[poses[i]].pose);
-      const glm::dvec3 off = t.examples[poses[i]].missing[v] - linear_of(m) * delta;
+        if (with.deltas[k][v] != glm::dvec3(0)) delta += with.deltas[k][v] * seen.phi[group * seen.examples + k];
+      delta *= seen.lift[group];
+      const glm::dvec3 off = t.examples[poses[i]].missing[v] - linear_of(seen.blend[group]) * delta;
       out[i] += glm::dot(off, off);
     }
   });
@@ -256,24 +291,24 @@ FitQuality quality_of(const Examples& t, const std::vector<double>& errors) {
 }  // namespace
 
 Deformer pose_space(const SkinnedMesh& mesh, const PoseSpace& space) {
-  return [&mesh, &space](const Pose& pose, Positions& out) {
+  return [&mesh, &space, groups = std::make_shared<const Groups>(mesh)](const Pose& pose, Positions& out) {
     std::vector<const Rotations*> examples;
     for (const PoseSpaceExample& e : space.examples) examples.push_back(&e.rotations);
-    const FromExamples from(local_rotations(pose, space.parents), examples);
+    const Seen seen(*groups, {local_rotations(pose, space.parents), examples}, space.sigma, pose);
     out.resize(mesh.positions.size());
     for (std::size_t v = 0; v < out.size(); ++v) {
-      const std::vector<Influence>& influences = mesh.influences[v];
+      const std::uint32_t group = groups->of_vertex[v];
       glm::dvec3 delta(0);
       for (std::size_t k = 0; k < examples.size(); ++k)
-        delta += space.examples[k].deltas[v] * from.phi(influences, k, space.sigma);
-      out[v] = transform(blended(influences, pose), mesh.positions[v] + delta * from.lift(influences, space.sigma));
+        delta += space.examples[k].deltas[v] * seen.phi[group * seen.examples + k];
+      out[v] = transform(seen.blend[group], mesh.positions[v] + delta * seen.lift[group]);
     }
   };
 }
 
 PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& parents, std::vector<TrainingPose> poses,
                             const Deformer& truth, const PoseSpaceOptions& options) {
-  Examples t{mesh, std::move(poses), {}, diagonal(mesh)};
+  Examples t{mesh, Groups(mesh), std::move(poses), {}, diagonal(mesh)};
   t.examples.resize(t.poses.size());
   tools::for_each_in_parallel(
       t.poses.size(), [&](std::size_t p) { t.examples[p] = make_example(mesh, parents, t.poses[p].pose, truth); });

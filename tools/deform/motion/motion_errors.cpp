@@ -24,6 +24,10 @@ struct Cut {
   double of_b;
 };
 
+glm::dvec3 doubled_area(const Positions& of, const std::uint32_t* i) {
+  return glm::cross(of[i[1]] - of[i[0]], of[i[2]] - of[i[0]]);
+}
+
 // Where what a joint turns goes over into the rest.
 class Border {
  public:
@@ -66,17 +70,23 @@ class Border {
     return out;
   }
 
-  std::size_t flipped(const MotionPose& pose, const Positions& p) const {
+  // Where each triangle would face, had it turned as its vertices' weights have it.
+  std::vector<glm::dvec3> facing(const MotionPose& pose) const {
     const double sine = tools::sine(pose.angle_rad / 2), cosine = tools::cosine(pose.angle_rad / 2);
-    std::size_t out = 0;
+    std::vector<glm::dvec3> out;
     for (std::size_t t = 0; t + 2 < mesh_.indices.size(); t += 3) {
       const std::uint32_t* const i = &mesh_.indices[t];
       const double share = (shares_[i[0]] + shares_[i[1]] + shares_[i[2]]) / 3;
       const glm::dvec3 v = pose.axis * (share * sine);
-      const glm::dquat turn = glm::normalize(glm::dquat(1 - share + share * cosine, v.x, v.y, v.z));
-      const auto normal = [i](const Positions& of) { return glm::cross(of[i[1]] - of[i[0]], of[i[2]] - of[i[0]]); };
-      out += glm::dot(normal(p), turn * normal(mesh_.positions)) < 0;
+      out.push_back(glm::normalize(glm::dquat(1 - share + share * cosine, v.x, v.y, v.z)) *
+                    doubled_area(mesh_.positions, i));
     }
+    return out;
+  }
+  std::size_t flipped(const std::vector<glm::dvec3>& facing, const Positions& p) const {
+    std::size_t out = 0;
+    for (std::size_t t = 0; t < facing.size(); ++t)
+      out += glm::dot(doubled_area(p, &mesh_.indices[3 * t]), facing[t]) < 0;
     return out;
   }
 
@@ -124,7 +134,8 @@ struct Judge {
     if (!out.is_usable) return out;
     plain(pose, got);
     out.ssd_rms = rms(got, wanted);
-    out.truth_flipped = border.flipped(motion, wanted);
+    const std::vector<glm::dvec3> facing = border.facing(motion);
+    out.truth_flipped = border.flipped(facing, wanted);
     const auto at_rest = border.radii(motion, mesh.positions), wanted_radii = border.radii(motion, wanted);
     const Border::Volume whole = border.volume(motion.centre, wanted);
     for (const Deformer& deformer : deformers) {
@@ -137,7 +148,7 @@ struct Judge {
       figures.ring_over_truth = narrowest(radii, wanted_radii);
       if (std::abs(whole.enclosed) > kLeastVolume * whole.most)
         figures.volume_over_truth = border.volume(motion.centre, got).enclosed / whole.enclosed;
-      figures.flipped = border.flipped(motion, got);
+      figures.flipped = border.flipped(facing, got);
     }
     return out;
   }
