@@ -206,6 +206,18 @@ void write_pictures(const std::string& folder, const char* first, const std::vec
   }
 }
 
+// And writes them alone, if that is asked for.
+void add_pictures(const CompareArguments& a, [[maybe_unused]] const deform::Deformer& truth, PageContent& to) {
+#ifdef MARROW_HAS_GLES
+  const std::vector<std::size_t> rows = shown(a, to.comparison, to.verdict.deformer);
+  to.worst_poses = draw_worst_poses(to.study, to.comparison, truth, rows, 3);
+  to.worst_joints = draw_worst_joints(to.study, to.comparison, to.motion, truth, rows);
+#endif
+  if (a.pictures.empty()) return;
+  write_pictures(a.pictures, "", to.worst_poses);
+  write_pictures(a.pictures, "joint-", to.worst_joints);
+}
+
 }  // namespace
 
 void run_compare(const CompareArguments& a) {
@@ -257,15 +269,7 @@ void run_compare(const CompareArguments& a) {
                       recommended,
                       {},
                       {}};
-#ifdef MARROW_HAS_GLES
-  content.worst_poses = draw_worst_poses(study, comparison, truth, shown(a, comparison, recommended.deformer), 3);
-  content.worst_joints =
-      draw_worst_joints(study, comparison, motion, truth, shown(a, comparison, recommended.deformer));
-#endif
-  if (!a.pictures.empty()) {
-    write_pictures(a.pictures, "", content.worst_poses);
-    write_pictures(a.pictures, "joint-", content.worst_joints);
-  }
+  add_pictures(a, truth, content);
   if (a.out.empty()) return;
   const std::string page = comparison_page(content);
   write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));

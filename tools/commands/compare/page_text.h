@@ -10,8 +10,8 @@ h1{font-size:1.5rem;line-height:1.3}h2{font-size:1.1rem;margin-top:2.2rem}h3{fon
 td,th{padding:.3rem .5rem;text-align:right;border-bottom:1px solid #ddd;white-space:nowrap}
 thead th{white-space:normal;vertical-align:bottom;font-size:.85rem}td:first-child,th:first-child{text-align:left}
 th button{font:inherit;color:inherit;background:none;border:0;padding:0;text-align:inherit;cursor:pointer}
-th button:after{content:" \2195";color:#aaa}th[aria-sort=ascending] button:after{content:" \2191";color:#222}
-th[aria-sort=descending] button:after{content:" \2193";color:#222}
+th button:after{content:"\a0\2195";color:#aaa}th[aria-sort=ascending] button:after{content:"\a0\2191";color:#222}
+th[aria-sort=descending] button:after{content:"\a0\2193";color:#222}
 td.ugly{color:#b03a2e;font-weight:600}.why{border-left:3px solid #b03a2e;padding-left:.7rem;margin:.5rem 0}
 .pose{display:grid;gap:8px}.pose h3{margin-bottom:0}.grid{display:grid;gap:8px;align-items:end;grid-template-columns:repeat(var(--shapes),1fr)}
 .slides{grid-template-columns:1fr 1fr;align-items:start}.slides h3,.slides .shapes~.grid{grid-column:1/-1}.slides .shapes{grid-template-columns:1fr 1fr}
