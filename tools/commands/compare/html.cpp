@@ -1,5 +1,6 @@
 #include "commands/compare/html.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -88,9 +89,15 @@ std::string ramp(const PictureRow& row) {
 
 }  // namespace
 
+// Shapes stand in a square beside the slider.
 std::string picture_row(const PictureRow& row) {
-  std::string out = fmt::format("<div class=\"pose\" style=\"--shapes:{}\"><h3>{}</h3><div class=\"grid shapes\">\n",
-                                row.shapes.size(), escaped(row.title));
+  constexpr std::size_t kMostAcross = 5;
+  const std::size_t shapes = row.shapes.size();
+  std::size_t beside = 1;
+  while (beside * beside < shapes) ++beside;
+  std::string out =
+      fmt::format("<div class=\"pose\" style=\"--across:{};--beside:{}\"><h3>{}</h3><div class=\"grid shapes\">\n",
+                  std::min(shapes, kMostAcross), beside, escaped(row.title));
   for (const Picture& p : row.shapes) out += figure(p, p.caption);
   out += "</div><div class=\"grid\">\n";
   for (const Picture& p : row.errors) out += figure(p, "");

@@ -13,8 +13,8 @@ th button{font:inherit;color:inherit;background:none;border:0;padding:0;text-ali
 th button:after{content:"\a0\2195";color:#aaa}th[aria-sort=ascending] button:after{content:"\a0\2191";color:#222}
 th[aria-sort=descending] button:after{content:"\a0\2193";color:#222}
 td.ugly{color:#b03a2e;font-weight:600}.why{border-left:3px solid #b03a2e;padding-left:.7rem;margin:.5rem 0}
-.pose{display:grid;gap:8px}.pose h3{margin-bottom:0}.grid{display:grid;gap:8px;align-items:end;grid-template-columns:repeat(var(--shapes),1fr)}
-.slides{grid-template-columns:1fr 1fr;align-items:start}.slides h3,.slides .shapes~.grid{grid-column:1/-1}.slides .shapes{grid-template-columns:1fr 1fr}
+.pose{display:grid;gap:8px}.pose h3{margin-bottom:0}.grid{display:grid;gap:8px;align-items:end;grid-template-columns:repeat(var(--across),1fr)}
+.slides{grid-template-columns:1fr 1fr;align-items:start}.slides h3,.slides .shapes~.grid{grid-column:1/-1}.slides .shapes{grid-template-columns:repeat(var(--beside),1fr)}
 figure{margin:0}figure img{width:100%;border-radius:4px;display:block}
 figcaption,.note,.scale{font-size:.85rem;color:#555}.scale{align-self:start}
 .ramp{height:12px;border-radius:2px;margin:.4rem 0 .1rem}.ends{display:flex;justify-content:space-between}
