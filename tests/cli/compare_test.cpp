@@ -55,6 +55,27 @@ bool is_measured_alone(const std::string& row) {
   return row == "stitched" || row == "joint_local" || row == "ssd_refit";
 }
 
+// Plain skinning wrings, which no fold tells: dual quaternions bend and crease more in the same poses.
+void expect_looks(const nlohmann::json& r, const std::map<std::string, nlohmann::json>& rows) {
+  const auto look = [&](const char* row, const char* figure) { return rows.at(row).at("look").at(figure); };
+  for (const char* const figure : {"flipped_triangles", "bend_deg", "creased_share"}) {
+    EXPECT_GT(look("ssd", figure), 0) << figure;
+    EXPECT_NEAR(look("as_lift", figure).get<double>(), look("ssd", figure).get<double>(), 1e-9) << "the same surface";
+    EXPECT_NEAR(look("as_helpers_fit5", figure).get<double>(), r.at("truth_look").at(figure).get<double>(),
+                0.01 * look("ssd", figure).get<double>())
+        << "as near as that to the truth";
+  }
+  EXPECT_GT(r["truth_look"]["bend_deg"], look("ssd", "bend_deg"));
+  EXPECT_TRUE(look("ssd", "jump_of_ssd").is_null()) << "there is no clip";
+  EXPECT_EQ(r.at("recommended"), "ssd");
+  EXPECT_NE(r.at("why").dump().find("as_helpers_fit5 is nearer"), std::string::npos) << r["why"];
+  EXPECT_NE(r["why"].dump().find("But ssd wrings joints: twisted to 170° they keep 0.08"), std::string::npos)
+      << r["why"];
+  ASSERT_EQ(r.at("truth_folds").at("worst").size(), 1u);
+  EXPECT_GT(r["truth_folds"]["worst"][0].at("flipped_triangles"), r["truth_folds"]["poses"].is_null() ? 1e9 : 8)
+      << "a thousandth of 4000 triangles twice";
+}
+
 // The figures of a study of this cylinder are 0.35 and 0.05 of linear blend skinning's error.
 TEST(Compare, TheCylinder) {
 #ifdef __SANITIZE_ADDRESS__
@@ -128,13 +149,17 @@ TEST(Compare, TheCylinder) {
   }
   EXPECT_EQ(rows["ssd"]["normal_deg"], rows["ssd"]["blended_normal_deg"]);
   expect_range_of_motion(r.at("range_of_motion"));
+  expect_looks(r, rows);
 }
 
 // The elbow's keys are a quarter of a second apart, with lines between them.
 TEST(Compare, SaysHowFarClipsAreOffBetweenFrames) {
   const Ran ran = run_marrow({"compare", in_golden("elbow.gltf"), "--frames", "2,4", "--json"});
   ASSERT_EQ(ran.code, 0) << ran.err;
-  const nlohmann::json between = nlohmann::json::parse(ran.out).at("between_frames");
+  const nlohmann::json r = nlohmann::json::parse(ran.out), between = r.at("between_frames");
+  for (const nlohmann::json& row : r.at("rows"))
+    if (row.at("deformer") == "ssd" || row["deformer"] == "as_lift")
+      EXPECT_NEAR(row.at("look").at("jump_of_ssd").get<double>(), 1, 1e-9) << "of its clip";
   ASSERT_EQ(between.size(), 6u);
   const char* const kinds[] = {"linear", "quadratic", "cubic"};
   for (std::size_t i = 0; i < 6; ++i) {
@@ -245,7 +270,7 @@ TEST(Compare, TheThesis) {
 // Each of the page's, under a name that says what it is of.
 void expect_pictures_alone(const std::string& page, const std::string& pictures) {
   std::size_t shown = 0, written = 0, errors = 0;
-  for (std::size_t at = 0; (at = page.find("data:image/png;base64,", at)) != std::string::npos; ++at) ++shown;
+  for (std::size_t at = 0; (at = page.find("data:image/jpeg;base64,", at)) != std::string::npos; ++at) ++shown;
   for (const auto& entry : std::filesystem::directory_iterator(pictures)) {
     EXPECT_EQ(entry.path().extension(), ".png");
     EXPECT_EQ(read_text(entry.path().string()).substr(0, 8), "\x89PNG\r\n\x1a\n");
@@ -280,14 +305,16 @@ TEST(Compare, WritesOnePage) {
   EXPECT_NE(ran.out.find("Poses of the range of motion worse than linear blend skinning"), std::string::npos)
       << ran.out;
   for (const char* const mark :
-       {"<h2>Range of motion</h2>", "<summary>as_fit, joint by joint</summary>", "<th>ring radius, twisted</th>",
-        "<td data-value=\"ssd\">ssd</td>", "<th>RMS, held out, mm</th>", "<svg class=\"chart\"",
-        "<label data-series=\"as_fit\">", "<polyline", " data-mm=\""})
+       {"<th>flipped triangles, a pose</th>", "<th>narrowest ring</th>", "<th>jumps of SSD's</th>",
+        "<th>palette entries</th>", "<td data-value=\"truth\">truth</td>", "<h2>Range of motion</h2>",
+        "<summary>as_fit, joint by joint</summary>", "<th>ring radius, twisted</th>", "<td data-value=\"ssd\">ssd</td>",
+        "<th>RMS, held out, mm</th>", "<svg class=\"chart\"", "<label data-series=\"as_fit\">", "<polyline",
+        " data-mm=\""})
     EXPECT_NE(page.find(mark), std::string::npos) << mark;
   EXPECT_EQ(page.find("</script>"), page.rfind("</script>"));
   EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
 #ifdef MARROW_HAS_GLES
-  EXPECT_NE(page.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_NE(page.find("data:image/jpeg;base64,/9j/"), std::string::npos);
   for (const char* const mark :
        {"<figure data-name=\"truth\">", "<figure data-name=\"eigenskin\">", "linear-gradient(90deg,#"})
     EXPECT_NE(page.find(mark), std::string::npos) << mark;

@@ -48,6 +48,21 @@ TEST(Info, SaysWhatLevelsOfDetailTake) {
   EXPECT_EQ(bytes, r.at("totals").at("geometry"));
 }
 
+// One, a quarter of the way: golden_test.cpp has the file's figures.
+TEST(Info, SaysWhichJointsHelpersAreOf) {
+  const nlohmann::json mesh = described(in_golden("centres_v1.mrw")).at("meshes").at(0);
+  EXPECT_EQ(mesh.at("helpers"), nlohmann::json::array({{{"first", "upper"}, {"second", "lower"}, {"share", 0.25}}}));
+  EXPECT_EQ(mesh.at("joints"), 2);
+  EXPECT_EQ(mesh.at("palette_entries"), 3);
+  const std::string text = run_marrow({"info", in_golden("centres_v1.mrw")}).out;
+  EXPECT_NE(text.find("2 joints, 1 helper, "), std::string::npos) << text;
+  const std::size_t at = text.find("helpers of \"upper\"");
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_EQ(text.substr(0, text.find('\n', at)).find("1 towards \"lower\"", at), text.find("1 towards", at)) << text;
+  EXPECT_TRUE(described(in_golden("tiny_v1.mrw")).at("meshes").at(0).at("helpers").empty());
+  EXPECT_EQ(run_marrow({"info", in_golden("tiny_v1.mrw")}).out.find("helper"), std::string::npos);
+}
+
 TEST(Info, TakesSeveralFiles) {
   const std::string a = in_golden("tiny_v1.mrw"), b = in_golden("pack_v1.mrw");
   EXPECT_EQ(nlohmann::json::parse(run_marrow({"info", a, b, "--json"}).out),

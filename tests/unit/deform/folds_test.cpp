@@ -68,6 +68,9 @@ TEST(Folds, CountWhatFacesBack) {
   const Folds folds = meter.of(turned(0), folded);
   EXPECT_EQ(folds.flipped, 1u);
   EXPECT_NEAR(folds.bend_rad, 180 * kDegree, 1e-12);
+  EXPECT_EQ(meter.flipped_by_joint(meter.facing(turned(0)), folded), (std::vector<std::size_t>{0, 1}))
+      << "its corners follow joint 1 by (0.5 + 0.5 + 1) / 3";
+  EXPECT_EQ(meter.flipped_by_joint(meter.facing(turned(0)), mesh.positions), (std::vector<std::size_t>{0, 0}));
   // The edge turns by three times 60°.
   std::vector<double> sums;
   meter.add_at_vertices(turned(0), folded, sums);
@@ -89,7 +92,7 @@ TEST(Folds, SayNothingOfWhatIsNotFinite) {
   Positions bad = mesh.positions;
   bad[0].x = std::nan("");
   EXPECT_EQ(FoldMeter(mesh).of(turned(0), bad).bend_rad, 0);
-  EXPECT_EQ(FoldMeter({}).of({}, {}).flipped, 0u);
+  EXPECT_EQ(FoldMeter({}).of(Pose{}, {}).flipped, 0u);
 }
 
 // Of 3 t² the second difference is 6.

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/compare/html.h"
+#include "commands/compare/look/look_table.h"
 #include "commands/compare/measure.h"
 #ifdef MARROW_HAS_GLES
 #include "commands/compare/motion/motion_pictures.h"
@@ -37,9 +38,22 @@ std::string truth_of(const CompareArguments& a) {
   return given == a.given.end() ? "cor" : given->second.back().text;
 }
 
+ordered_json look_report(const SurfaceLook& look) {
+  return {{"flipped_triangles", look.flipped},
+          {"bend_deg", look.bend_deg},
+          {"creased_share", look.creased},
+          {"jump_of_ssd", look.jump_of_ssd ? ordered_json(*look.jump_of_ssd) : ordered_json()}};
+}
+
 ordered_json report(const CompareArguments& a, const Study& study, const DeformerComparison& c,
-                    const MotionStudy& motion, const std::vector<FramesRow>& between) {
-  ordered_json rows = ordered_json::array(), frames = ordered_json::array();
+                    const MotionStudy& motion, const Verdict& recommended, const std::vector<FramesRow>& between) {
+  ordered_json rows = ordered_json::array(), frames = ordered_json::array(), folds = ordered_json::array();
+  for (const TruthFold& f : c.truth_folds)
+    folds.push_back({{"clip", f.clip},
+                     {"time_s", f.time_s},
+                     {"joint", study.joint_names[f.joint]},
+                     {"flipped_triangles", f.flipped},
+                     {"ssd_flipped_triangles", f.plain_flipped}});
   for (const FramesRow& r : between)
     frames.push_back({{"hz", r.hz},
                       {"interpolation", name_of(deform::kBetweenFrames, r.kind)},
@@ -56,6 +70,7 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
                     {"worse_share", r.worse_share},
                     {"volume", r.volume},
                     {"crease_deg", r.crease_deg},
+                    {"look", look_report(r.look)},
                     {"normal_deg", r.normal_deg},
                     {"blended_normal_deg", r.blended_normal_deg},
                     {"bytes_per_vertex", or_null(r.bytes_per_vertex)},
@@ -68,48 +83,62 @@ ordered_json report(const CompareArguments& a, const Study& study, const Deforme
                     {"adreno_instructions", or_null(r.gpu.adreno_instructions)},
                     {"videocore_instructions", or_null(r.gpu.videocore_instructions)}});
   }
-  return {{"truth", truth_of(a)},
+  return {{"recommended", recommended.deformer},
+          {"why", recommended.why},
+          {"truth", truth_of(a)},
           {"holdout", name_of(kHoldouts, a.holdout)},
           {"trained_poses", c.trained},
           {"held_poses", c.held},
           {"diagonal", c.diagonal_m},
           {"rows", rows},
+          {"truth_look", look_report(c.truth)},
+          {"truth_folds", {{"poses", c.folding}, {"worst", folds}}},
           {"range_of_motion", motion_report(study, c, motion)},
           {"between_frames", frames}};
 }
 
 #ifdef MARROW_HAS_GLES
-// SSD first.
-std::vector<std::size_t> shown(const CompareArguments& a, const DeformerComparison& c) {
+// SSD first. What is recommended is shown last, unless the user says what is to be shown.
+std::vector<std::size_t> shown(const CompareArguments& a, const DeformerComparison& c, const std::string& recommended) {
   const auto row = [&](const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(c.rows, name, &DeformerRow::deformer) - c.rows.begin());
   };
   std::vector<std::size_t> out = {row("ssd")};
-  for (const std::string& name : a.shown) out.push_back(row(name));
+  std::vector<std::string> names = a.shown;
+  if (names == CompareArguments().shown && recommended != "ssd" && recommended != names.back())
+    names = {names.back(), recommended};
+  for (const std::string& name : names) out.push_back(row(name));
   return out;
 }
 #endif
 
-void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c) {
-  fmt::print("{}\n\n", verdict(c));
-  fmt::print("{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
+void print_columns(const std::vector<TableColumn>& of, const std::vector<TableLine>& lines) {
+  const std::vector<TableColumn> columns = known(of, lines);
+  fmt::print("{:<16}", "deformer");
+  for (const TableColumn& column : columns) fmt::print("{:>{}}", column.brief, column.width);
+  fmt::print("\n");
+  for (const TableLine& line : lines) {
+    std::string cells;
+    bool says_something = false;
+    for (const TableColumn& column : columns) {
+      const std::optional<double> value = column.value(line, plain_of(lines));
+      says_something = says_something || value;
+      cells += fmt::format("{:>{}}", value ? fmt::format("{:.{}f}", *value, column.decimals) : "-", column.width);
+    }
+    if (says_something) fmt::print("{:<16}{}\n", line.name, cells);
+  }
+}
+
+void print_table(const Study& study, const CompareArguments& a, const DeformerComparison& c, const MotionStudy& motion,
+                 const Verdict& verdict) {
+  fmt::print("{}\n", verdict.use);
+  for (const std::string& line : verdict.why) fmt::print("{}\n", line);
+  fmt::print("\n{}: truth {}, {} poses learnt from, {} held out; lengths in mm\n", study.name, truth_of(a), c.trained,
              c.held);
-  fmt::print("{:<14}{:>10}{:>10}{:>10}{:>10}{:>8}{:>8}{:>8}{:>9}{:>9}{:>9}{:>8}{:>8}{:>7}{:>8}{:>6}\n", "deformer",
-             "train rms", "held rms", "held max", "of ssd's", "worse", "volume", "crease", "normals", "blended",
-             "B/vertex", "ns", "instr", "Mali", "Adreno", "V3D");
-  const auto whole = [](double x) { return x > 0 ? fmt::format("{:.0f}", x) : std::string("-"); };
-  const auto or_none = [](double x) { return x > 0 ? fmt::format("{:.2f}", x) : std::string("-"); };
-  double ssd = 0;
-  for (const DeformerRow& r : c.rows)
-    if (r.deformer == "ssd") ssd = r.held_rms;
-  for (const DeformerRow& r : c.rows)
-    fmt::print(
-        "{:<14}{:>10.4f}{:>10.4f}{:>10.3f}{:>10.3f}{:>7.1f}%{:>8.3f}{:>7.1f}°{:>8.2f}°{:>8.2f}°{:>9}{:>8}{:>8}{:>7}{:>"
-        "8}{:>6}\n",
-        r.deformer, 1e3 * r.train_rms, 1e3 * r.held_rms, 1e3 * r.held_max, ssd > 0 ? r.held_rms / ssd : 1.0,
-        100 * r.worse_share, r.volume, r.crease_deg, r.normal_deg, r.blended_normal_deg, or_none(r.bytes_per_vertex),
-        or_none(r.ns_per_vertex), or_none(r.instructions_per_vertex), whole(r.gpu.mali_cycles),
-        whole(r.gpu.adreno_instructions), whole(r.gpu.videocore_instructions));
+  const std::vector<TableLine> lines = table_lines(c, motion);
+  print_columns(kLookColumns, lines);
+  fmt::print("\n");
+  print_columns(kCostColumns, lines);
 }
 
 // Each a row, other than SSD's, and once.
@@ -172,9 +201,21 @@ void write_pictures(const std::string& folder, const char* first, const std::vec
         const std::string name =
             fmt::format("{}{}-{}-{}{}.png", first, r + 1, ++number, picture.caption.substr(0, colon),
                         colon == std::string::npos ? "" : "-error");
-        write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png);
+        write_file_atomically((std::filesystem::path(folder) / name).string(), picture.png());
       }
   }
+}
+
+// And writes them alone, if that is asked for.
+void add_pictures(const CompareArguments& a, [[maybe_unused]] const deform::Deformer& truth, PageContent& to) {
+#ifdef MARROW_HAS_GLES
+  const std::vector<std::size_t> rows = shown(a, to.comparison, to.verdict.deformer);
+  to.worst_poses = draw_worst_poses(to.study, to.comparison, truth, rows, 3);
+  to.worst_joints = draw_worst_joints(to.study, to.comparison, to.motion, truth, rows);
+#endif
+  if (a.pictures.empty()) return;
+  write_pictures(a.pictures, "", to.worst_poses);
+  write_pictures(a.pictures, "joint-", to.worst_joints);
 }
 
 }  // namespace
@@ -210,11 +251,12 @@ void run_compare(const CompareArguments& a) {
   }();
   const deform::Deformer truth = cook::make_truth(study.source, options);
   const MotionStudy motion = study_motion(study, comparison, truth);
+  const Verdict recommended = verdict(study, truth_of(a), comparison, motion);
   const std::vector<FramesRow> between = study_frames(study, a.frames_hz);
   if (a.json) {
-    fmt::print("{}\n", report(a, study, comparison, motion, between).dump(2));
+    fmt::print("{}\n", report(a, study, comparison, motion, recommended, between).dump(2));
   } else {
-    print_table(study, a, comparison);
+    print_table(study, a, comparison, motion, recommended);
     print_motion(study, comparison, motion);
     if (!a.frames_hz.empty()) print_frames(between);
   }
@@ -224,16 +266,10 @@ void run_compare(const CompareArguments& a) {
                       study,
                       comparison,
                       motion,
+                      recommended,
                       {},
                       {}};
-#ifdef MARROW_HAS_GLES
-  content.worst_poses = draw_worst_poses(study, comparison, truth, shown(a, comparison), 3);
-  content.worst_joints = draw_worst_joints(study, comparison, motion, truth, shown(a, comparison));
-#endif
-  if (!a.pictures.empty()) {
-    write_pictures(a.pictures, "", content.worst_poses);
-    write_pictures(a.pictures, "joint-", content.worst_joints);
-  }
+  add_pictures(a, truth, content);
   if (a.out.empty()) return;
   const std::string page = comparison_page(content);
   write_file_atomically(a.out, std::as_bytes(std::span(page.data(), page.size())));

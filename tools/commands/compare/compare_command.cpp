@@ -32,10 +32,12 @@ void add_compare(CLI::App& app, int&) {
       ->allow_extra_args(false);
   command->add_flag(
       "--json", a.json,
-      "as JSON: {truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, train_max, "
-      "held_rms, held_max, worse_share, volume, crease_deg, normal_deg, blended_normal_deg, bytes_per_vertex, "
+      "as JSON: {recommended, why, truth, holdout, trained_poses, held_poses, diagonal, rows: [{deformer, train_rms, "
+      "train_max, held_rms, held_max, worse_share, volume, crease_deg, look: {flipped_triangles, bend_deg, "
+      "creased_share, jump_of_ssd}, normal_deg, blended_normal_deg, bytes_per_vertex, "
       "ns_per_vertex, instructions_per_vertex, displacements_per_vertex, influences, palette_entries, mali_cycles, "
       "adreno_instructions, videocore_instructions}], "
+      "truth_look, truth_folds: {poses, worst: [{clip, time_s, joint, flipped_triangles, ssd_flipped_triangles}]}, "
       "range_of_motion: {poses, folding_poses, deformers, joints, left_out}, between_frames: [{hz, interpolation, "
       "frames, rms, max}]}, lengths in metres; docs/deformers.md says "
       "what is in the last two");
@@ -49,7 +51,10 @@ void add_compare(CLI::App& app, int&) {
   command->add_option("--pictures", a.pictures, "also the page's pictures, each a PNG in this folder")
       ->type_name("FOLDER");
   command
-      ->add_option("--show", a.shown, "which rows pictures are of, beside ssd; they zoom in on the last one's joints")
+      ->add_option(
+          "--show", a.shown,
+          "which rows pictures are of, beside ssd; they zoom in on the last one's joints; if it is not given, what is "
+          "recommended is the last")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -1,16 +1,15 @@
 #include "commands/compare/html.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "commands/compare/charts.h"
+#include "commands/compare/look/look_table.h"
 #include "commands/compare/motion/motion_page.h"
 #include "commands/compare/page_text.h"
-#include "commands/compare/verdict.h"
 #include "text/quantity.h"
 
 namespace marrow::tools {
@@ -28,56 +27,44 @@ std::string base64(const std::vector<std::byte>& bytes) {
   return out;
 }
 
-// A column of figures.
-struct Column {
-  const char* heading;
-  const char* unit;
-  int decimals;
-  double (*value)(const DeformerRow& row, const DeformerRow& ssd);
-  bool zero_is_none = false;
-};
-using Row = const DeformerRow&;
-constexpr Column kColumns[] = {
-    {"RMS, learnt from", "mm", 4, [](Row r, Row) { return 1e3 * r.train_rms; }},
-    {"RMS, held out", "mm", 4, [](Row r, Row) { return 1e3 * r.held_rms; }},
-    {"of SSD's", "", 3, [](Row r, Row ssd) { return ssd.held_rms > 0 ? r.held_rms / ssd.held_rms : 1.0; }},
-    {"largest", "mm", 3, [](Row r, Row) { return 1e3 * r.held_max; }},
-    {"poses worse than SSD", "%", 1, [](Row r, Row) { return 100 * r.worse_share; }},
-    {"volume of the truth's", "", 3, [](Row r, Row) { return r.volume; }},
-    {"sharpest crease", "degrees", 1, [](Row r, Row) { return r.crease_deg; }},
-    {"normals off by", "degrees", 2, [](Row r, Row) { return r.normal_deg; }},
-    {"if blended", "degrees", 2, [](Row r, Row) { return r.blended_normal_deg; }},
-    {"size", "bytes a vertex", 2, [](Row r, Row) { return r.bytes_per_vertex; }, true},
-    {"time", "ns a vertex", 2, [](Row r, Row) { return r.ns_per_vertex; }, true},
-    {"instructions", "a vertex", 2, [](Row r, Row) { return r.instructions_per_vertex; }, true},
-    {"displacements", "a vertex", 2, [](Row r, Row) { return r.displacements_per_vertex; }, true},
-    {"Mali-G57", "cycles a vertex", 0, [](Row r, Row) { return r.gpu.mali_cycles; }, true},
-    {"Adreno 660", "instructions a vertex", 0, [](Row r, Row) { return r.gpu.adreno_instructions; }, true},
-    {"V3D 4.2", "instructions a vertex", 0, [](Row r, Row) { return r.gpu.videocore_instructions; }, true},
-};
-
-// What is known of no row makes no column.
-bool has_values(const Column& column, const DeformerComparison& c) {
-  return std::ranges::any_of(c.rows, [&](Row r) { return !column.zero_is_none || column.value(r, r) > 0; });
+// Sorted by who clicks a heading. What looks worse than plain skinning is marked.
+std::string table(const std::vector<TableColumn>& of, const std::vector<TableLine>& lines) {
+  const std::vector<TableColumn> columns = known(of, lines);
+  const TableLine& ssd = plain_of(lines);
+  std::string out = "<div class=\"wide\"><table><thead><tr><th>deformer</th>";
+  for (const TableColumn& column : columns)
+    out += fmt::format("<th>{}{}{}</th>", column.heading, *column.unit != '\0' ? ", " : "", column.unit);
+  out += "</tr></thead>\n<tbody>\n";
+  for (const TableLine& line : lines) {
+    std::string cells;
+    bool says_something = false;
+    for (const TableColumn& column : columns) {
+      const std::optional<double> value = column.value(line, ssd);
+      says_something = says_something || value;
+      cells += value ? fmt::format("<td data-value=\"{:.6g}\"{}>{:.{}f}</td>", *value,
+                                   is_uglier(column, line, ssd) ? " class=\"ugly\"" : "", *value, column.decimals)
+                     : std::string("<td data-value=\"\">–</td>");
+    }
+    if (says_something) out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>{1}</tr>\n", escaped(line.name), cells);
+  }
+  return out + "</tbody></table></div>\n";
 }
 
-std::string table(const DeformerComparison& c) {
-  const auto ssd = std::ranges::find(c.rows, "ssd", &DeformerRow::deformer);
-  std::string out = "<div class=\"wide\"><table><thead><tr><th>deformer</th>";
-  for (const Column& column : kColumns)
-    if (has_values(column, c))
-      out += fmt::format("<th>{}{}{}</th>", column.heading, *column.unit != '\0' ? ", " : "", column.unit);
-  out += "</tr></thead>\n<tbody>\n";
-  for (const DeformerRow& r : c.rows) {
-    out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>", escaped(r.deformer));
-    for (const Column& column : kColumns) {
-      if (!has_values(column, c)) continue;
-      const double value = column.value(r, *ssd);
-      out += column.zero_is_none && !(value > 0)
-                 ? std::string("<td data-value=\"\">–</td>")
-                 : fmt::format("<td data-value=\"{:.9g}\">{:.{}f}</td>", value, value, column.decimals);
-    }
-    out += "</tr>\n";
+std::string truth_folds(const Study& study, const DeformerComparison& c) {
+  if (c.truth_folds.empty()) return "";
+  std::string out = fmt::format(
+      "<h2>Where the truth itself folds</h2>\n<p>In {} of {} poses held out it has more than a thousandth of its "
+      "triangles facing inwards. To be near it is no beauty there.</p>\n<div class=\"wide\"><table><thead><tr>"
+      "<th>clip, where it folds most</th><th>time, s</th><th>joint</th><th>flipped triangles</th>"
+      "<th>by plain skinning</th></tr></thead>\n<tbody>\n",
+      c.folding, c.held);
+  for (const TruthFold& f : c.truth_folds) {
+    const std::string clip = escaped(f.clip.empty() ? "of no clip" : f.clip),
+                      joint = escaped(study.joint_names[f.joint]);
+    out += fmt::format(
+        "<tr><td data-value=\"{0}\">{0}</td><td data-value=\"{1:.6g}\">{1:.2f}</td><td data-value=\"{2}\">{2}</td>"
+        "<td data-value=\"{3}\">{3}</td><td data-value=\"{4}\">{4}</td></tr>\n",
+        clip, f.time_s, joint, f.flipped, f.plain_flipped);
   }
   return out + "</tbody></table></div>\n";
 }
@@ -85,8 +72,9 @@ std::string table(const DeformerComparison& c) {
 // Named, it can be laid under the slider.
 std::string figure(const Picture& p, const std::string& name) {
   return fmt::format(
-      "<figure{}><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-      name.empty() ? "" : " data-name=\"" + escaped(name) + '"', escaped(p.caption), base64(p.png), escaped(p.caption));
+      "<figure{}><img alt=\"{}\" src=\"data:image/jpeg;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+      name.empty() ? "" : " data-name=\"" + escaped(name) + '"', escaped(p.caption), base64(p.jpeg),
+      escaped(p.caption));
 }
 
 std::string ramp(const PictureRow& row) {
@@ -101,11 +89,17 @@ std::string ramp(const PictureRow& row) {
 
 }  // namespace
 
+// Shapes stand in a square beside the slider.
 std::string picture_row(const PictureRow& row) {
-  std::string out = fmt::format(
-      "<div class=\"pose\"><h3>{}</h3><div class=\"grid\" style=\"grid-template-columns:repeat({},1fr)\">\n",
-      escaped(row.title), row.shapes.size());
+  constexpr std::size_t kMostAcross = 5;
+  const std::size_t shapes = row.shapes.size();
+  std::size_t beside = 1;
+  while (beside * beside < shapes) ++beside;
+  std::string out =
+      fmt::format("<div class=\"pose\" style=\"--across:{};--beside:{}\"><h3>{}</h3><div class=\"grid shapes\">\n",
+                  std::min(shapes, kMostAcross), beside, escaped(row.title));
   for (const Picture& p : row.shapes) out += figure(p, p.caption);
+  out += "</div><div class=\"grid\">\n";
   for (const Picture& p : row.errors) out += figure(p, "");
   out += ramp(row);
   return out + "</div></div>\n";
@@ -116,22 +110,20 @@ std::string comparison_page(const PageContent& content) {
   const std::string title = escaped(content.title);
   std::string out = fmt::format(
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width\"><title>{}</title><style>{}</style>\n<h1>{}</h1>\n"
-      "<p>{}: truth {}, {} poses learnt from, {} held out. {} m across.</p>\n",
-      title, kPageStyle, escaped(verdict(c)), title, escaped(content.truth), c.trained, c.held,
-      plain_number(c.diagonal_m));
+      "content=\"width=device-width\"><title>{}</title><style>{}</style>\n<h1>{}</h1>\n",
+      title, kPageStyle, escaped(content.verdict.use));
+  for (const std::string& line : content.verdict.why) out += fmt::format("<p class=\"why\">{}</p>\n", escaped(line));
+  out += fmt::format("<p>{}: truth {}, {} poses learnt from, {} held out. {} m across.</p>\n", title,
+                     escaped(content.truth), c.trained, c.held, plain_number(c.diagonal_m));
   if (!content.worst_poses.empty())
     out +=
         "<h2>Where linear blend skinning is worst</h2>\n<p class=\"note\">First plain linear blend skinning by the "
         "joints "
         "alone, as any engine draws it; then Marrow's; then the truth. Below, how far each is from that.</p>\n";
   for (const PictureRow& row : content.worst_poses) out += picture_row(row);
-  out += "<h2>Figures</h2>\n" + table(c) +
-         "<p class=\"note\">Poses held out are not learnt from. Crease: how sharply some edge is folded beyond the "
-         "bind pose, mean over poses. Normals: between those it shades with and those of the mesh it makes, where "
-         "joints meet; animation space shades with its own tangents, the others through the blended matrix. Size: of "
-         "all geometry, cooked. Time: of positions, on the machine that made this page.</p>\n" +
-         charts(content.study, c);
+  const std::vector<TableLine> lines = table_lines(c, content.motion);
+  out += "<h2>Figures</h2>\n" + table(kLookColumns, lines) + kAboutFigures + table(kCostColumns, lines) + kAboutCosts +
+         truth_folds(content.study, c) + charts(content.study, c);
   const std::string motion = motion_tables(content.study, c, content.motion);
   if (!motion.empty()) out += "<h2>Range of motion</h2>\n";
   for (const PictureRow& row : content.worst_joints) out += picture_row(row);

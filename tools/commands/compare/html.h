@@ -6,6 +6,7 @@
 
 #include "commands/compare/motion/motion_study.h"
 #include "commands/compare/pictures.h"
+#include "commands/compare/verdict.h"
 
 namespace marrow::tools {
 
@@ -15,6 +16,7 @@ struct PageContent {
   const Study& study;
   const DeformerComparison& comparison;
   const MotionStudy& motion;
+  const Verdict& verdict;
   std::vector<PictureRow> worst_poses, worst_joints;
 };
 std::string comparison_page(const PageContent& content);

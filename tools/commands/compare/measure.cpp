@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "commands/compare/hinges.h"
 #include "commands/compare/instructions.h"
+#include "commands/compare/look/jumps.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
 #include "cook/cook.h"
+#include "deform/look/folds.h"
 #include "deform/surface.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
@@ -35,6 +38,22 @@ struct PoseErrors {
   double volume = 1, crease_rad = 0;
   double normal_rad = 0, blended_normal_rad = 0;  // summed
   std::size_t normals = 0;
+  deform::Folds folds;
+};
+
+// What deformers are judged by.
+struct Judge {
+  explicit Judge(const deform::SkinnedMesh& mesh) : shape(mesh), meter(mesh), ssd(deform::ssd(mesh)) {}
+  Shape shape;
+  deform::FoldMeter meter;
+  deform::Deformer ssd, truth;
+};
+
+// How the truth looks in a pose.
+struct TruthLook {
+  deform::Folds folds;
+  std::size_t plain_flipped = 0;
+  std::uint32_t joint = 0;  // that most of what is flipped follows
 };
 
 // A pose that all deformers are judged in.
@@ -44,12 +63,22 @@ struct JudgedPose {
   // By the truth and by plain skinning.
   Positions wanted, plain;
   double ssd_squares = 0, volume = 0;
+  std::vector<glm::dvec3> facing;  // see deform::FoldMeter
 
-  void place(const Shape& shape, const deform::Deformer& truth, const deform::Deformer& ssd) {
-    truth(*pose, wanted);
-    ssd(*pose, plain);
+  void place(const Judge& judge) {
+    judge.truth(*pose, wanted);
+    judge.ssd(*pose, plain);
     for (std::size_t v = 0; v < wanted.size(); ++v) ssd_squares += glm::dot(plain[v] - wanted[v], plain[v] - wanted[v]);
-    if (is_held) volume = volume_of(wanted, shape.mesh.indices);
+    if (!is_held) return;
+    volume = volume_of(wanted, judge.shape.mesh.indices);
+    facing = judge.meter.facing(*pose);
+  }
+
+  TruthLook look(const Judge& judge) const {
+    const std::vector<std::size_t> flipped = judge.meter.flipped_by_joint(facing, wanted);
+    const auto most = std::ranges::max_element(flipped);
+    return {judge.meter.of(facing, wanted), judge.meter.of(facing, plain).flipped,
+            static_cast<std::uint32_t>(most - flipped.begin())};
   }
 };
 
@@ -74,7 +103,8 @@ void measure_normals(const Shape& shape, const Trained& trained, const Pose& pos
   }
 }
 
-PoseErrors pose_errors(const Shape& shape, const Trained& trained, const JudgedPose& judged) {
+PoseErrors pose_errors(const Judge& judge, const Trained& trained, const JudgedPose& judged) {
+  const Shape& shape = judge.shape;
   Positions ours;
   trained.deform(*judged.pose, ours);
   PoseErrors out;
@@ -88,6 +118,7 @@ PoseErrors pose_errors(const Shape& shape, const Trained& trained, const JudgedP
   if (!judged.is_held) return out;
   if (judged.volume != 0) out.volume = volume_of(ours, shape.mesh.indices) / judged.volume;
   out.crease_rad = shape.sharpest_rad(ours);
+  out.folds = judge.meter.of(judged.facing, ours);
   measure_normals(shape, trained, *judged.pose, ours, out);
   return out;
 }
@@ -100,26 +131,61 @@ struct Totals {
   std::size_t trained = 0, held = 0, worse = 0, normals = 0;
 };
 
-// Of each deformer its errors in each pose. A pose is the truth's and plain skinning's once, and kept no longer than it
-// is judged.
-std::vector<std::vector<PoseErrors>> errors_in_round(const Shape& shape, const std::vector<Trained>& all,
-                                                     const deform::Deformer& truth, const Round& round) {
+struct RoundErrors {
+  std::vector<std::vector<PoseErrors>> of;  // each deformer, in each pose: those learnt from, then those held out
+  std::vector<TruthLook> truth;             // in those held out
+};
+
+// A pose is the truth's and plain skinning's once, and kept no longer than it is judged.
+RoundErrors errors_in_round(const Judge& judge, const std::vector<Trained>& all, const Round& round) {
   std::vector<std::pair<const Pose*, bool>> poses;  // and whether it is held out
   for (const deform::TrainingPose& p : round.train)
     if (p.shipped) poses.emplace_back(&p.pose, false);
+  const std::size_t trained = poses.size();
   for (const HeldPose& p : round.held) poses.emplace_back(&p.pose, true);
-  const deform::Deformer ssd = deform::ssd(shape.mesh);
-  std::vector<std::vector<PoseErrors>> out(all.size(), std::vector<PoseErrors>(poses.size()));
+  RoundErrors out;
+  out.of.assign(all.size(), std::vector<PoseErrors>(poses.size()));
+  out.truth.resize(round.held.size());
   for_each_in_parallel(poses.size(), [&](std::size_t i) {
-    JudgedPose judged{poses[i].first, poses[i].second, {}, {}};
-    judged.place(shape, truth, ssd);
-    for (std::size_t d = 0; d < all.size(); ++d) out[d][i] = pose_errors(shape, all[d], judged);
+    JudgedPose judged{poses[i].first, poses[i].second, {}, {}, 0, 0, {}};
+    judged.place(judge);
+    if (judged.is_held) out.truth[i - trained] = judged.look(judge);
+    for (std::size_t d = 0; d < all.size(); ++d) out.of[d][i] = pose_errors(judge, all[d], judged);
   });
   return out;
 }
 
+// Adds one of `poses` to means.
+void add_look(const deform::Folds& folds, double poses, SurfaceLook& look) {
+  look.flipped += static_cast<double>(folds.flipped) / poses;
+  look.bend_deg += folds.bend_rad * folds.bend_rad / poses;  // until finish()
+  look.creased += folds.creased / poses;
+}
+
+void finish(SurfaceLook& look) {
+  look.bend_deg = glm::degrees(std::sqrt(look.bend_deg));
+}
+
+// One triangle that faces inwards nobody sees, a thousandth of them is a patch as large as a fingertip.
+constexpr double kFolds = 1e-3;
+
+void add_truth(const std::vector<TruthLook>& looks, const Round& round, std::size_t triangles,
+               DeformerComparison& out) {
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const TruthLook& look = looks[i];
+    const HeldPose& held = round.held[i];
+    if (static_cast<double>(look.folds.flipped) <= kFolds * static_cast<double>(triangles)) continue;
+    ++out.folding;
+    auto at = std::ranges::find(out.truth_folds, held.clip, &TruthFold::clip);
+    if (at == out.truth_folds.end()) at = out.truth_folds.insert(at, {held.clip, 0, 0, 0, 0});
+    if (look.folds.flipped > at->flipped)
+      *at = {held.clip, held.time_s, look.joint, look.folds.flipped, look.plain_flipped};
+  }
+  std::ranges::stable_sort(out.truth_folds, std::greater<>(), &TruthFold::flipped);
+}
+
 // errors: of poses learnt from, then of those held out.
-void add_round(const Shape& shape, const std::vector<PoseErrors>& errors, const Round& round, std::size_t rounds,
+void add_round(const Shape& shape, const std::vector<PoseErrors>& errors, const Round& round, double held,
                Totals& totals, DeformerRow& row) {
   const auto vertices = static_cast<double>(shape.mesh.positions.size());
   const double rounding = vertices * std::pow(kRounding * deform::diagonal(shape.mesh), 2);
@@ -139,7 +205,8 @@ void add_round(const Shape& shape, const std::vector<PoseErrors>& errors, const 
     totals.blended_normal_rad += e.blended_normal_rad;
     totals.normals += e.normals;
     row.held_max = std::max(row.held_max, e.largest);
-    row.crease_deg += glm::degrees(e.crease_rad) / static_cast<double>(round.held.size() * rounds);
+    row.crease_deg += glm::degrees(e.crease_rad) / held;
+    add_look(e.folds, held, row.look);
     if (first) row.error_of_pose.push_back(std::sqrt(e.squares / vertices));
   }
   totals.trained += trained;
@@ -284,46 +351,62 @@ void finish(const Totals& totals, double vertices, DeformerRow& row) {
   row.worse_share = static_cast<double>(totals.worse) / static_cast<double>(totals.held);
   row.volume = totals.volume / static_cast<double>(totals.held);
   const auto normals = static_cast<double>(std::max<std::size_t>(1, totals.normals));
+  finish(row.look);
   row.normal_deg = glm::degrees(totals.normal_rad / normals);
   row.blended_normal_deg = glm::degrees(totals.blended_normal_rad / normals);
+}
+
+void add_jumps(const Study& study, const deform::Deformer& truth, DeformerComparison& out) {
+  const auto ssd = std::ranges::find(out.rows, "ssd", &DeformerRow::deformer);
+  const auto jumps = largest_jumps(study, out.trained_in_first_round, truth, ssd->error_of_pose);
+  const std::optional<double> plain = jumps[static_cast<std::size_t>(ssd - out.rows.begin())];
+  if (!plain || !(*plain > 0)) return;
+  for (std::size_t d = 0; d <= out.rows.size(); ++d)
+    if (jumps[d]) (d < out.rows.size() ? out.rows[d].look : out.truth).jump_of_ssd = *jumps[d] / *plain;
 }
 
 }  // namespace
 
 DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options, int eigen_fields,
                                      const deform::Progress& progress) {
-  const Shape shape(study.source.mesh);
-  const deform::Deformer truth = cook::make_truth(study.source, options);
+  Judge judge(study.source.mesh);
+  judge.truth = cook::make_truth(study.source, options);
   DeformerComparison out;
   out.diagonal_m = deform::diagonal(study.source.mesh);
   const std::vector<Contestant> all = contestants(options, eigen_fields);
-  const std::size_t rounds = study.rounds.size();
-  deform::Steps steps(progress, (all.size() + 1) * rounds);
+  const auto rounds = static_cast<double>(study.rounds.size());
+  double held = 0;
+  for (const Round& round : study.rounds) held += static_cast<double>(round.held.size());
+  deform::Steps steps(progress, (all.size() + 1) * study.rounds.size());
   out.rows.resize(all.size());
   std::vector<Totals> totals(all.size());
   for (const Round& round : study.rounds) {
     std::vector<Trained> trained;
     for (std::size_t d = 0; d < all.size(); ++d) {
       DeformerRow& row = out.rows[d];
+      row.deformer = all[d].name;
       const auto start = std::chrono::steady_clock::now();
       trained.push_back(all[d].train(study, round, options));
-      row.train_s +=
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / static_cast<double>(rounds);
-      row.displacements_per_vertex += trained.back().displacements / static_cast<double>(rounds);
+      row.train_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / rounds;
+      row.displacements_per_vertex += trained.back().displacements / rounds;
       steps.one_more();
     }
-    const auto errors = errors_in_round(shape, trained, truth, round);
-    for (std::size_t d = 0; d < all.size(); ++d) add_round(shape, errors[d], round, rounds, totals[d], out.rows[d]);
+    const RoundErrors errors = errors_in_round(judge, trained, round);
+    for (std::size_t d = 0; d < all.size(); ++d)
+      add_round(judge.shape, errors.of[d], round, held, totals[d], out.rows[d]);
+    for (const TruthLook& look : errors.truth) add_look(look.folds, held, out.truth);
+    add_truth(errors.truth, round, study.source.mesh.indices.size() / 3, out);
     if (out.trained_in_first_round.empty()) out.trained_in_first_round = std::move(trained);
     steps.one_more();
   }
   out.trained = totals.front().trained;
   out.held = totals.front().held;
+  finish(out.truth);
   for (std::size_t d = 0; d < all.size(); ++d) {
-    out.rows[d].deformer = all[d].name;
-    finish(totals[d], static_cast<double>(shape.mesh.positions.size()), out.rows[d]);
+    finish(totals[d], static_cast<double>(judge.shape.mesh.positions.size()), out.rows[d]);
     measure_cost(study, all[d], out.rows[d]);
   }
+  add_jumps(study, judge.truth, out);
   return out;
 }
 

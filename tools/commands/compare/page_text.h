@@ -7,20 +7,35 @@ inline constexpr const char* kPageStyle =
     R"(body{font:15px/1.5 system-ui,sans-serif;max-width:1240px;margin:2rem auto;padding:0 1rem;color:#222;background:#fafafa}
 h1{font-size:1.5rem;line-height:1.3}h2{font-size:1.1rem;margin-top:2.2rem}h3{font-size:1rem;margin:1.4rem 0 .4rem}
 .wide{overflow-x:auto}table{border-collapse:collapse;background:#fff;font-variant-numeric:tabular-nums}
-td,th{padding:.3rem .6rem;text-align:right;border-bottom:1px solid #ddd;white-space:nowrap}
+td,th{padding:.3rem .5rem;text-align:right;border-bottom:1px solid #ddd;white-space:nowrap}
 thead th{white-space:normal;vertical-align:bottom;font-size:.85rem}td:first-child,th:first-child{text-align:left}
 th button{font:inherit;color:inherit;background:none;border:0;padding:0;text-align:inherit;cursor:pointer}
-th button:after{content:" \2195";color:#aaa}th[aria-sort=ascending] button:after{content:" \2191";color:#222}
-th[aria-sort=descending] button:after{content:" \2193";color:#222}
-.grid{display:grid;gap:8px;align-items:end}figure{margin:0}figure img{width:100%;border-radius:4px;display:block}
+th button:after{content:"\a0\2195";color:#aaa}th[aria-sort=ascending] button:after{content:"\a0\2191";color:#222}
+th[aria-sort=descending] button:after{content:"\a0\2193";color:#222}
+td.ugly{color:#b03a2e;font-weight:600}.why{border-left:3px solid #b03a2e;padding-left:.7rem;margin:.5rem 0}
+.pose{display:grid;gap:8px}.pose h3{margin-bottom:0}.grid{display:grid;gap:8px;align-items:end;grid-template-columns:repeat(var(--across),1fr)}
+.slides{grid-template-columns:1fr 1fr;align-items:start}.slides h3,.slides .shapes~.grid{grid-column:1/-1}.slides .shapes{grid-template-columns:repeat(var(--beside),1fr)}
+figure{margin:0}figure img{width:100%;border-radius:4px;display:block}
 figcaption,.note,.scale{font-size:.85rem;color:#555}.scale{align-self:start}
 .ramp{height:12px;border-radius:2px;margin:.4rem 0 .1rem}.ends{display:flex;justify-content:space-between}
-.slider{max-width:480px;margin-top:8px}.slider input{width:100%;margin:.3rem 0}.stage{position:relative;touch-action:none;cursor:ew-resize}
+.slider input{width:100%;margin:.3rem 0}.stage{position:relative;touch-action:none;cursor:ew-resize}
 .stage img{width:100%;display:block;border-radius:4px;user-select:none;-webkit-user-drag:none}
 .stage img+img{position:absolute;inset:0}.stage i{position:absolute;top:0;bottom:0;width:2px;background:#fff;margin-left:-1px;pointer-events:none}
 .names{display:flex;justify-content:space-between}
 .key label{margin-right:1rem;white-space:nowrap}svg{background:#fff;border:1px solid #ddd;margin:0 8px 8px 0;max-width:100%}
 polyline{fill:none;stroke-width:1.5}polyline.off{display:none})";
+
+inline constexpr const char* kAboutFigures =
+    "<p class=\"note\">Poses held out are not learnt from. Flipped triangles face against where they would, had each "
+    "turned as its weights have it. Bend: by how much the angles between neighbouring triangles are not the bind "
+    "pose's, where weights blend. Creases: the share of edges there that turn by more than 60°. Red: more than plain "
+    "linear blend skinning (ssd) has. Narrowest ring: of what it is in the bind pose, when a joint is twisted to 170°. "
+    "Jumps: how much faster a vertex goes from one frame to the next at 60 Hz, of SSD's. Sharpest edge: how far it is "
+    "folded beyond the bind pose. Normals: between those it shades with and those of the mesh it makes, where joints "
+    "meet; animation space shades with its own tangents, the others through the blended matrix.</p>\n";
+inline constexpr const char* kAboutCosts =
+    "<p class=\"note\">Size: of all geometry, cooked. Time: of positions, on the machine that made this page. GPUs: "
+    "by their compilers.</p>\n";
 
 // Tables are sorted by a click on a heading, two pictures of a pose lie over each other under a slider, and lines of
 // charts come and go, which are drawn anew so that they fill the chart.
@@ -53,6 +68,8 @@ for (const pose of all('.pose')) {
   const shapes = all('figure[data-name]', pose);
   if (shapes.length < 3) continue;
   const slider = make('div', pose, {className: 'slider'});
+  pose.insertBefore(slider, pose.children[1]);
+  pose.classList.add('slides');
   const stage = make('div', slider, {className: 'stage'});
   const images = [make('img', stage, {alt: ''}), make('img', stage, {alt: ''})];
   const line = make('i', stage);

@@ -11,7 +11,7 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kSide = 380;
+constexpr int kSide = 620;  // as wide as the slider shows them
 
 // The held-out poses with the largest errors, no two of one clip; of poses without a clip just the worst.
 std::vector<std::size_t> worst_poses(const Round& round, const std::vector<double>& errors, std::size_t most) {

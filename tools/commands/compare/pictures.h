@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace marrow::tools {
 
 struct Picture {
   std::string caption;
-  std::vector<std::byte> png;
+  std::vector<std::byte> jpeg;
+  std::function<std::vector<std::byte>()> png;  // at full colour
 };
 
 // A row a pose.

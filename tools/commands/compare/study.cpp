@@ -60,7 +60,7 @@ void add_round(const std::vector<SampledPose>& poses, const std::vector<std::uin
     const auto ordinal = static_cast<std::size_t>(std::ranges::find(clips, poses[i].clip) - clips.begin());
     if (is_held(i, ordinal)) {
       round.held.push_back({deform_pose(study.source, built.skeletons[study.source.skeleton], poses[i].local),
-                            title_of_clip(built, poses[i].clip), static_cast<double>(poses[i].time_s)});
+                            title_of_clip(built, poses[i].clip), static_cast<double>(poses[i].time_s), poses[i].clip});
     } else {
       trained.push_back(poses[i]);
     }
@@ -75,7 +75,7 @@ void add_round(const std::vector<ShownPose>& poses, const std::vector<std::uint3
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const auto ordinal = static_cast<std::size_t>(std::ranges::find(clips, poses[i].clip) - clips.begin());
     if (is_held(i, ordinal)) {
-      round.held.push_back({poses[i].pose, poses[i].clip_name, poses[i].time_s});
+      round.held.push_back({poses[i].pose, poses[i].clip_name, poses[i].time_s, {}});
     } else {
       trained.push_back(poses[i]);
     }
@@ -107,7 +107,7 @@ void hold_made_up(const BuiltScene& built, Study& study) {
   round.train = trainees(study.source, built, {}, study.wide_poses).poses;
   const std::vector<SampledPose> poses = resampled_poses(skeleton, {}, 2 * kMadeUp);
   for (std::size_t i = kMadeUp; i < poses.size(); ++i)
-    round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0});
+    round.held.push_back({deform_pose(study.source, skeleton, poses[i].local), "", 0, {}});
 }
 
 void add_motion(const BuiltSkeleton& skeleton, Study& study) {
@@ -269,7 +269,7 @@ Study study_cylinder() {
     }
     for (int i = 0; i < kHeld; ++i) {
       const double bend = up_to(kMostBend), twist = up_to(kMostTwist);
-      round.held.push_back({deform::cylinder_pose(bend, twist), "", 0});
+      round.held.push_back({deform::cylinder_pose(bend, twist), "", 0, {}});
     }
     if (seed == 1) add_clip(angles, study.scene);
   }

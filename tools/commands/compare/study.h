@@ -1,6 +1,8 @@
 // What deformers are judged on: a mesh, its poses, and which of them may be learnt from.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct HeldPose {
   deform::Pose pose;
   std::string clip;  // empty: of none
   double time_s = 0;
+  std::optional<std::uint32_t> number;  // of a clip of the scene
 };
 
 // Learnt from `train`, judged by `held`.

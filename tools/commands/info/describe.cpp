@@ -76,7 +76,17 @@ ordered_json describe_cost(const Geometry& geometry, GpuDeformer deformer) {
           {"videocore_instructions", cost->videocore_instructions}};
 }
 
-ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File::Section& geometry,
+// Between which joints, and how near to the second: 0 … 1.
+ordered_json describe_helpers(const File& file, const Mesh& mesh) {
+  const Skeleton skeleton = file.skeleton(mesh.skeleton);
+  const auto name = [&](std::uint16_t entry) { return file.text(skeleton.names[mesh.joints[entry]]); };
+  ordered_json out = ordered_json::array();
+  for (const Helper& h : mesh.helpers)
+    out.push_back({{"first", name(h.first)}, {"second", name(h.second)}, {"share", h.share}});
+  return out;
+}
+
+ordered_json describe_mesh(const File& file, const Mesh& mesh, std::size_t mesh_bytes, const File::Section& geometry,
                            bool first_of_geometry) {
   std::uint32_t influences = 0;
   for (const Run& run : mesh.geometry.runs) influences = std::max(influences, run.influences);
@@ -93,6 +103,8 @@ ordered_json describe_mesh(const Mesh& mesh, std::size_t mesh_bytes, const File:
           {"slots", g.slot_count},
           {"triangles", g.index_count / 3},
           {"joints", mesh.joint_count},
+          {"palette_entries", mesh.palette_size()},
+          {"helpers", describe_helpers(file, mesh)},
           {"influences", influences},
           {"joint_sets", g.runs.size},
           {"attributes", attributes},
@@ -185,7 +197,7 @@ ordered_json describe_meshes(const LoadedFile& loaded) {
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     const Mesh mesh = file.mesh(i);
     const std::uint32_t g = mesh.geometry_index;
-    out.push_back(describe_mesh(mesh, meshes[i].bytes, geometries[g], !counted[g]));
+    out.push_back(describe_mesh(file, mesh, meshes[i].bytes, geometries[g], !counted[g]));
     counted[g] = true;
     for (std::uint32_t level = 1; level <= mesh.lods.size; ++level) {
       const Geometry less = file.mesh(i, level).geometry;

@@ -2,6 +2,8 @@
 #include "commands/info/info.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -76,6 +78,12 @@ std::string gpu_cost_of(const ordered_json& mesh) {
   return fmt::format(", GPU {} by SSD, {} by AS{}", words("ssd"), words("as"), psd);
 }
 
+// ", 12 helpers", or nothing.
+std::string count_of_helpers(const ordered_json& mesh) {
+  const std::size_t count = mesh["helpers"].size();
+  return count == 0 ? "" : fmt::format(", {} helper{}", count, count == 1 ? "" : "s");
+}
+
 // Branches in the order in which they are added; a branch's leaves are added behind it.
 class Tree {
  public:
@@ -141,16 +149,35 @@ class Tree {
       const auto& m = r_["meshes"][i];
       leaf(i + 1 == r_["meshes"].size() && r_["shapes"].empty(), fmt::format("mesh {} \"{}\"", i, text(m["name"])),
            size_of(m["bytes"]), source_bytes("mesh_bytes", m["name"]),
-           fmt::format("{} vertices in {} slots, {} triangles, {} joints, {} influences in {} sets, {}, {:.1f} B a "
+           fmt::format("{} vertices in {} slots, {} triangles, {} joints{}, {} influences in {} sets, {}, {:.1f} B a "
                        "vertex, {}{}{}{}{}",
                        m["vertices"].get<int>(), m["slots"].get<int>(), m["triangles"].get<int>(),
-                       m["joints"].get<int>(), m["influences"].get<int>(), m["joint_sets"].get<int>(), text(m["as"]),
-                       m["bytes_per_vertex"].get<double>(), text(m["codec"]),
+                       m["joints"].get<int>(), count_of_helpers(m), m["influences"].get<int>(),
+                       m["joint_sets"].get<int>(), text(m["as"]), m["bytes_per_vertex"].get<double>(), text(m["codec"]),
                        m["targets"].get<int>() > 0 ? fmt::format(", {} morph targets", m["targets"].get<int>()) : "",
                        m["next_part"].get<bool>() ? ", next part" : "", of_skeleton(m), gpu_cost_of(m)));
+      add_helpers(m, i + 1 == r_["meshes"].size() && r_["shapes"].empty());
       add_levels(m, i + 1 == r_["meshes"].size() && r_["shapes"].empty());
     }
     add_shapes(r_["shapes"]);
+  }
+
+  // A line a joint: "helpers at "forearm.L"", and towards which joints they are.
+  void add_helpers(const ordered_json& mesh, bool last) {
+    std::vector<std::pair<std::string, std::vector<std::pair<std::string, int>>>> joints;
+    const auto at = [](auto& list, const std::string& name) -> auto& {
+      for (auto& entry : list)
+        if (entry.first == name) return entry.second;
+      return list.emplace_back(name, typename std::remove_reference_t<decltype(list)>::value_type::second_type{})
+          .second;
+    };
+    for (const ordered_json& h : mesh["helpers"]) ++at(at(joints, text(h["first"])), text(h["second"]));
+    for (const auto& [joint, towards] : joints) {
+      std::string words;
+      for (const auto& [other, count] : towards)
+        words += fmt::format("{}{} towards \"{}\"", words.empty() ? "" : ", ", count, other);
+      below_leaf(last, fmt::format("helpers of \"{}\"", joint), "", words);
+    }
   }
 
   void add_levels(const ordered_json& mesh, bool last) {

@@ -63,18 +63,35 @@ FoldMeter::FoldMeter(const SkinnedMesh& mesh) : mesh_(mesh) {
   }
 }
 
-// Calls each(triangle).
-template <class Each>
-void FoldMeter::for_each_flipped(const Pose& pose, const Positions& positions, const Each& each) const {
+std::vector<glm::dvec3> FoldMeter::facing(const Pose& pose) const {
   const std::vector<glm::dquat> rotations = rotations_of(pose);
+  std::vector<glm::dvec3> out(weights_.size(), glm::dvec3(0));
   for (std::size_t t = 0; t < weights_.size(); ++t) {
     if (weights_[t].empty()) continue;
     const std::uint32_t* const i = &mesh_.indices[3 * t];
     const glm::dquat turn =
         glm::normalize(blend_rotations(weights_[t], rotations, [](const Influence&, const glm::dquat&) {}));
-    const glm::dvec3 wanted = turn * doubled_area(mesh_.positions, i[0], i[1], i[2]);
-    if (glm::dot(doubled_area(positions, i[0], i[1], i[2]), wanted) < 0) each(t);
+    out[t] = turn * doubled_area(mesh_.positions, i[0], i[1], i[2]);
   }
+  return out;
+}
+
+// Calls each(triangle).
+template <class Each>
+void FoldMeter::for_each_flipped(const std::vector<glm::dvec3>& facing, const Positions& positions,
+                                 const Each& each) const {
+  for (std::size_t t = 0; t < facing.size(); ++t) {
+    const std::uint32_t* const i = &mesh_.indices[3 * t];
+    if (glm::dot(doubled_area(positions, i[0], i[1], i[2]), facing[t]) < 0) each(t);
+  }
+}
+
+std::vector<std::size_t> FoldMeter::flipped_by_joint(const std::vector<glm::dvec3>& facing,
+                                                     const Positions& positions) const {
+  std::vector<std::size_t> out(mesh_.joint_count, 0);
+  if (!is_finite(positions)) return out;
+  for_each_flipped(facing, positions, [&](std::size_t t) { ++out[largest(weights_[t]).joint]; });
+  return out;
 }
 
 double FoldMeter::turned_rad(const Edge& edge, const Positions& positions) const {
@@ -82,10 +99,10 @@ double FoldMeter::turned_rad(const Edge& edge, const Positions& positions) const
   return std::min(turned, 2 * std::numbers::pi - turned);
 }
 
-Folds FoldMeter::of(const Pose& pose, const Positions& positions) const {
+Folds FoldMeter::of(const std::vector<glm::dvec3>& facing, const Positions& positions) const {
   Folds out;
   if (!is_finite(positions)) return out;
-  for_each_flipped(pose, positions, [&](std::size_t) { ++out.flipped; });
+  for_each_flipped(facing, positions, [&](std::size_t) { ++out.flipped; });
   if (!(length_ > 0)) return out;
   for (const Edge& edge : edges_) {
     const double turned = turned_rad(edge, positions);
@@ -100,7 +117,7 @@ Folds FoldMeter::of(const Pose& pose, const Positions& positions) const {
 void FoldMeter::add_at_vertices(const Pose& pose, const Positions& positions, std::vector<double>& sums) const {
   sums.resize(mesh_.positions.size(), 0);
   if (!is_finite(positions)) return;
-  for_each_flipped(pose, positions, [&](std::size_t t) {
+  for_each_flipped(facing(pose), positions, [&](std::size_t t) {
     for (std::size_t c = 0; c < 3; ++c) ++sums[mesh_.indices[3 * t + c]];
   });
   for (const Edge& edge : edges_) {

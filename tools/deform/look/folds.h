@@ -24,8 +24,16 @@ class FoldMeter {
   // Refers to `mesh`. Weights blend at an edge if no joint has 99 % of the corners of its two triangles.
   explicit FoldMeter(const SkinnedMesh& mesh);
 
-  // pose: of the mesh's joints. Thread-safe. Where positions are not finite nothing can be said: all is 0.
-  Folds of(const Pose& pose, const Positions& positions) const;
+  // Where each triangle faces if it turns as its corners' weights have it, times its doubled area; 0: nothing says.
+  // pose: of the mesh's joints. What follows takes it or the pose itself. All is thread-safe.
+  std::vector<glm::dvec3> facing(const Pose& pose) const;
+
+  // Where positions are not finite nothing can be said: all is 0.
+  Folds of(const std::vector<glm::dvec3>& facing, const Positions& positions) const;
+  Folds of(const Pose& pose, const Positions& positions) const { return of(facing(pose), positions); }
+
+  // Of each joint the flipped triangles that follow it most.
+  std::vector<std::size_t> flipped_by_joint(const std::vector<glm::dvec3>& facing, const Positions& positions) const;
 
   // Adds what vertices see of it: 1 to each corner of a flipped triangle, and of an edge (turn / 60°)² to its ends and
   // the two corners opposite.
@@ -37,7 +45,7 @@ class FoldMeter {
     double length, angle_rad;              // in the bind pose
   };
   template <class Each>
-  void for_each_flipped(const Pose& pose, const Positions& positions, const Each& each) const;
+  void for_each_flipped(const std::vector<glm::dvec3>& facing, const Positions& positions, const Each& each) const;
   double turned_rad(const Edge& edge, const Positions& positions) const;
 
   const SkinnedMesh& mesh_;

@@ -137,6 +137,7 @@ struct Judge {
     const std::vector<glm::dvec3> facing = border.facing(motion);
     out.truth_flipped = border.flipped(facing, wanted);
     const auto at_rest = border.radii(motion, mesh.positions), wanted_radii = border.radii(motion, wanted);
+    out.truth_ring_over_bind = narrowest(wanted_radii, at_rest);
     const Border::Volume whole = border.volume(motion.centre, wanted);
     for (const Deformer& deformer : deformers) {
       deformer(pose, got);

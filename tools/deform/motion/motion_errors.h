@@ -28,6 +28,7 @@ struct MotionErrors {
   bool is_usable = false;         // the truth is finite; else nothing here counts
   double ssd_rms = 0;             // linear blend skinning's distance from the truth
   std::size_t truth_flipped = 0;  // triangles of the truth; above 0 it folds, and nobody can say what is right
+  std::optional<double> truth_ring_over_bind;
   std::vector<MotionFigures> of;  // each deformer
 };
 

@@ -12,7 +12,7 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kMotionSide = 600;
+constexpr int kMotionSide = 620;  // as wide as the slider shows them
 
 // Of those in which the truth does not fold the one with the largest error.
 std::size_t farthest_pose(const MotionStudy& motion, std::size_t deformer) {

@@ -13,10 +13,13 @@ namespace {
 struct Tally {
   MotionRow row;
   double squares = 0, ssd_squares = 0;
+  std::size_t flipped = 0, poses = 0;
 
   void add(std::size_t number, const deform::MotionPose& pose, const deform::MotionErrors& errors, std::size_t which) {
     const deform::MotionFigures& f = errors.of[which];
     if (pose.kind == deform::MotionKind::twist) add_rings(number, f);
+    flipped += f.flipped;
+    ++poses;
     if (errors.truth_flipped > 0) {
       row.worse_folding += f.is_worse;
       return;
@@ -35,6 +38,7 @@ struct Tally {
   }
 
   MotionRow result() {
+    if (poses > 0) row.mean_flipped = static_cast<double>(flipped) / static_cast<double>(poses);
     row.of_ssd = ssd_squares > 0 ? std::sqrt(squares / ssd_squares) : 1;
     return row;
   }
@@ -69,6 +73,8 @@ MotionStudy study_motion(const Study& study, const DeformerComparison& compariso
     ++(folds ? out.joints.back().folding : out.joints.back().poses);
     if (folds) out.folding.push_back(i);
     out.poses += !folds;
+    if (poses[i].kind == deform::MotionKind::twist && errors.truth_ring_over_bind)
+      out.truth_ring = std::min(*errors.truth_ring_over_bind, out.truth_ring.value_or(1e300));
     for (std::size_t d = 0; d < deformers.size(); ++d) {
       all[d].add(i, poses[i], errors, d);
       of_joint.back()[d].add(i, poses[i], errors, d);

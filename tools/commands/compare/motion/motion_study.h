@@ -16,6 +16,7 @@ struct MotionRow {
   std::optional<double> ring_over_truth;    // of twists, the narrowest beside the truth's
   std::optional<double> volume_over_truth;  // the one farthest from 1
   std::size_t flipped = 0;                  // triangles, the most in a pose
+  double mean_flipped = 0;                  // the mean of all poses, those in which the truth folds too
   // Where those are worst: the pose of worst_of_ssd, and the joint of the narrowest ring beside the truth's; kNowhere:
   // in no pose.
   static constexpr std::size_t kNowhere = ~std::size_t{0};
@@ -32,6 +33,7 @@ struct MotionStudy {
   std::size_t poses = 0;                     // in which the truth does not fold
   std::vector<std::size_t> folding;          // those in which it does
   std::vector<MotionRow> of;                 // each deformer, over all joints
+  std::optional<double> truth_ring;          // the truth's MotionRow::ring_over_bind
   std::vector<MotionJoint> joints;           // that have poses
   std::vector<deform::MotionErrors> errors;  // of each pose
 };

@@ -1,0 +1,73 @@
+#include "commands/compare/look/jumps.h"
+
+#include <algorithm>
+#include <array>
+
+#include "common/check_status.h"
+#include "common/parallel.h"
+#include "cook/scene/views.h"
+#include "deform/look/folds.h"
+#include "marrow/sample.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr std::size_t kMostMoments = 16;
+constexpr float kFrame_s = 1.0f / 60;
+
+std::vector<const HeldPose*> worst_moments(const Study& study, const std::vector<double>& errors) {
+  std::vector<std::pair<double, const HeldPose*>> all;
+  const std::vector<HeldPose>& held = study.rounds.front().held;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i].number && study.built.clips[*held[i].number].duration_s >= 2 * kFrame_s)
+      all.emplace_back(-errors[i], &held[i]);
+  std::ranges::stable_sort(all, {}, &std::pair<double, const HeldPose*>::first);
+  std::vector<const HeldPose*> out;
+  for (std::size_t i = 0; i < std::min(kMostMoments, all.size()); ++i) out.push_back(all[i].second);
+  return out;
+}
+
+std::array<deform::Pose, 3> frames_around(const Study& study, const HeldPose& moment) {
+  const cook::BuiltSkeleton& built = study.built.skeletons[study.source.skeleton];
+  const cook::BuiltClip& of = study.built.clips[*moment.number];
+  const Skeleton skeleton = view(built);
+  const Clip clip = view(of, skeleton);
+  const float middle = std::clamp(static_cast<float>(moment.time_s), kFrame_s, of.duration_s - kFrame_s);
+  std::array<deform::Pose, 3> out;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<SoaTransform> local(skeleton.soa_size());
+    check(sample(skeleton, clip, middle + (static_cast<float>(i) - 1) * kFrame_s, local));
+    out[i] = cook::deform_pose(study.source, built, local);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::optional<double>> largest_jumps(const Study& study, const std::vector<Trained>& deformers,
+                                                 const deform::Deformer& truth,
+                                                 const std::vector<double>& plain_error_of_pose) {
+  const std::vector<const HeldPose*> moments = worst_moments(study, plain_error_of_pose);
+  std::vector<std::vector<std::optional<double>>> jumps(moments.size());
+  for_each_in_parallel(moments.size(), [&](std::size_t m) {
+    const std::array<deform::Pose, 3> poses = frames_around(study, *moments[m]);
+    for (std::size_t d = 0; d <= deformers.size(); ++d) {
+      const deform::Deformer& deformer = d < deformers.size() ? deformers[d].deform : truth;
+      std::array<deform::Positions, 3> at;
+      bool is_known = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        deformer(poses[i], at[i]);
+        is_known = is_known && deform::is_finite(at[i]);
+      }
+      jumps[m].push_back(is_known ? std::optional(deform::largest_jump(at[0], at[1], at[2])) : std::nullopt);
+    }
+  });
+  std::vector<std::optional<double>> out(deformers.size() + 1);
+  for (std::size_t d = 0; d < out.size(); ++d) {
+    const bool is_known = std::ranges::all_of(jumps, [&](const auto& of) { return of[d].has_value(); });
+    for (std::size_t m = 0; is_known && m < jumps.size(); ++m) out[d] = std::max(out[d].value_or(0), *jumps[m][d]);
+  }
+  return out;
+}
+
+}  // namespace marrow::tools
