@@ -299,6 +299,7 @@ TEST(Compare, WritesOnePage) {
   const std::string first = ran.out.substr(0, ran.out.find('\n'));
   EXPECT_EQ(first.find("Use "), 0u) << first;
   EXPECT_NE(page.find("<h1>Use "), std::string::npos);
+  EXPECT_LT(page.size(), 3000000u);
   EXPECT_NE(page.find("as_helpers_fit5"), std::string::npos);
   EXPECT_EQ(page.find("://"), std::string::npos) << "self-contained; pictures in base64 have no colons";
   // The figures are there without the script, which finds them by these marks.

@@ -77,11 +77,21 @@ TEST(Verdict, SaysWhyPlainSkinningIsLeft) {
             "Use linear blend skinning, or learn from another truth: what is nearer to the truth cor "
             "looks worse.");
   EXPECT_EQ(c.judged("elastic").use, "Use linear blend skinning: what is nearer to the truth elastic looks worse.");
+}
+
+// Whatever is recommended.
+TEST(Verdict, SaysWhatIsWrung) {
+  Case c;
+  c.motion.truth_ring = 0.9;
   EXPECT_FALSE(says(c.judged(), "wrings"));
-  c.motion_of("ssd").ring_over_bind = 0.09;
+  c.motion_of("as_helpers_fit5").ring_over_bind = 0.09;
   EXPECT_TRUE(says(c.judged(),
-                   "But ssd wrings joints: twisted to 170° they keep 0.09 of their thickness, by "
-                   "as_helpers_fit5 0.90."));
+                   "But as_helpers_fit5 wrings joints: twisted to 170° they keep 0.09 of their thickness, "
+                   "by the truth 0.90."));
+  c.motion.truth_ring = 0.28;
+  EXPECT_FALSE(says(c.judged(), "wrings")) << "the truth does, too";
+  c.motion.truth_ring = {};
+  EXPECT_FALSE(says(c.judged(), "wrings"));
 }
 
 TEST(Verdict, SaysWhereTheTruthFolds) {

@@ -92,17 +92,14 @@ bool can_fold(const std::string& truth) {
   return truth != "elastic" && truth != "examples";
 }
 
-// What folds less may be wrung to a thread instead, which no fold tells.
-std::string of_rings(const DeformerComparison& c, const MotionStudy& motion, const DeformerRow& used,
-                     const DeformerRow& nearest) {
+// What hardly folds may be wrung to a thread instead, which no fold tells.
+std::string of_rings(const DeformerComparison& c, const MotionStudy& motion, const DeformerRow& used) {
   constexpr double kThread = 0.5, kMuch = 0.2;
-  if (motion.of.empty()) return "";
-  const auto ring = [&](const DeformerRow& row) {
-    return motion.of[static_cast<std::size_t>(&row - c.rows.data())].ring_over_bind.value_or(1);
-  };
-  if (ring(used) > kThread || ring(nearest) < ring(used) + kMuch) return "";
-  return fmt::format("But {} wrings joints: twisted to 170° they keep {:.2f} of their thickness, by {} {:.2f}.",
-                     used.deformer, ring(used), nearest.deformer, ring(nearest));
+  if (motion.of.empty() || !motion.truth_ring) return "";
+  const double ring = motion.of[static_cast<std::size_t>(&used - c.rows.data())].ring_over_bind.value_or(1);
+  if (ring > kThread || *motion.truth_ring < ring + kMuch) return "";
+  return fmt::format("But {} wrings joints: twisted to 170° they keep {:.2f} of their thickness, by the truth {:.2f}.",
+                     used.deformer, ring, *motion.truth_ring);
 }
 
 std::string of_folds(const Study& study, const std::string& truth, const DeformerComparison& c,
@@ -154,7 +151,7 @@ Verdict verdict(const Study& study, const std::string& truth, const DeformerComp
     out.why.push_back(fmt::format("{} is nearer, {:.0f} % of the error, but looks worse than plain skinning: {}.",
                                   nearest.row->deformer, 100 * nearest.row->held_rms / ssd->held_rms,
                                   worse_looks(nearest.row->look, ssd->look)));
-  const std::string wrung = !is_refused ? "" : of_rings(c, motion, *best.row, *nearest.row);
+  const std::string wrung = of_rings(c, motion, *find(c, out.deformer));
   if (!wrung.empty()) out.why.push_back(wrung);
   const std::string folds = of_folds(study, truth, c, ssd->look);
   if (!folds.empty()) out.why.push_back(folds);
