@@ -158,6 +158,13 @@ list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
   -DOTHER=$<TARGET_FILE:marrow_export> -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/own_functions.cmake)
 set_tests_properties(cook.own_functions PROPERTIES LABELS cook)
+# Nor are products fused, which shows on other processors alone.
+foreach(library common cook deform draco gltf meshopt runtime text unpack)
+  get_target_property(flags marrow_${library} COMPILE_OPTIONS)
+  if(NOT flags MATCHES "-ffp-contract=off")
+    message(FATAL_ERROR "marrow_${library} is compiled without -ffp-contract=off: its bits differ between processors")
+  endif()
+endforeach()
 # Under sanitizers without what cooks the same again, or times it.
 if(MARROW_SANITIZE)
   set_tests_properties(cli PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*:CliCache.WhatCounts:CliCache.Counts*:CliCache.StaysBelowItsSize:Bench.Hashes*:Bench.SamplesEveryClip*:Bench.Unpacks*:ProgressTest.AnInterruptedCookLeavesTheOldFiles")
