@@ -62,7 +62,7 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marro
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow
-  unit/common/elementary_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
+  unit/common/elementary_test.cpp unit/common/parallel_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
   unit/terminal/warnings_test.cpp unit/text/nearest_test.cpp unit/text/quantity_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_jobs marrow_sample)
 if(MARROW_SANITIZE)
@@ -158,6 +158,13 @@ list(TRANSFORM cookers REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 add_test(NAME cook.own_functions COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} "-DLIBRARIES=${cookers}"
   -DOTHER=$<TARGET_FILE:marrow_export> -P ${CMAKE_CURRENT_SOURCE_DIR}/cli/own_functions.cmake)
 set_tests_properties(cook.own_functions PROPERTIES LABELS cook)
+# Nor are products fused, which shows on other processors alone.
+foreach(library common cook deform draco gltf meshopt runtime text unpack)
+  get_target_property(flags marrow_${library} COMPILE_OPTIONS)
+  if(NOT flags MATCHES "-ffp-contract=off")
+    message(FATAL_ERROR "marrow_${library} is compiled without -ffp-contract=off: its bits differ between processors")
+  endif()
+endforeach()
 # Under sanitizers without what cooks the same again, or times it.
 if(MARROW_SANITIZE)
   set_tests_properties(cli PROPERTIES ENVIRONMENT "GTEST_FILTER=-SameBytes.*:CliCache.WhatCounts:CliCache.Counts*:CliCache.StaysBelowItsSize:Bench.Hashes*:Bench.SamplesEveryClip*:Bench.Unpacks*:ProgressTest.AnInterruptedCookLeavesTheOldFiles")

@@ -122,6 +122,28 @@ class Commands(Made):
         self.assertEqual(len(self.ran("```sh\ntest -e mine\n```\n")[0]), 1)
 
 
+class Misspelt(Made):
+    """Commands that are not run, of a program that has one command with two options."""
+
+    def found(self, command):
+        self.write("marrow", "#!/bin/sh\n[ \"$1 $2\" = 'cook --help' ] && printf 'cook\\n  -o,--output F   a file; not --in\\n  --lod N\\n'\n")
+        (self.root / "marrow").chmod(0o755)
+        commands.options_of.cache_clear()
+        text = f"<!-- not run: it is slow -->\n```sh\n# marrow eat\nls --lods\n{command}\n```\n\n```sh\nmarrow run\n```\n"
+        return commands.misspelt(str(self.root / "marrow"), self.write("docs/a.md", text))
+
+    def test_what_is_refused(self):
+        for command, unknown in (("marrow cook a --lods 1", "--lods"), ("marrow cook \\\n  -p=1", "-p"),
+                                 ("marrow cook --in a -o b", "--in"), ("marrow bake a --lod 1", "marrow bake")):
+            found = self.found(command)
+            self.assertEqual(len(found), 1, command)
+            self.assertTrue(found[0].startswith(f"docs/a.md:2: no such {unknown}: marrow "), found)
+
+    def test_what_is_not(self):
+        for command in ("marrow cook a -o b --lod -1 --output=c", "marrow cook 'a --lods' # --lods", "marrow --version"):
+            self.assertEqual(self.found(command), [], command)
+
+
 class Links(Made):
     def dead(self, body, name="index.html"):
         path = self.write(f"site/{name}", f"<h1 id='here'>A</h1>{body}")

@@ -87,6 +87,8 @@ install_static() {
   mkdir -p "$work/install" && cd "$work/install"
   PREFIX=$work/first commands Install
   mv "$work/first" "$work/static"
+  diff <(ls "$MARROW/runtime/include/marrow" "$MARROW/platform/egl/include/marrow" | grep '\.h$' | sort) \
+    <(ls "$work/static/include/marrow" | sort) >&2 || fail "other headers are installed than there are"
   if grep -rlE "$work|$MARROW|/usr/lib" "$work/static" --include='*.cmake' --include='*.pc'; then
     fail "the installation names a folder"
   fi

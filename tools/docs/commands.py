@@ -5,13 +5,16 @@ usage: tools/docs/commands.py MARROW [PAGE.md ...]    (MARROW: the built program
 
 The blocks `sh` of a page run in order in a folder of its own, which has hero.glb (the sample character), hero.mrw (cooked
 from it), walk.bvh (motion capture) and scan.glb (a mesh without joints). Each command must end with exit code 0. A block
-with a comment `<!-- not run: why -->` before it is left out, and so are pages whose commands another check runs. Exit 1
-if a command fails.
+with a comment `<!-- not run: why -->` before it is left out, but that `marrow` must have the options that stand there;
+pages whose commands another check runs are left out. Exit 1 if a command fails.
 """
 import concurrent.futures
+import functools
 import json
 import os
 import pathlib
+import re
+import shlex
 import struct
 import subprocess
 import sys
@@ -82,6 +85,36 @@ def make_files(marrow, folder):
     (folder / "scan.glb").write_bytes(without_joints((folder / "hero.glb").read_bytes()))
 
 
+@functools.lru_cache(maxsize=None)
+def options_of(marrow, command):
+    """Those that `marrow COMMAND --help` lists; None where there is no such command."""
+    ran = subprocess.run([marrow, command, "--help"], capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False)
+    lines = [line.split()[0] for line in ran.stdout.splitlines() if line.startswith("  -")]
+    return None if ran.returncode else {option for line in lines for option in line.split(",")}
+
+
+def commands_of(block):
+    for command in block.text.replace("\\\n", " ").splitlines():
+        if command.strip() and not command.lstrip().startswith("#"):
+            yield command
+
+
+def misspelt(marrow, page):
+    """What of blocks that are not run `marrow` does not know."""
+    failures = []
+    for block in blocks.blocks(page):
+        for command in commands_of(block) if block.language == "sh" and block.excuse else ():
+            words = shlex.split(command, comments=True)
+            if words[0] != "marrow" or len(words) < 2 or words[1].startswith("-"):
+                continue
+            known = options_of(marrow, words[1])
+            given = {word.split("=")[0] for word in words[2:] if re.match("--?[a-z]", word)}
+            unknown = [f"marrow {words[1]}"] if known is None else sorted(given - known)
+            if unknown:
+                failures.append(f"{page.relative_to(blocks.ROOT)}:{block.line}: no such {' '.join(unknown)}: {command}")
+    return failures
+
+
 def run_page(marrow, page, files):
     """What failed, how many commands ran."""
     failures, count, slow = [], 0, []
@@ -92,9 +125,7 @@ def run_page(marrow, page, files):
         for block in blocks.blocks(page):
             if block.language != "sh" or block.excuse:
                 continue
-            for command in block.text.replace("\\\n", " ").splitlines():
-                if not command.strip() or command.lstrip().startswith("#"):
-                    continue
+            for command in commands_of(block):
                 start = time.monotonic()
                 ran = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, capture_output=True, text=True,
                                      stdin=subprocess.DEVNULL, timeout=300, check=False)
@@ -116,6 +147,7 @@ def main():
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             results = list(pool.map(lambda page: run_page(marrow, page, files), pages))
     failures = [line for failed, _, _ in results for line in failed]
+    failures += [line for page in pages for line in misspelt(marrow, page)]
     for seconds, command in sorted(line for _, _, slow in results for line in slow):
         print(f"{seconds:5.1f} s  {command}", file=sys.stderr)
     print("\n".join(failures), file=sys.stderr)

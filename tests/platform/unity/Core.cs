@@ -189,6 +189,18 @@ public static unsafe class Core {
         Expect(!MarrowTransform.TryMake(new float[12], out t), "nothing is told");
     }
 
+    // Turns by 106°, of the quaternion (0.8 axis, 0.6): cos = 0.36 - 0.64, sin = 2 · 0.8 · 0.6. A half turn shows no sign.
+    static void FarTurns() {
+        MarrowTransform t;
+        const float c = -0.28f, s = 0.96f;
+        Expect(MarrowTransform.TryMake(new float[] {1, 0, 0, 0, 0, c, -s, 0, 0, s, c, 0}, out t), "far about x");
+        Near(t.Rx * t.Rw, 0.48, "far rx"); Near(Math.Abs(t.Rw), 0.6, "far rw");
+        Expect(MarrowTransform.TryMake(new float[] {c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0}, out t), "far about y");
+        Near(t.Ry * t.Rw, 0.48, "far ry"); Near(Math.Abs(t.Rw), 0.6, "far rw");
+        Expect(MarrowTransform.TryMake(new float[] {c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0}, out t), "far about z");
+        Near(t.Rz * t.Rw, 0.48, "far rz"); Near(Math.Abs(t.Rw), 0.6, "far rw");
+    }
+
     static void Damage(byte[] good, string folder) {
         string name = Path.Combine(folder, "damaged.mrw");
         Action load = () => MarrowFile.Load(name).Dispose();
@@ -296,6 +308,7 @@ public static unsafe class Core {
             Hand(args[1], MarrowSpace.Gltf);
             Hand(args[1], MarrowSpace.Unity);
             Transforms();
+            FarTurns();
             Console.WriteLine("numbers by hand: right, in both spaces");
         }
         if (args[0] == "tests") {
