@@ -216,6 +216,12 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 
 namespace {
 
+std::uint32_t folds_of(const std::vector<deform::TrainingPose>& poses) {
+  std::uint32_t out = 1;
+  for (const deform::TrainingPose& p : poses) out = std::max(out, p.fold + 1);
+  return out;
+}
+
 // What is learnt of single joints, and what a fit is judged by beyond clips: of a body it learns those as well, and
 // judges by its looks alone.
 // motion: usable_motion() where it is judged by that.
@@ -223,7 +229,8 @@ void add_motion(const DeformSource& source, bool body, const std::vector<std::si
                 std::vector<deform::TrainingPose>& poses) {
   constexpr std::size_t kMostJudged = 512, kMostLearnt = 320;
   if (body) {
-    for (deform::TrainingPose& p : single_joints(source.motion, kMostLearnt, poses)) poses.push_back(std::move(p));
+    for (deform::TrainingPose& p : single_joints(source.motion, kMostLearnt, folds_of(poses)))
+      poses.push_back(std::move(p));
   }
   for (const std::size_t i : evenly(motion, kMostJudged)) poses.push_back({source.motion[i].pose(), 0, false, false});
 }
@@ -254,6 +261,7 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   const double size_m = deform::diagonal(mesh);
   const bool body = is_body(options);
   std::vector<deform::Pose> clips;
+  if (body) bring_to_bind_size(poses);
   if (body) clips = only_poses(poses);
   const deform::Surface surface(mesh);
   std::vector<std::size_t> motion;

@@ -14,28 +14,18 @@ bool turn_alike(const deform::MotionPose& a, const deform::MotionPose& b) {
   return a.joint == b.joint && a.kind == b.kind && (a.angle_rad > 0) == (b.angle_rad > 0);
 }
 
-std::uint32_t folds_of(const std::vector<deform::TrainingPose>& poses) {
-  std::uint32_t out = 1;
-  for (const deform::TrainingPose& p : poses) out = std::max(out, p.fold + 1);
-  return out;
-}
-
-// How large shipped poses are beside the bind pose: characters in centimetres are often scaled to metres by their root.
-double size_of(const std::vector<deform::TrainingPose>& poses) {
-  double sum = 0, count = 0;
-  for (const deform::TrainingPose& p : poses) {
-    if (!p.shipped) continue;
-    for (const deform::Matrix& m : p.pose)
-      for (int c = 0; c < 3; ++c) sum += glm::dot(m[c], m[c]);
-    count += 3 * static_cast<double>(p.pose.size());
-  }
-  return count > 0 && std::isfinite(sum) && sum > 0 ? std::sqrt(sum / count) : 1;
+// In the root mean square over joints and axes.
+double size_of(const deform::Pose& pose) {
+  double sum = 0;
+  for (const deform::Matrix& m : pose)
+    for (int c = 0; c < 3; ++c) sum += glm::dot(m[c], m[c]);
+  return std::sqrt(sum / (3 * static_cast<double>(pose.size())));
 }
 
 }  // namespace
 
 std::vector<deform::TrainingPose> single_joints(const std::vector<deform::MotionPose>& motion, std::size_t most,
-                                                const std::vector<deform::TrainingPose>& beside) {
+                                                std::uint32_t folds) {
   // Poses of one joint, kind and side stand one after the other.
   std::vector<deform::MotionPose> farthest;
   for (const deform::MotionPose& pose : motion) {
@@ -46,19 +36,24 @@ std::vector<deform::TrainingPose> single_joints(const std::vector<deform::Motion
     }
   }
   const std::size_t all = farthest.size() * std::size(kShares), count = std::min(all, most);
-  const std::uint32_t folds = folds_of(beside);
-  const double size = size_of(beside);
   std::vector<deform::TrainingPose> out;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = i * all / count;
     deform::MotionPose turned = farthest[at / std::size(kShares)];
     turned.angle_rad *= kShares[at % std::size(kShares)];
-    deform::Pose pose = turned.pose();
-    for (deform::Matrix& m : pose)
-      for (int c = 0; c < 4; ++c) m[c] *= size;
-    out.push_back({std::move(pose), static_cast<std::uint32_t>(i) % folds, false});
+    out.push_back({turned.pose(), static_cast<std::uint32_t>(i) % folds, false});
   }
   return out;
+}
+
+void bring_to_bind_size(std::vector<deform::TrainingPose>& poses) {
+  constexpr double kSmall = 0.5, kLarge = 2;
+  for (deform::TrainingPose& p : poses) {
+    const double size = size_of(p.pose);
+    if (!(size > 0) || !std::isfinite(size) || (size >= kSmall && size <= kLarge)) continue;
+    for (deform::Matrix& m : p.pose)
+      for (int c = 0; c < 4; ++c) m[c] /= size;
+  }
 }
 
 }  // namespace marrow::cook

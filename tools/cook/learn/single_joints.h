@@ -9,9 +9,12 @@
 namespace marrow::cook {
 
 // Each joint turned as in `motion`, which fits are judged by, to two angles that are not in it: 0.4 and 0.85 of the
-// farthest. At most `most` poses, evenly; none counts as shipped.
-// beside: what is learnt too. The character is as large as there, in the root mean square, and they are of its folds.
+// farthest. At most `most` poses, evenly; none counts as shipped. folds: how many cross-validation has.
 std::vector<deform::TrainingPose> single_joints(const std::vector<deform::MotionPose>& motion, std::size_t most,
-                                                const std::vector<deform::TrainingPose>& beside);
+                                                std::uint32_t folds);
+
+// Poses in which the character is less than half or more than twice as large as in the bind pose are brought to the
+// size of that, so that they count as much as those of single joints: roots often scale centimetres to metres.
+void bring_to_bind_size(std::vector<deform::TrainingPose>& poses);
 
 }  // namespace marrow::cook

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -33,8 +34,7 @@ deform::RangeOfMotion motion() {
 // poses, none of them judged by.
 TEST(SingleJoints, AreBetweenThoseJudgedBy) {
   const deform::RangeOfMotion judged = motion();
-  const deform::Pose bind = deform::cylinder_pose(0, 0);
-  const std::vector<deform::TrainingPose> poses = single_joints(judged.poses, 100, {{bind, 4, true}, {bind, 0, true}});
+  const std::vector<deform::TrainingPose> poses = single_joints(judged.poses, 100, 5);
   ASSERT_EQ(poses.size(), 12u);
   std::multiset<int> tenths;
   std::set<std::uint32_t> folds;
@@ -51,20 +51,28 @@ TEST(SingleJoints, AreBetweenThoseJudgedBy) {
 }
 
 TEST(SingleJoints, AreNoMoreThanAskedFor) {
-  EXPECT_EQ(single_joints(motion().poses, 7, {}).size(), 7u);
-  EXPECT_TRUE(single_joints({}, 7, {}).empty());
-  EXPECT_TRUE(single_joints(motion().poses, 0, {}).empty());
+  EXPECT_EQ(single_joints(motion().poses, 7, 1).size(), 7u);
+  EXPECT_TRUE(single_joints({}, 7, 1).empty());
+  EXPECT_TRUE(single_joints(motion().poses, 0, 1).empty());
 }
 
-// A root that scales a character to a hundredth scales these as well, or they would outweigh all its clips.
-TEST(SingleJoints, AreAsLargeAsClips) {
-  deform::Pose small = deform::cylinder_pose(0, 0.3);
-  for (deform::Matrix& m : small)
-    for (int c = 0; c < 4; ++c) m[c] *= 0.01;
-  const deform::Pose ignored = deform::cylinder_pose(0, 0);
-  for (const deform::TrainingPose& p : single_joints(motion().poses, 100, {{small, 0, true}, {ignored, 0, false}})) {
-    for (const deform::Matrix& m : p.pose)
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(glm::length(m[c]), 0.01, 1e-12);
+// A root that scales a character to a hundredth, or doubles it thrice; a joint that scales on its own stays as it is.
+TEST(BringToBindSize, TakesTheRootsScaleAway) {
+  const deform::Pose pose = deform::cylinder_pose(0, 0.3);
+  for (const double scale : {0.01, 8.0}) {
+    std::vector<deform::TrainingPose> poses = {{pose}, {pose}, {pose}};
+    for (deform::Matrix& m : poses[0].pose)
+      for (int c = 0; c < 4; ++c) m[c] *= scale;
+    for (int c = 0; c < 3; ++c) poses[1].pose[1][c] *= 1.5;
+    const deform::Pose stretched = poses[1].pose;
+    poses[2].pose[1] = deform::Matrix(std::numeric_limits<double>::quiet_NaN());
+    bring_to_bind_size(poses);
+    for (std::size_t j = 0; j < pose.size(); ++j)
+      for (int c = 0; c < 4; ++c) {
+        EXPECT_LT(glm::length(poses[0].pose[j][c] - pose[j][c]), 1e-12);
+        EXPECT_EQ(poses[1].pose[j][c], stretched[j][c]);
+      }
+    EXPECT_TRUE(std::isnan(poses[2].pose[1][0][0]));
   }
 }
 
