@@ -153,7 +153,8 @@ std::size_t Elastic::look_at(const std::vector<Pose>& poses) {
   });
   std::vector<char> any(mesh.positions.size(), 0);
   for (const std::vector<char>& one : pulled)
-    for (const std::uint32_t v : of_one_joint) any[v] |= one[v];
+    for (const std::uint32_t v : of_one_joint)
+      if (one[v] != 0) any[v] = 1;
   const auto count = static_cast<std::size_t>(std::ranges::count(any, 1));
   if (count > 0) parts_->embedding.leave_to_rig(any);
   return count;
