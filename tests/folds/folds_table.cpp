@@ -1,5 +1,5 @@
 // What folds, bends, creases and jumps of a character by each deformer, in its clips and joint by joint: a table.
-//   marrow_folds_table MODEL.glb [POSES [DEFORMER…]]
+//   marrow_folds_table MODEL.glb [POSES [frames|clips [DEFORMER…]]]
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -26,13 +26,31 @@ using deform::Positions;
 
 struct Row {
   double flipped = 0, bend = 0, creased = 0, off = 0;
+  std::vector<double> squares;  // of each pose, what off is of
 };
 
 std::string text_of(const Row& r) {
   return fmt::format("{:>8.1f}{:>7.2f}{:>7.2f}{:>7.3f}", r.flipped, r.bend, r.creased, r.off);
 }
 
-// Means over poses, bend in degrees, creased in per cent, how far from dual quaternions in per cent of the diagonal.
+// Of linear blend skinning's, what that has little of as it is.
+std::string text_of(const Row& r, const Row& of_ssd) {
+  const auto share = [](double ours, double plain) {
+    return plain > 0.005 ? fmt::format("{:.2f}", ours / plain) : fmt::format("({:.2f})", ours);
+  };
+  std::size_t farther = 0;
+  double most = 0;
+  for (std::size_t i = 0; i < r.squares.size(); ++i) {
+    if (!(r.squares[i] > of_ssd.squares[i] * (1 + 1e-6))) continue;
+    ++farther;
+    most = std::max(most, std::sqrt(r.squares[i] / of_ssd.squares[i]));
+  }
+  return fmt::format("{:>8}{:>7}{:>7}{:>7}", share(r.flipped, of_ssd.flipped), share(r.bend, of_ssd.bend),
+                     share(r.creased, of_ssd.creased), fmt::format("{:.2f}", r.off / of_ssd.off)) +
+         fmt::format("  {} farther by up to {:.2f}", farther, most);
+}
+
+// Means over poses, bend in degrees, creased in per cent, how far from the truth in per cent of the diagonal.
 Row row_of(const deform::FoldMeter& meter, const std::vector<Pose>& poses, const Deformer& deformer,
            const std::vector<Positions>& from, double diagonal) {
   std::vector<Row> rows(poses.size());
@@ -42,7 +60,8 @@ Row row_of(const deform::FoldMeter& meter, const std::vector<Pose>& poses, const
     const Folds f = meter.of(poses[i], at);
     double squares = 0;
     for (std::size_t v = 0; v < at.size(); ++v) squares += glm::dot(at[v] - from[i][v], at[v] - from[i][v]);
-    rows[i] = {static_cast<double>(f.flipped), f.bend_rad * f.bend_rad, 100 * f.creased, squares / double(at.size())};
+    rows[i] = {
+        static_cast<double>(f.flipped), f.bend_rad * f.bend_rad, 100 * f.creased, squares / double(at.size()), {}};
   });
   Row out;
   const auto count = static_cast<double>(poses.size());
@@ -51,6 +70,7 @@ Row row_of(const deform::FoldMeter& meter, const std::vector<Pose>& poses, const
     out.bend += r.bend / count;
     out.creased += r.creased / count;
     out.off += r.off / count;
+    out.squares.push_back(r.off);
   }
   out.bend = std::sqrt(out.bend) * 180 / std::numbers::pi;
   out.off = 100 * std::sqrt(out.off) / diagonal;
@@ -96,9 +116,10 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
     if (name == "dm") out.push_back({name, deform::delta_mush(mesh)});
     if (name == "dm-dqs") out.push_back({name, deform::delta_mush(mesh, {}, out[1].deformer)});
     if (name.starts_with("fit-")) out.push_back({name, fitted(study, name.substr(4))});
-    if (!name.starts_with("elastic")) continue;
+    if (name == "elastic") out.push_back({name, study.source.elastic});
+    if (!name.starts_with("elastic") || name == "elastic") continue;
     deform::ElasticOptions options;
-    if (name.size() > 7) options.volume = std::atof(name.c_str() + 7);
+    options.volume = std::atof(name.c_str() + 7);
     const auto begin = std::chrono::steady_clock::now();
     const auto made = std::make_shared<deform::Elastic>(mesh, options);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -111,6 +132,15 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
                body.factor->entries(), 100 * rig);
     out.push_back({name, [made](const Pose& pose, Positions& to) { made->pose(pose, to); }});
   }
+  return out;
+}
+
+// Of every n-th.
+template <class T>
+std::vector<T> some(const std::vector<T>& of, std::size_t most) {
+  std::vector<T> out;
+  const std::size_t count = std::min(most, of.size());
+  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
   return out;
 }
 
@@ -134,53 +164,74 @@ void print_rings(const Study& study, const std::vector<Named>& all) {
   }
 }
 
-// Of every n-th.
-template <class T>
-std::vector<T> some(const std::vector<T>& of, std::size_t most) {
-  std::vector<T> out;
-  const std::size_t count = std::min(most, of.size());
-  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
-  return out;
+// The largest jump from frame to frame at 60 Hz, over linear blend skinning's.
+void print_jumps(const Study& study, const std::vector<Named>& all, std::size_t most) {
+  const auto frames = cook::frames_in_a_row(study.source, study.built, most);
+  if (frames.empty()) return;
+  std::vector<double> largest;
+  for (const Named& n : all) {
+    std::vector<double> jumps(frames.size());
+    for_each_in_parallel(frames.size(), [&](std::size_t i) {
+      Positions at[3];
+      for (std::size_t k = 0; k < 3; ++k) n.deformer(frames[i][k], at[k]);
+      jumps[i] = deform::largest_jump(at[0], at[1], at[2]);
+    });
+    largest.push_back(*std::ranges::max_element(jumps));
+    fmt::print("  {:<12} largest jump at {} moments: {:.2f} of ssd's\n", n.name, frames.size(),
+               largest.back() / largest.front());
+  }
 }
 
-void print_table(const std::string& file, std::size_t most, int count, char** names) {
-  cook::LearnOptions options;
-  Study study = study_scene(cook::read_gltf(file), Holdout::frames, options);
-  cook::Notes notes;
-  options.truth = cook::Truth::elastic;
-  drop_unusable_poses(options, study, notes);
+void print_rows(const Study& study, const std::vector<Named>& all, std::size_t most) {
   const deform::SkinnedMesh& mesh = study.source.mesh;
-  fmt::print("{}: {}, {} vertices, {} triangles, {} joints\n", file, study.name, mesh.positions.size(),
-             mesh.indices.size() / 3, mesh.joint_count);
-  const std::vector<Named> all = deformers(study, count, names);
   const deform::FoldMeter meter(mesh);
   std::vector<Pose> clips, joints;
   for (const HeldPose& p : some(study.rounds.front().held, most)) clips.push_back(p.pose);
   for (const deform::MotionPose& p : some(study.motion.poses, most)) joints.push_back(p.pose());
-  const auto dqs = [&](const std::vector<Pose>& poses) {
+  const auto truth = [&](const std::vector<Pose>& poses) {
     std::vector<Positions> out(poses.size());
-    for (std::size_t i = 0; i < poses.size(); ++i) all[1].deformer(poses[i], out[i]);
+    for_each_in_parallel(poses.size(), [&](std::size_t i) { study.source.elastic(poses[i], out[i]); });
     return out;
   };
-  const std::vector<Positions> in_clips = dqs(clips), by_joint = dqs(joints);
-  fmt::print("{:<14}{} of clips: flips, bend °, crease %, % off dqs | {} of single joints\n", "", clips.size(),
+  const std::vector<Positions> in_clips = truth(clips), by_joint = truth(joints);
+  fmt::print("{:<14}{} of clips: flips, bend °, crease %, % off elastic | {} of single joints\n", "", clips.size(),
              joints.size());
+  std::vector<std::pair<Row, Row>> rows;
   for (const Named& n : all) {
-    const auto begin = std::chrono::steady_clock::now();
-    const Row a = row_of(meter, clips, n.deformer, in_clips, deform::diagonal(mesh));
-    const Row b = row_of(meter, joints, n.deformer, by_joint, deform::diagonal(mesh));
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    fmt::print("  {:<12}{} |{}  {:.1f} ms a pose\n", n.name, text_of(a), text_of(b),
-               1e3 * took.count() / static_cast<double>(clips.size() + joints.size()));
+    const double diagonal = deform::diagonal(mesh);
+    rows.emplace_back(row_of(meter, clips, n.deformer, in_clips, diagonal),
+                      row_of(meter, joints, n.deformer, by_joint, diagonal));
+    fmt::print("  {:<12}{} |{}\n", n.name, text_of(rows.back().first), text_of(rows.back().second));
   }
+  for (std::size_t d = 1; d < all.size(); ++d)
+    fmt::print("  {:<12}{} |{}  of ssd's\n", all[d].name, text_of(rows[d].first, rows[0].first),
+               text_of(rows[d].second, rows[0].second));
+}
+
+void print_table(const std::string& file, std::size_t most, Holdout holdout, int count, char** names) {
+  cook::LearnOptions options;
+  options.animation_space = cook::AnimationSpace::fit;
+  options.truth = cook::Truth::elastic;
+  Study study = study_scene(cook::read_gltf(file), holdout, options);
+  cook::Notes notes;
+  drop_unusable_poses(options, study, notes);
+  for (const auto& note : notes.warnings) fmt::print("{}\n", note.text);
+  const deform::SkinnedMesh& mesh = study.source.mesh;
+  fmt::print("{}: {}, {} vertices, {} triangles, {} joints\n", file, study.name, mesh.positions.size(),
+             mesh.indices.size() / 3, mesh.joint_count);
+  const std::vector<Named> all = deformers(study, count, names);
+  print_rows(study, all, most);
   print_rings(study, all);
+  print_jumps(study, all, most);
 }
 
 }  // namespace
 }  // namespace marrow::tools
 
 int main(int count, char** arguments) {
+  using marrow::tools::Holdout;
   if (count < 2) return 2;
   const std::size_t most = count > 2 ? static_cast<std::size_t>(std::atoi(arguments[2])) : 40;
-  marrow::tools::print_table(arguments[1], most, count - 3, arguments + 3);
+  const bool clips = count > 3 && std::string(arguments[3]) == "clips";
+  marrow::tools::print_table(arguments[1], most, clips ? Holdout::clips : Holdout::frames, count - 4, arguments + 4);
 }

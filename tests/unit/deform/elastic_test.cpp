@@ -291,5 +291,36 @@ TEST(Elastic, KeepsFromBodiesWhoseWeightsAreOthers) {
   EXPECT_GT(counted, 500u);
 }
 
+// A few vertices that follow the other joint: the body draws them back. What it has been shown it leaves to the joints,
+// and what is round that partly; what it has not it does not know.
+TEST(Elastic, LeavesToJointsWhatIsPulledFromThem) {
+  SkinnedMesh mesh = cylinder();
+  std::vector<std::uint32_t> few;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    const glm::dvec3& p = mesh.positions[v];
+    if (std::abs(p.x + 3) > 0.15 || p.y < 0.95) continue;
+    mesh.influences[v] = {{1, 1}};
+    few.push_back(v);
+  }
+  ASSERT_GT(few.size(), 2u);
+  Elastic elastic(mesh, {}, kFew);
+  const auto pulled = [&] {
+    const Positions now = posed(elastic, kBent), as = at(dual_quaternions(mesh), kBent);
+    double out = 0;
+    for (const std::uint32_t v : few) out = std::max(out, glm::length(now[v] - as[v]));
+    return out;
+  };
+  const auto partly = [&] {
+    return std::ranges::count_if(elastic.rig_shares(), [](double share) { return share > 0.05 && share < 0.95; });
+  };
+  const double most = 0.02 * diagonal(mesh);
+  ASSERT_GT(pulled(), most);
+  const auto before = partly();
+  EXPECT_EQ(elastic.look_at({cylinder_pose(0, 0)}), 0u);
+  EXPECT_GE(elastic.look_at({kBent}), few.size());
+  EXPECT_LT(pulled(), most);
+  EXPECT_GT(partly(), before + 10) << "no seam";
+}
+
 }  // namespace
 }  // namespace marrow::deform

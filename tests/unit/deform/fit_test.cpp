@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
@@ -83,6 +85,42 @@ TEST(Fit, EveningOutCostsLittle) {
   const Coordinates even = fitted();
   EXPECT_GT(rms(animation_space(even), animation_space(plain), poses), 1e-6);
   EXPECT_LE(rms(animation_space(even), truth, poses), 1.151 * rms(animation_space(plain), truth, poses));
+}
+
+// Of both joints and the helper between them all stay where any loss is seen; where none is, what weights need stays:
+// two joints, one of them and the helper, or at equal weights the helper alone.
+TEST(Fit, DropsJointsWhoseLossIsUnseen) {
+  const SkinnedMesh mesh = cylinder();
+  const std::vector<Helper> helpers = {{0, 1, 0.5, {0, 0, 0}, true}};
+  std::vector<Pose> poses = random_cylinder_poses(20, 1);
+  const ClosedForm form(mesh, helpers, Likeness(mesh, poses, {}));
+  Coordinates candidates;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    std::vector<Coordinate>& vertex = candidates.emplace_back();
+    for (const std::uint32_t entry : {0u, 1u, 2u}) vertex.push_back({entry, glm::dvec4(0)});
+    for (const Coordinate& c : lift(form.weights_of(v), mesh.positions[v])) vertex[c.joint].q = c.q;
+  }
+  for (Pose& pose : poses) append_helpers(helpers, pose);
+  FitOptions options;
+  options.weights = &form;
+  options.most_joints = 3;
+  const auto counts = [&](double unseen) {
+    options.unseen = unseen;
+    std::map<std::size_t, std::size_t> out;  // of vertices, by joints
+    for (const auto& vertex :
+         fit_coordinates(candidates, diagonal(mesh), training(poses, 4), dual_quaternions(mesh), ssd(mesh), options)
+             .coordinates)
+      ++out[vertex.size()];
+    return out;
+  };
+  EXPECT_EQ(counts(0), (std::map<std::size_t, std::size_t>{{3, mesh.positions.size()}}));
+  std::map<std::size_t, std::size_t> fewest = counts(1);
+  EXPECT_EQ(fewest[1] + fewest[2], mesh.positions.size());
+  EXPECT_GT(fewest[1], 100u);
+  EXPECT_GT(fewest[2], 100u);
+  std::map<std::size_t, std::size_t> some = counts(1e-7);
+  EXPECT_GT(some[3], 100u);
+  EXPECT_GT(some[1] + some[2], 100u);
 }
 
 TEST(Fit, LeavesOutPosesInWhichTheTruthIsNotFinite) {

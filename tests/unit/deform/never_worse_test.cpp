@@ -95,5 +95,27 @@ TEST(UglierThanSsd, IsWhatSticksOut) {
   EXPECT_GT(none, 700u);
 }
 
+// A vertex that is thrown 40 times as far out as the joints part, in frames that joint 1 turns through by 10, 20 and 40
+// degrees. Where nothing moves, or all as fast, nothing jumps.
+TEST(JumpsMoreThanSsd, IsWhatIsThrown) {
+  const SkinnedMesh mesh = cylinder();
+  Coordinates coordinates = lift(mesh);
+  const std::vector<FramesInARow> frames = {
+      {cylinder_pose(10 * kDegree, 0), cylinder_pose(20 * kDegree, 0), cylinder_pose(40 * kDegree, 0)},
+      {cylinder_pose(0, 0), cylinder_pose(0, 0), cylinder_pose(0, 0)}};
+  for (const double share : jumps_more_than_ssd(mesh, coordinates, lift(mesh), {}, frames)) ASSERT_EQ(share, 0);
+  std::size_t thrown = 0;
+  while (std::abs(mesh.positions[thrown].x) > 0.2) ++thrown;
+  for (const double sign : {1.0, -1.0})
+    coordinates[thrown][sign > 0 ? 0 : 1].q += glm::dvec4(mesh.positions[thrown] * glm::dvec3(0, 40, 40) * sign, 0);
+  const std::vector<double> back = jumps_more_than_ssd(mesh, coordinates, lift(mesh), {}, frames);
+  EXPECT_GT(back[thrown], 0.8);
+  std::size_t none = 0;
+  for (std::size_t v = 0; v < back.size(); ++v) none += back[v] == 0 ? 1 : 0;
+  EXPECT_GT(none, 700u);
+  for (const double share : jumps_more_than_ssd(mesh, coordinates, lift(mesh), {}, {frames[1]})) EXPECT_EQ(share, 0);
+  EXPECT_EQ(jumps_more_than_ssd(mesh, coordinates, lift(mesh), {}, {})[thrown], 0);
+}
+
 }  // namespace
 }  // namespace marrow::deform

@@ -142,6 +142,7 @@ Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
   const BuiltSkeleton& skeleton = built.skeletons[study.source.skeleton];
   study.rest = deform_pose(study.source, skeleton, skeleton.rest);
   add_motion(skeleton, study);
+  if (learn.truth == Truth::elastic) study.source.frames = frames_in_a_row(study.source, built, kFramesInARow);
   if (learn.truth == Truth::examples) {
     study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, notes.reads);
     hold_out(study.source.shown, holdout, built, study);
@@ -159,7 +160,8 @@ Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
 void drop_unusable_poses(const LearnOptions& options, Study& study, Notes& notes) {
   const RawSkin& skin = study.scene.skins[static_cast<std::size_t>(study.scene.instances.front().skin)];
   const UsablePoses usable(study.source.mesh, options.truth);
-  remember_truth(options, study.scene, skin, "/meshes", study.source, notes);
+  remember_truth(options, study.scene, skin,
+                 study.scene.meshes[static_cast<std::size_t>(study.scene.instances.front().mesh)], study.source, notes);
   const deform::Deformer truth = make_truth(study.source, options);
   const auto is_infinite = [&](const auto& p) {
     deform::Positions positions;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -55,8 +57,28 @@ std::optional<std::uint32_t> UsablePoses::spoiling_joint(const deform::Pose& pos
   return std::nullopt;
 }
 
-void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh,
-                      const std::vector<double>& rig_shares, const std::string& pointer, Notes& notes) {
+namespace {
+
+// "a", "b" and "c": of the joints the three at most that have the most, and at least a quarter of that.
+std::string names_of_most(const RawScene& scene, const RawSkin& skin, const std::vector<double>& of_joint) {
+  constexpr std::size_t kMost = 3;
+  constexpr double kLeastShare = 0.25;
+  std::vector<std::size_t> order(of_joint.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t j) { return of_joint[j]; });
+  std::vector<std::string> names;
+  for (const std::size_t j : order)
+    if (names.size() < kMost && of_joint[j] >= kLeastShare * of_joint[order.front()])
+      names.push_back('"' + scene.nodes[static_cast<std::size_t>(skin.joints[j])].name + '"');
+  std::string out = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i) out += (i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
+}  // namespace
+
+void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const RawMesh& raw, const deform::SkinnedMesh& mesh,
+                      const std::vector<double>& rig_shares, Notes& notes) {
   constexpr double kMany = 0.02;  // of the vertices
   std::vector<double> of_joint(mesh.joint_count, 0);
   double all = 0;
@@ -66,12 +88,11 @@ void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const deform::
   }
   const double share = all / std::max(1.0, static_cast<double>(rig_shares.size()));
   if (!(share > kMany)) return;
-  const auto most = static_cast<std::size_t>(std::ranges::max_element(of_joint) - of_joint.begin());
   notes.warnings.push_back(
-      {pointer, "elastic-not-everywhere",
-       fmt::format("{:.0f} % of the mesh, most about the joint \"{}\", keeps to dual quaternions: there it has no "
-                   "inside, or surfaces that follow other joints lie within a cell",
-                   100 * share, scene.nodes[static_cast<std::size_t>(skin.joints[most])].name)});
+      {raw.primitives.empty() ? "/meshes" : raw.primitives.front().pointer, "elastic-not-everywhere",
+       fmt::format("{:.0f} % of the mesh \"{}\", most about {}, keeps to dual quaternions: there it has no inside, or "
+                   "surfaces that follow other joints lie within a cell",
+                   100 * share, raw.name, names_of_most(scene, skin, of_joint))});
 }
 
 void drop_spoilt_poses(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh, Truth truth,

@@ -35,8 +35,9 @@ class UsablePoses {
 void drop_spoilt_poses(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh, Truth truth,
                        const std::string& pointer, std::vector<deform::TrainingPose>& poses, Notes& notes);
 
-// Notes which joint's vertices most keep to dual quaternions where the truth is elastic, if many do.
-void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const deform::SkinnedMesh& mesh,
-                      const std::vector<double>& rig_shares, const std::string& pointer, Notes& notes);
+// Notes about which joints of the mesh, `raw`, most vertices keep to dual quaternions where the truth is elastic, if
+// many do.
+void note_stiff_parts(const RawScene& scene, const RawSkin& skin, const RawMesh& raw, const deform::SkinnedMesh& mesh,
+                      const std::vector<double>& rig_shares, Notes& notes);
 
 }  // namespace marrow::cook

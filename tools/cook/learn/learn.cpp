@@ -9,12 +9,13 @@
 
 #include "common/failure.h"
 #include "cook/learn/check_truth.h"
+#include "cook/learn/look_better.h"
+#include "cook/learn/single_joints.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/elastic/elastic.h"
 #include "deform/fit/remembered.h"
 #include "deform/helpers/choose_helpers.h"
 #include "deform/helpers/never_worse.h"
-#include "deform/helpers/not_uglier.h"
 #include "deform/motion/motion_errors.h"
 #include "deform/weights/auto_weights.h"
 #include "deform/weights/smooth_weights.h"
@@ -36,7 +37,8 @@ bool is_body(const LearnOptions& options) {
 }
 
 std::size_t most_joints(const LearnOptions& options) {
-  return static_cast<std::size_t>(options.influences > 0 ? options.influences : options.helpers != 0 ? 5 : 4);
+  if (options.influences > 0) return static_cast<std::size_t>(options.influences);
+  return is_body(options) ? 6 : options.helpers != 0 ? 5 : 4;
 }
 
 // Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for; of
@@ -190,12 +192,16 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
   return as_shown(source.mesh, source.shown);
 }
 
-void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const std::string& pointer,
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
                     DeformSource& source, Notes& notes) {
   if (options.truth != Truth::elastic) return;
+  constexpr std::size_t kLookedAt = 48;
+  std::vector<deform::Pose> poses;
+  const std::size_t all = source.motion.size(), count = std::min(all, kLookedAt);
+  for (std::size_t i = 0; i < count; ++i) poses.push_back(source.motion[i * all / count].pose());
   std::vector<double> rig_shares;
-  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, &rig_shares));
-  note_stiff_parts(scene, skin, source.mesh, rig_shares, pointer, notes);
+  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares));
+  note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
 }
 
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes) {
@@ -210,70 +216,27 @@ Trainees find_trainees(const DeformSource& source, const BuiltScene& built, cons
 
 namespace {
 
-// The closed form over the joints and helpers that vertices have.
-deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Coordinates& coordinates) {
-  deform::Coordinates out = coordinates;
-  for (std::size_t v = 0; v < out.size(); ++v) {
-    std::vector<std::uint32_t> entries;
-    for (const deform::Coordinate& c : out[v]) entries.push_back(c.joint);
-    const auto weights = form.weights_of(v, entries);
-    if (!weights) continue;
-    for (deform::Coordinate& c : out[v]) {
-      const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
-      c.q = glm::dvec4(form.position_of(v), 1) * (at == weights->end() ? 0.0 : at->weight);
-    }
-  }
+std::uint32_t folds_of(const std::vector<deform::TrainingPose>& poses) {
+  std::uint32_t out = 1;
+  for (const deform::TrainingPose& p : poses) out = std::max(out, p.fold + 1);
   return out;
 }
 
-// What a fit has learnt gives way to the closed form where it looks worse, in clips or beyond, as long as all looks
-// better for it.
-void keep_from_folding(const DeformSource& source, const deform::ClosedForm& form,
-                       const std::vector<deform::Pose>& clips, Learnt& out) {
-  constexpr std::size_t kMostPoses = 128;  // of clips, and beyond
-  constexpr int kRounds = 2;               // as where it has given way something else may
-  std::vector<std::size_t> of_clips(clips.size()), of_motion(source.motion.size());
-  std::iota(of_clips.begin(), of_clips.end(), 0u);
-  std::iota(of_motion.begin(), of_motion.end(), 0u);
-  of_clips = evenly(of_clips, kMostPoses);
-  of_motion = evenly(of_motion, kMostPoses);
-  const auto pose = [&](std::size_t i) {
-    return i < of_clips.size() ? clips[of_clips[i]] : source.motion[of_motion[i - of_clips.size()]].pose();
-  };
-  const deform::Coordinates simple = simple_over(form, out.coordinates);
-  const auto look = [&](const deform::Coordinates& coordinates) {
-    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, of_clips.size() + of_motion.size(),
-                                   pose);
-  };
-  deform::Ugliness now = look(out.coordinates);
-  for (int round = 0; round < kRounds; ++round) {
-    deform::Coordinates next = out.coordinates;
-    for (std::size_t v = 0; v < next.size(); ++v)
-      for (std::size_t i = 0; i < next[v].size(); ++i)
-        next[v][i].q += (simple[v][i].q - next[v][i].q) * now.goes_back[v];
-    deform::Ugliness then = look(next);
-    if (!(then.total < now.total)) return;
-    out.coordinates = std::move(next);
-    now = std::move(then);
+// What is learnt of single joints, and what a fit is judged by beyond clips: of a body it learns those as well, and
+// judges by its looks alone.
+// motion: usable_motion() where it is judged by that.
+void add_motion(const DeformSource& source, bool body, const std::vector<std::size_t>& motion,
+                std::vector<deform::TrainingPose>& poses) {
+  constexpr std::size_t kMostJudged = 512, kMostLearnt = 320;
+  if (body) {
+    for (deform::TrainingPose& p : single_joints(source.motion, kMostLearnt, folds_of(poses)))
+      poses.push_back(std::move(p));
   }
+  for (const std::size_t i : evenly(motion, kMostJudged)) poses.push_back({source.motion[i].pose(), 0, false, false});
 }
 
-// Fits over `candidates`, with the closed form as the prior. Not better than SSD in what was left out: SSD's.
-// out: has the helpers, which `form` refers to.
-void fit_to(const DeformSource& source, const deform::Coordinates& candidates, const deform::ClosedForm& form,
-            std::vector<deform::TrainingPose> poses, const deform::Deformer& truth, const LearnOptions& options,
-            Learnt& out) {
-  constexpr std::size_t kMostPoses = 512;
-  const deform::SkinnedMesh& mesh = source.mesh;
-  const double size_m = deform::diagonal(mesh);
-  const bool body = is_body(options);
-  std::vector<deform::Pose> clips;
-  if (body) clips = only_poses(poses);
-  const deform::Surface surface(mesh);
-  std::vector<std::size_t> motion;
-  if (options.helpers != 0) motion = usable_motion(source, truth);
-  for (const std::size_t i : evenly(motion, kMostPoses)) poses.push_back({source.motion[i].pose(), 0, false, false});
-  for (deform::TrainingPose& p : poses) deform::append_helpers(out.helpers, p.pose);
+deform::FitOptions fit_options(const LearnOptions& options, const deform::ClosedForm& form,
+                               const deform::Surface& surface) {
   deform::FitOptions fit;
   // In most poses of a range of motion most of the mesh is as in the bind pose, where SSD is exact.
   fit.keep_bind_pose = options.keep_bind_pose || options.helpers != 0;
@@ -281,9 +244,32 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   fit.is_lift = options.truth != Truth::delta_mush;
   fit.most_joints = most_joints(options);
   fit.progress = options.progress;
-  if (body) fit.ridges = {1e-4, 1e-5};
-  if (body) fit.even_over = &surface;
-  deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh), fit);
+  if (!is_body(options)) return fit;
+  constexpr double kUnseen = 1e-4;  // of the diagonal
+  fit.ridges = {1e-4, 1e-5};
+  fit.even_over = &surface;
+  fit.unseen = kUnseen * kUnseen;
+  return fit;
+}
+
+// Fits over `candidates`, with the closed form as the prior. Not better than SSD in what was left out: SSD's.
+// out: has the helpers, which `form` refers to.
+void fit_to(const DeformSource& source, const deform::Coordinates& candidates, const deform::ClosedForm& form,
+            std::vector<deform::TrainingPose> poses, const deform::Deformer& truth, const LearnOptions& options,
+            Learnt& out) {
+  const deform::SkinnedMesh& mesh = source.mesh;
+  const double size_m = deform::diagonal(mesh);
+  const bool body = is_body(options);
+  std::vector<deform::Pose> clips;
+  if (body) bring_to_bind_size(poses);
+  if (body) clips = only_poses(poses);
+  const deform::Surface surface(mesh);
+  std::vector<std::size_t> motion;
+  if (options.helpers != 0 && !body) motion = usable_motion(source, truth);
+  add_motion(source, body, motion, poses);
+  for (deform::TrainingPose& p : poses) deform::append_helpers(out.helpers, p.pose);
+  deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh),
+                                               fit_options(options, form, surface));
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
@@ -297,8 +283,11 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
     out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
   }
   out.coordinates = std::move(fitted.coordinates);
-  if (body) keep_from_folding(source, form, clips, out);
-  keep_ssd_where_worse(source, truth, motion, {}, out);
+  if (body) {
+    keep_from_looking_worse(source, form, clips, out);
+  } else {
+    keep_ssd_where_worse(source, truth, motion, {}, out);
+  }
 }
 
 }  // namespace
@@ -401,10 +390,11 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   if (!smooths) trained = find_trainees(source, built, options);
   if (fits) {
     drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
-    remember_truth(options, scene, skin, pointer, source, notes);
     report.truth = name_of(options.truth);
   }
   if (!smooths) source.motion = range_of_motion(source, built.skeletons[source.skeleton]).poses;
+  if (is_body(options)) source.frames = frames_in_a_row(source, built, kFramesInARow);
+  if (fits) remember_truth(options, scene, skin, mesh, source, notes);
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
   const Learnt learnt = learn(source, std::move(trained.poses), options);

@@ -10,12 +10,16 @@
 
 namespace marrow::cook {
 
+// How many moments of clips tell whether something jumps.
+inline constexpr std::size_t kFramesInARow = 64;
+
 const char* name_of(Truth truth);
 // Refers to `source`.
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
 
-// Makes `source.elastic` where that is the truth, and notes where it does not apply. `source` must not move afterwards.
-void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const std::string& pointer,
+// Makes `source.elastic` where that is the truth, and notes where it does not apply: by the source's range of motion,
+// too. `source`, of `mesh`, must not move afterwards.
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
                     DeformSource& source, Notes& notes);
 
 // DeformSource::shown of a mesh: where examples are the truth they are read; else none.

@@ -4,6 +4,7 @@
 
 #include "cook/learn/check_truth.h"
 #include "cook/learn/learn.h"
+#include "cook/skin/joint_motion.h"
 #include "deform/helpers/helpers.h"
 
 namespace marrow::cook {
@@ -97,7 +98,9 @@ LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, cons
   for (const deform::Helper& h : binding.helpers) source.parents.push_back(static_cast<int>(h.first));
   DeformSource weighted = source;
   weighted.mesh = weighted_only(source.mesh);
-  remember_truth(learn, scene, skin, pointer, original, to_say);
+  if (learn.truth == Truth::elastic)
+    original.motion = range_of_motion(original, built.skeletons[original.skeleton]).poses;
+  remember_truth(learn, scene, skin, mesh, original, to_say);
   const deform::Deformer truth = make_truth(original, learn);
   out.deformers.vertex_of = source.vertex_of;
   if (learn.multi_weights) {

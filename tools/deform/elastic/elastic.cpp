@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/elementary.h"
+#include "common/parallel.h"
 #include "deform/deformers.h"
 #include "deform/elastic/embedding.h"
 #include "deform/rotation_blend.h"
@@ -14,7 +15,9 @@
 namespace marrow::deform {
 namespace {
 
-constexpr double kStretches = 1e-6;  // joints that are stretched less are not
+constexpr double kOneJoint = 0.97;    // of a weight
+constexpr double kMostPulled = 0.02;  // of the diagonal
+constexpr double kStretches = 1e-6;   // joints that are stretched less are not
 
 bool is_finite(const Matrix& m) {
   double sum = 0;
@@ -99,7 +102,7 @@ struct Elastic::Parts {
 };
 
 Elastic::Elastic(const SkinnedMesh& mesh, const ElasticOptions& options, std::size_t cells)
-    : parts_(std::make_unique<const Parts>(mesh, options, cells > 0 ? cells : cells_for(mesh.positions.size()))) {}
+    : parts_(std::make_unique<Parts>(mesh, options, cells > 0 ? cells : cells_for(mesh.positions.size()))) {}
 Elastic::~Elastic() = default;
 
 const std::vector<double>& Elastic::rig_shares() const {
@@ -134,8 +137,33 @@ void Elastic::pose(const Pose& pose, Positions& out) const {
   if (!deform::is_finite(out)) parts.by_rig(pose, out);
 }
 
-Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options, std::vector<double>* rig_shares) {
-  const auto made = std::make_shared<const Elastic>(mesh, options);
+std::size_t Elastic::look_at(const std::vector<Pose>& poses) {
+  const SkinnedMesh& mesh = parts_->mesh;
+  std::vector<std::uint32_t> of_one_joint;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
+    if (!mesh.influences[v].empty() && largest(mesh.influences[v]).weight >= kOneJoint) of_one_joint.push_back(v);
+  const double most = kMostPulled * diagonal(mesh);
+  std::vector<std::vector<char>> pulled(poses.size());
+  tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
+    Positions by_body, by_rig;
+    pose(poses[i], by_body);
+    parts_->by_rig(poses[i], by_rig);
+    pulled[i].assign(mesh.positions.size(), 0);
+    for (const std::uint32_t v : of_one_joint) pulled[i][v] = glm::length(by_body[v] - by_rig[v]) > most;
+  });
+  std::vector<char> any(mesh.positions.size(), 0);
+  for (const std::vector<char>& one : pulled)
+    for (const std::uint32_t v : of_one_joint)
+      if (one[v] != 0) any[v] = 1;
+  const auto count = static_cast<std::size_t>(std::ranges::count(any, 1));
+  if (count > 0) parts_->embedding.leave_to_rig(any);
+  return count;
+}
+
+Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options, const std::vector<Pose>& poses,
+                 std::vector<double>* rig_shares) {
+  const auto made = std::make_shared<Elastic>(mesh, options);
+  made->look_at(poses);
   if (rig_shares != nullptr) *rig_shares = made->rig_shares();
   return [made](const Pose& pose, Positions& out) { made->pose(pose, out); };
 }

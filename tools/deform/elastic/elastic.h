@@ -20,17 +20,22 @@ class Elastic {
 
   void pose(const Pose& pose, Positions& out) const;
 
+  // Looks at poses, before it is asked for any: where the body pulls a vertex that follows one joint alone from that by
+  // more than 2 % of the diagonal, as something beside it goes elsewhere, it goes by dual quaternions from then on.
+  // Returns how many vertices do. On all cores.
+  std::size_t look_at(const std::vector<Pose>& poses);
+
   // Of each vertex how much of it goes by dual quaternions, whatever the pose: 0 … 1.
   const std::vector<double>& rig_shares() const;
   const Body& body() const;
 
  private:
   struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  std::unique_ptr<Parts> parts_;
 };
 
-// rig_shares: if not null, those of above.
-Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {},
+// poses: what it looks at. rig_shares: if not null, those of above.
+Deformer elastic(const SkinnedMesh& mesh, const ElasticOptions& options = {}, const std::vector<Pose>& poses = {},
                  std::vector<double>* rig_shares = nullptr);
 
 }  // namespace marrow::deform

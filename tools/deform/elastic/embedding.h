@@ -21,6 +21,9 @@ class Embedding {
   // cell follows other joints and the body is between both: clothes over skin. Smooth over the surface.
   const std::vector<double>& rig_shares() const { return rig_; }
 
+  // From now on these vertices go with the joints alone, and those round them partly, without a seam.
+  void leave_to_rig(const std::vector<char>& vertices);
+
   // All in the lattice's places. by_rig: where joints alone take a vertex.
   template <class ByRig>
   glm::dvec3 place_of(std::size_t v, const Shape& shape, const Carried& carried, const ByRig& by_rig) const {

@@ -46,10 +46,10 @@ using Stays = std::vector<bool>;
 using Suffices = std::function<bool(const Stays&)>;
 
 // x, inverse: the solution for all entries, and the inverse of its normal matrix.
-Stays eliminate(MatrixXd inverse, VectorXd x, std::size_t most, const Suffices& suffices) {
+Stays eliminate(MatrixXd inverse, VectorXd x, std::size_t most, double unseen, const Suffices& suffices) {
   Stays stays(static_cast<std::size_t>(x.size()) / 4, true);
   Stays is_needed(stays.size(), false);  // and always will be, as fewer stay
-  for (std::size_t count = stays.size(); count > most; --count) {
+  for (std::size_t count = stays.size(); count > (unseen > 0 ? 1 : most); --count) {
     std::vector<std::pair<double, std::size_t>> costs;
     for (std::size_t j = 0; j < stays.size(); ++j) {
       if (!stays[j] || is_needed[j]) continue;
@@ -57,6 +57,7 @@ Stays eliminate(MatrixXd inverse, VectorXd x, std::size_t most, const Suffices& 
       const Vector4d part = x.segment<4>(at);
       costs.emplace_back(part.dot(solve_symmetric(Matrix4d(inverse.block<4, 4>(at, at)), part)), j);
     }
+    if (count <= most) std::erase_if(costs, [&](const auto& candidate) { return !(candidate.first < unseen); });
     std::ranges::sort(costs);
     const auto goes = std::ranges::find_if(costs, [&](const auto& candidate) {
       stays[candidate.second] = false;
@@ -113,18 +114,18 @@ std::vector<Coordinate> lift_over(const std::vector<std::uint32_t>& entries, con
 }  // namespace
 
 Coordinates choose_joints(const Coordinates& candidates, const ClosedForm& weights, bool is_lift, std::size_t most,
-                          const Training& training) {
+                          double unseen, const Training& training) {
   Coordinates out = candidates;
   const std::vector<Group> groups = group_by_joints(candidates);
   tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
     const Group& group = groups[g];
-    if (group.joints.size() <= most) return;
+    if (group.joints.size() <= (unseen > 0 ? 1 : most)) return;
     const System system = make_system(group, candidates, training);
     const MatrixXd inverse = inverse_of_symmetric(system.normal);
     const MatrixXd x = inverse * system.right;
     for (std::size_t i = 0; i < group.vertices.size(); ++i) {
       const std::uint32_t v = group.vertices[i];
-      const Stays stays = eliminate(inverse, x.col(index(i)), most, [&](const Stays& s) {
+      const Stays stays = eliminate(inverse, x.col(index(i)), most, unseen, [&](const Stays& s) {
         return weights.weights_of(v, staying(group.joints, s)).has_value();
       });
       if (!is_lift) keep(stays, out[v]);

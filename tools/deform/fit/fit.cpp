@@ -212,7 +212,7 @@ Fit fit_coordinates(const Coordinates& candidates, double diagonal_m, std::vecto
   if (training.folds.empty()) return {candidates, {}, 0};
   const Coordinates prior = options.weights == nullptr ? candidates
                                                        : choose_joints(candidates, *options.weights, options.is_lift,
-                                                                       options.most_joints, training);
+                                                                       options.most_joints, options.unseen, training);
   const std::vector<Group> groups = group_by_joints(prior);
   std::vector<Validated> validated(groups.size());
   Steps steps(options.progress, groups.size());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <glm/geometric.hpp>
+
 #include "common/parallel.h"
 #include "deform/deformers.h"
 #include "deform/look/folds.h"
@@ -11,9 +13,10 @@ namespace marrow::deform {
 namespace {
 
 constexpr double kMore = 1.25;
-constexpr double kUnseen = 0.2;  // of an edge turned by 60°, a pose
-constexpr int kWider = 2;        // rings of neighbours
-constexpr int kSeam = 6;         // steps of smoothing behind that
+constexpr double kUnseen = 0.5;       // of an edge turned by 60°, a pose
+constexpr double kUnseenJump = 1e-3;  // of the posed diagonal
+constexpr int kWider = 2;             // rings of neighbours
+constexpr int kSeam = 6;              // steps of smoothing behind that
 
 enum : std::size_t { kPlain, kSimple, kOurs, kKinds };
 using Sums = std::array<std::vector<double>, kKinds>;  // of vertices
@@ -44,6 +47,49 @@ Sums sums_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& defo
   return out;
 }
 
+// What goes back is wider by some rings, and ends smoothly.
+void soften(const SkinnedMesh& mesh, std::vector<double>& back) {
+  const Surface surface(mesh);
+  std::vector<double> scratch;
+  for (int ring = 0; ring < kWider; ++ring) {
+    scratch = back;
+    for (std::size_t v = 0; v < back.size(); ++v)
+      for (const std::uint32_t k : surface.neighbours(v)) back[v] = std::max(back[v], scratch[k]);
+  }
+  for (int i = 0; i < kSeam; ++i) surface.smooth(back, 0.5, scratch);
+}
+
+// Of each vertex the largest over all frames, each in diagonals of what it shows.
+Sums jumps_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& deformers,
+                const std::vector<Helper>& helpers, const std::vector<FramesInARow>& frames) {
+  std::vector<Sums> each(frames.size());
+  tools::for_each_in_parallel(frames.size(), [&](std::size_t i) {
+    double size = 0;
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      std::array<Positions, 3> at;
+      for (std::size_t k = 0; k < 3; ++k) {
+        Pose pose = frames[i][k];
+        append_helpers(helpers, pose);
+        deformers[kind](pose, at[k]);
+      }
+      if (kind == kPlain) {
+        SkinnedMesh shown;
+        shown.positions = at[1];
+        size = diagonal(shown);
+      }
+      for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        each[i][kind].push_back(size > 0 ? glm::length(at[0][v] - at[1][v] * 2.0 + at[2][v]) / size : 0);
+    }
+  });
+  Sums out;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    out[kind].assign(mesh.positions.size(), 0);
+    for (const Sums& one : each)
+      for (std::size_t v = 0; v < out[kind].size(); ++v) out[kind][v] = std::max(out[kind][v], one[kind][v]);
+  }
+  return out;
+}
+
 }  // namespace
 
 Ugliness uglier_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates, const Coordinates& simple,
@@ -59,15 +105,20 @@ Ugliness uglier_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates
     const double most = std::max(sums[kPlain][v], sums[kSimple][v]);
     if (sums[kOurs][v] > kMore * most + kUnseen * static_cast<double>(poses)) back[v] = 1;
   }
-  const Surface surface(mesh);
-  std::vector<double> scratch;
-  for (int ring = 0; ring < kWider; ++ring) {
-    scratch = back;
-    for (std::size_t v = 0; v < back.size(); ++v)
-      for (const std::uint32_t k : surface.neighbours(v)) back[v] = std::max(back[v], scratch[k]);
-  }
-  for (int i = 0; i < kSeam; ++i) surface.smooth(back, 0.5, scratch);
+  soften(mesh, back);
   return out;
+}
+
+std::vector<double> jumps_more_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates,
+                                        const Coordinates& simple, const std::vector<Helper>& helpers,
+                                        const std::vector<FramesInARow>& frames) {
+  const Sums jumps =
+      jumps_over(mesh, {ssd(mesh), animation_space(simple), animation_space(coordinates)}, helpers, frames);
+  std::vector<double> back(mesh.positions.size(), 0);
+  for (std::size_t v = 0; v < back.size(); ++v)
+    if (jumps[kOurs][v] > kMore * std::max(jumps[kPlain][v], jumps[kSimple][v]) + kUnseenJump) back[v] = 1;
+  soften(mesh, back);
+  return back;
 }
 
 }  // namespace marrow::deform

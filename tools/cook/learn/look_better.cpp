@@ -1,0 +1,61 @@
+#include "cook/learn/look_better.h"
+
+#include <algorithm>
+
+#include "deform/helpers/not_uglier.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::size_t kMostPoses = 128;  // of clips, and beyond
+constexpr int kRounds = 2;               // as where it has given way something else may
+
+// The closed form over the joints and helpers that vertices have.
+deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Coordinates& coordinates) {
+  deform::Coordinates out = coordinates;
+  for (std::size_t v = 0; v < out.size(); ++v) {
+    std::vector<std::uint32_t> entries;
+    for (const deform::Coordinate& c : out[v]) entries.push_back(c.joint);
+    const auto weights = form.weights_of(v, entries);
+    if (!weights) continue;
+    for (deform::Coordinate& c : out[v]) {
+      const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
+      c.q = glm::dvec4(form.position_of(v), 1) * (at == weights->end() ? 0.0 : at->weight);
+    }
+  }
+  return out;
+}
+
+void give_way(const deform::Coordinates& simple, const std::vector<double>& goes_back, deform::Coordinates& out) {
+  for (std::size_t v = 0; v < out.size(); ++v)
+    for (std::size_t i = 0; i < out[v].size(); ++i) out[v][i].q += (simple[v][i].q - out[v][i].q) * goes_back[v];
+}
+
+}  // namespace
+
+void keep_from_looking_worse(const DeformSource& source, const deform::ClosedForm& form,
+                             const std::vector<deform::Pose>& clips, Learnt& out) {
+  const std::size_t of_clips = std::min(clips.size(), kMostPoses),
+                    of_motion = std::min(source.motion.size(), kMostPoses);
+  const auto pose = [&](std::size_t i) {
+    return i < of_clips ? clips[i * clips.size() / of_clips]
+                        : source.motion[(i - of_clips) * source.motion.size() / of_motion].pose();
+  };
+  const deform::Coordinates simple = simple_over(form, out.coordinates);
+  const auto look = [&](const deform::Coordinates& coordinates) {
+    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, of_clips + of_motion, pose);
+  };
+  deform::Ugliness now = look(out.coordinates);
+  for (int round = 0; round < kRounds; ++round) {
+    deform::Coordinates next = out.coordinates;
+    give_way(simple, now.goes_back, next);
+    deform::Ugliness then = look(next);
+    if (!(then.total < now.total)) break;
+    out.coordinates = std::move(next);
+    now = std::move(then);
+  }
+  give_way(simple, deform::jumps_more_than_ssd(source.mesh, out.coordinates, simple, out.helpers, source.frames),
+           out.coordinates);
+}
+
+}  // namespace marrow::cook
