@@ -45,17 +45,16 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
   unit/cook/prepare/paint_file_test.cpp unit/cook/prepare/skeletons_test.cpp
   unit/cook/prepare/weights_over_time_test.cpp)
-# To cook twice, and the newt with a fit, takes minutes under a sanitizer, which sees the same code in all the others. Two halves, as it takes as
-# long as all other tests together.
+# Two halves side by side, as it takes as long as most other tests together. To cook twice, and the newt with a fit, takes
+# minutes under a sanitizer, which sees the same code in all the others.
+add_test(NAME cook.1 COMMAND marrow_cook_tests)
+set_tests_properties(cook.1 PROPERTIES LABELS cook TIMEOUT 1200)
 if(MARROW_SANITIZE)
-  add_test(NAME cook.1 COMMAND marrow_cook_tests)
-  set_tests_properties(cook.1 PROPERTIES LABELS cook TIMEOUT 1200)
-  marrow_begin_first(cook.1)
   set(not_twice "GTEST_FILTER=-*.*SameBytesEveryTime:Learn.LeavesSsdAlone:CookSubdivide.SoItIsPacked")
-  set_tests_properties(cook PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=0")
-  set_tests_properties(cook.1 PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=1")
 endif()
-marrow_begin_first(cook)
+set_tests_properties(cook PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=0")
+set_tests_properties(cook.1 PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=1")
+marrow_begin_first(cook cook.1)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco
   meshoptimizer::meshoptimizer)
