@@ -14,7 +14,8 @@ function(marrow_tools_test name label)
   target_precompile_headers(${name} REUSE_FROM marrow_tools_test_headers)
 endfunction()
 # Names of their own that another test's file has as well.
-set_source_files_properties(unit/deform/elastic_test.cpp road/channels_test.cpp road/characters_test.cpp road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
+set_source_files_properties(unit/deform/elastic_test.cpp road/channels_test.cpp road/characters_test.cpp
+  road/codec_test.cpp road/export_test.cpp road/outfits_test.cpp
   road/stated_errors_test.cpp
   road/scenes/made_scene.cpp road/scenes/random_scene.cpp road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -1,6 +1,7 @@
 // A skinned mesh and its poses in double precision, as the offline deformers and fits take them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -28,6 +29,8 @@ struct SkinnedMesh {
 using Matrix = glm::dmat4x3;
 using Pose = std::vector<Matrix>;
 using Positions = std::vector<glm::dvec3>;
+// Poses of three frames, one after the other.
+using FramesInARow = std::array<Pose, 3>;
 
 // Where a deformer puts the vertices in a pose. Thread-safe; `out` is resized.
 using Deformer = std::function<void(const Pose& pose, Positions& out)>;

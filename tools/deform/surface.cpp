@@ -85,6 +85,16 @@ double volume(const Positions& p, std::span<const std::uint32_t> indices) {
   return six / 6;
 }
 
+void soften(const Surface& surface, int rings, int steps, std::vector<double>& shares) {
+  std::vector<double> scratch;
+  for (int ring = 0; ring < rings; ++ring) {
+    scratch = shares;
+    for (std::size_t v = 0; v < shares.size(); ++v)
+      for (const std::uint32_t k : surface.neighbours(v)) shares[v] = std::max(shares[v], scratch[k]);
+  }
+  for (int i = 0; i < steps; ++i) surface.smooth(shares, 0.5, scratch);
+}
+
 double area(const Positions& p, std::span<const std::uint32_t> indices) {
   double twice = 0;
   for (std::size_t t = 0; t + 2 < indices.size(); t += 3) {

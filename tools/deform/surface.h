@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "deform/mesh.h"
@@ -42,6 +43,15 @@ class Surface {
   std::vector<double> weights_;
   std::vector<char> border_;
 };
+
+// Shares of vertices, 0 … 1: wider by some rings of neighbours, then smoothed by so many steps. All of a share stays
+// where there are as many rings as steps.
+void soften(const Surface& surface, int rings, int steps, std::vector<double>& shares);
+
+// The normal of a triangle, as long as its doubled area.
+inline glm::dvec3 doubled_area(const Positions& p, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return glm::cross(p[b] - p[a], p[c] - p[a]);
+}
 
 // Of all triangles.
 double area(const Positions& positions, std::span<const std::uint32_t> indices);

@@ -35,9 +35,8 @@ void refuse_idle(const CookOptions& options, const Given& given) {
                 "give --as fit or --as smooth too");
   refuse_unless(fits, "keep-bind-pose", "a fit", "give --as fit too");
   refuse_unless(fits || lifts, "helpers", "what may follow them", "leave out --as smooth, or give --as fit");
-  refuse_unless(
-      learn.animation_space != AnimationSpace::lift || ((beside || eigen) && smooths(learn.truth)),
-      "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
+  refuse_unless(learn.animation_space != AnimationSpace::lift || ((beside || eigen) && smooths(learn.truth)),
+                "delta-mush", "anything to smooth", "give --as smooth, or a fit and --truth delta-mush too");
   refuse_unless(learn.truth == Truth::elastic, "elastic", "its truth", "give --truth elastic too");
   refuse_unless((fits || beside) && learn.truth != Truth::examples, "wide-poses", "a fit to a deformer",
                 "give --as fit, --mwe or --psd too, and a truth that is not examples");
@@ -118,8 +117,7 @@ CookOptions to_options(const Given& given) {
     for (const Value& value : shapes->second) options.shapes.push_back(*value.shape);
   // Of what blends rotations; beside delta mush helpers do not pay.
   LearnOptions& learn = options.learn;
-  if (learn.animation_space == AnimationSpace::fit && !given.contains("helpers") &&
-      blends_rotations(learn.truth))
+  if (learn.animation_space == AnimationSpace::fit && !given.contains("helpers") && blends_rotations(learn.truth))
     learn.helpers = kAutoHelpers;
   refuse_idle(options, given);
   refuse_with_subdivide(options, given);

@@ -74,7 +74,7 @@ TEST(UglierThanSsd, IsWhatSticksOut) {
   Coordinates coordinates = lift(mesh);
   const auto back = [&] {
     const std::vector<Pose> poses = {kBent, cylinder_pose(0, 60 * kDegree), cylinder_pose(0, 0)};
-    return uglier_than_ssd(mesh, coordinates, lift(mesh), {}, poses.size(), [&](std::size_t i) { return poses[i]; });
+    return uglier_than_ssd(mesh, coordinates, lift(mesh), {}, poses);
   };
   const Ugliness plain = back();
   for (const double share : plain.goes_back) ASSERT_EQ(share, 0);

@@ -367,6 +367,11 @@ void add_jumps(const Study& study, const deform::Deformer& truth, DeformerCompar
 
 }  // namespace
 
+bool reads_more(double a, double b, int decimals) {
+  const double written = std::pow(10.0, decimals);
+  return std::round(written * a) > std::round(written * b);
+}
+
 DeformerComparison compare_deformers(const Study& study, const cook::LearnOptions& options, int eigen_fields,
                                      const deform::Progress& progress) {
   Judge judge(study.source.mesh);

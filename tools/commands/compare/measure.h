@@ -19,6 +19,10 @@ struct SurfaceLook {
   std::optional<double> jump_of_ssd;
 };
 
+// Whether one figure is more than another, written with so many decimals: what nobody can read is no difference.
+bool reads_more(double a, double b, int decimals);
+inline constexpr int kFlippedDecimals = 1, kBendDecimals = 2, kCreasedDecimals = 2;  // a pose; degrees; per cent
+
 // Lengths in metres.
 struct DeformerRow {
   std::string deformer;

@@ -10,8 +10,6 @@ namespace {
 constexpr double kInvisible = 1e-4;  // of the diagonal: a fifth of a millimetre on a person
 constexpr double kWorthIt = 0.75;    // of the error that a costlier deformer must beat
 constexpr double kMostJump = 1.1;    // of plain skinning's
-// What tables do not show.
-constexpr double kUnseenFlips = 0.05, kUnseenBend_deg = 0.005, kUnseenCreased = 5e-5;
 
 const DeformerRow* find(const DeformerComparison& c, const std::string& name) {
   const auto at = std::ranges::find(c.rows, name, &DeformerRow::deformer);
@@ -46,11 +44,11 @@ std::string worse_looks(const SurfaceLook& look, const SurfaceLook& plain) {
   const auto add = [&](bool is_worse, const std::string& text) {
     if (is_worse) out += (out.empty() ? "" : ", ") + text;
   };
-  add(look.flipped > plain.flipped + kUnseenFlips,
+  add(reads_more(look.flipped, plain.flipped, kFlippedDecimals),
       fmt::format("{:.1f} flipped triangles a pose for {:.1f}", look.flipped, plain.flipped));
-  add(look.bend_deg > plain.bend_deg + kUnseenBend_deg,
+  add(reads_more(look.bend_deg, plain.bend_deg, kBendDecimals),
       fmt::format("it bends by {:.2f}° for {:.2f}°", look.bend_deg, plain.bend_deg));
-  add(look.creased > plain.creased + kUnseenCreased,
+  add(reads_more(100 * look.creased, 100 * plain.creased, kCreasedDecimals),
       fmt::format("it creases {:.2f} % of its edges for {:.2f} %", 100 * look.creased, 100 * plain.creased));
   if (look.jump_of_ssd)
     add(*look.jump_of_ssd > kMostJump, fmt::format("it jumps {:.2f} times as far between frames", *look.jump_of_ssd));
@@ -158,7 +156,7 @@ Verdict verdict(const Study& study, const std::string& truth, const DeformerComp
   const auto flips = [&](const DeformerRow& row) {
     return motion.of.empty() ? 0 : motion.of[static_cast<std::size_t>(&row - c.rows.data())].mean_flipped;
   };
-  if (const DeformerRow& row = *find(c, out.deformer); flips(row) > flips(*ssd) + kUnseenFlips)
+  if (const DeformerRow& row = *find(c, out.deformer); reads_more(flips(row), flips(*ssd), kFlippedDecimals))
     out.why.push_back(
         fmt::format("With single joints turned as far as they go, beyond the clips, it flips {:.1f} triangles a pose "
                     "for plain skinning's {:.1f}: see the range of motion.",

@@ -14,7 +14,7 @@ struct Verdict {
   std::vector<std::string> why;  // what else there is to know, each a sentence or two
 };
 
-// What looks worse than plain skinning: flips, bends or creases more, by more than tables show, or jumps.
+// What looks worse than plain skinning: flips, bends or creases more, as far as the tables show, or jumps.
 bool is_uglier(const SurfaceLook& look, const SurfaceLook& plain);
 
 Verdict verdict(const Study& study, const std::string& truth, const DeformerComparison& comparison,

@@ -2,8 +2,6 @@
 #include "commands/info/info.h"
 
 #include <algorithm>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -162,20 +160,17 @@ class Tree {
     add_shapes(r_["shapes"]);
   }
 
-  // A line a joint: "helpers at "forearm.L"", and towards which joints they are.
+  // A line for each joint that has some, in their order: how many, and towards which joints.
   void add_helpers(const ordered_json& mesh, bool last) {
-    std::vector<std::pair<std::string, std::vector<std::pair<std::string, int>>>> joints;
-    const auto at = [](auto& list, const std::string& name) -> auto& {
-      for (auto& entry : list)
-        if (entry.first == name) return entry.second;
-      return list.emplace_back(name, typename std::remove_reference_t<decltype(list)>::value_type::second_type{})
-          .second;
-    };
-    for (const ordered_json& h : mesh["helpers"]) ++at(at(joints, text(h["first"])), text(h["second"]));
-    for (const auto& [joint, towards] : joints) {
+    ordered_json joints = ordered_json::object();
+    for (const ordered_json& h : mesh["helpers"]) {
+      ordered_json& count = joints[text(h["first"])][text(h["second"])];
+      count = count.is_null() ? 1 : count.get<int>() + 1;
+    }
+    for (const auto& [joint, towards] : joints.items()) {
       std::string words;
-      for (const auto& [other, count] : towards)
-        words += fmt::format("{}{} towards \"{}\"", words.empty() ? "" : ", ", count, other);
+      for (const auto& [other, count] : towards.items())
+        words += fmt::format("{}{} towards \"{}\"", words.empty() ? "" : ", ", count.get<int>(), other);
       below_leaf(last, fmt::format("helpers of \"{}\"", joint), "", words);
     }
   }

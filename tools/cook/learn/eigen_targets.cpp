@@ -8,12 +8,14 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "common/evenly.h"
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/learn/learn.h"
 #include "cook/scene/node_motion.h"
 #include "cook/skin/deform_source.h"
 #include "deform/deformers.h"
+#include "deform/elastic/elastic.h"
 #include "deform/fit/correction.h"
 #include "deform/fit/principal_fields.h"
 #include "deform/fit/remembered.h"
@@ -46,6 +48,13 @@ deform::Pose pose_at(const Subject& subject, const Moment& moment) {
   const std::vector<glm::dmat4> joints = subject.motion[moment.clip].at(moment.time_s);
   for (std::size_t j = 0; j < joints.size(); ++j) out.emplace_back(joints[j] * subject.skin->inverse_bind[j]);
   return out;
+}
+
+// What is stiff in the clips it leaves alone, see deform::Elastic::look_at().
+deform::Deformer elastic_truth(const Subject& subject, const LearnOptions& options) {
+  std::vector<deform::Pose> poses;
+  for (const Moment& moment : tools::evenly(subject.moments, kLookedAt)) poses.push_back(pose_at(subject, moment));
+  return deform::remembered(deform::elastic(subject.source.mesh, options.elastic, poses));
 }
 
 // Of every clip that moves a joint, ends included.
@@ -88,11 +97,10 @@ Missing missing_at(const Subject& subject, const Moment& moment) {
 std::vector<deform::Positions> fields_of(const Subject& subject, std::size_t most) {
   const std::size_t vertices = subject.source.mesh.positions.size();
   const std::size_t room = std::clamp(kMostMissing / std::max<std::size_t>(vertices, 1), kFewestMoments, kMostMoments);
-  const std::size_t count = std::min(room, subject.moments.size());
-  std::vector<deform::Positions> missing(count);
-  tools::for_each_in_parallel(count, [&](std::size_t i) {
-    missing[i] = missing_at(subject, subject.moments[i * subject.moments.size() / count]).bind;
-  });
+  const std::vector<Moment> moments = tools::evenly(subject.moments, room);
+  std::vector<deform::Positions> missing(moments.size());
+  tools::for_each_in_parallel(moments.size(),
+                              [&](std::size_t i) { missing[i] = missing_at(subject, moments[i]).bind; });
   if (std::ranges::all_of(missing, [](const deform::Positions& p) { return !(deform::dot(p, p) > 0); })) return {};
   return deform::principal_fields(missing, most).fields;
 }
@@ -178,10 +186,10 @@ bool add_to(std::size_t instance_index, const LearnOptions& options, std::set<st
   if (subject.source.mesh.positions.size() > kMostMissing / kFewestMoments)
     throw tools::Failure(tools::Exit::unsupported, scene.source, mesh.primitives.front().pointer, "too-many-vertices",
                          fmt::format("--eigenskin takes at most {}", kMostMissing / kFewestMoments));
-  subject.truth = make_truth(subject.source, options);
-  if (options.truth == Truth::elastic) subject.truth = deform::remembered(subject.truth);
   find_moments(subject);
   if (subject.moments.empty()) return false;
+  subject.truth =
+      options.truth == Truth::elastic ? elastic_truth(subject, options) : make_truth(subject.source, options);
   const std::vector<deform::Positions> fields = fields_of(subject, to_index(options.eigen_targets));
   if (fields.empty()) return false;
   std::vector<Fitted> all(subject.moments.size());

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "common/evenly.h"
 #include "common/failure.h"
 #include "cook/learn/check_truth.h"
 #include "cook/learn/look_better.h"
@@ -140,20 +141,12 @@ std::vector<std::size_t> usable_motion(const DeformSource& source, const deform:
   return out;
 }
 
-// Of them so many at most, evenly.
-std::vector<std::size_t> evenly(const std::vector<std::size_t>& of, std::size_t most) {
-  std::vector<std::size_t> out;
-  const std::size_t count = std::min(of.size(), most);
-  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
-  return out;
-}
-
 // Vertices that helpers would take farther from the truth than linear blend skinning follow their joints again: judged
 // by the range of motion, and by `clips` where nothing was learnt from those.
 void keep_ssd_where_worse(const DeformSource& source, const deform::Deformer& truth,
                           const std::vector<std::size_t>& motion, const std::vector<deform::Pose>& clips, Learnt& out) {
   constexpr std::size_t kMostPoses = 1024;
-  const std::vector<std::size_t> looked_at = evenly(motion, kMostPoses);
+  const std::vector<std::size_t> looked_at = tools::evenly(motion, kMostPoses);
   const auto pose = [&](std::size_t i) {
     return i < clips.size() ? clips[i] : source.motion[looked_at[i - clips.size()]].pose();
   };
@@ -195,10 +188,8 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
 void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
                     DeformSource& source, Notes& notes) {
   if (options.truth != Truth::elastic) return;
-  constexpr std::size_t kLookedAt = 48;
   std::vector<deform::Pose> poses;
-  const std::size_t all = source.motion.size(), count = std::min(all, kLookedAt);
-  for (std::size_t i = 0; i < count; ++i) poses.push_back(source.motion[i * all / count].pose());
+  for (const deform::MotionPose& turned : tools::evenly(source.motion, kLookedAt)) poses.push_back(turned.pose());
   std::vector<double> rig_shares;
   source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares));
   note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
@@ -232,7 +223,8 @@ void add_motion(const DeformSource& source, bool body, const std::vector<std::si
     for (deform::TrainingPose& p : single_joints(source.motion, kMostLearnt, folds_of(poses)))
       poses.push_back(std::move(p));
   }
-  for (const std::size_t i : evenly(motion, kMostJudged)) poses.push_back({source.motion[i].pose(), 0, false, false});
+  for (const std::size_t i : tools::evenly(motion, kMostJudged))
+    poses.push_back({source.motion[i].pose(), 0, false, false});
 }
 
 deform::FitOptions fit_options(const LearnOptions& options, const deform::ClosedForm& form,

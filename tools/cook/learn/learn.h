@@ -10,6 +10,9 @@
 
 namespace marrow::cook {
 
+// How many poses tell where the elastic truth does not apply.
+inline constexpr std::size_t kLookedAt = 48;
+
 // How many moments of clips tell whether something jumps.
 inline constexpr std::size_t kFramesInARow = 64;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/evenly.h"
 #include "deform/helpers/not_uglier.h"
 
 namespace marrow::cook {
@@ -35,15 +36,11 @@ void give_way(const deform::Coordinates& simple, const std::vector<double>& goes
 
 void keep_from_looking_worse(const DeformSource& source, const deform::ClosedForm& form,
                              const std::vector<deform::Pose>& clips, Learnt& out) {
-  const std::size_t of_clips = std::min(clips.size(), kMostPoses),
-                    of_motion = std::min(source.motion.size(), kMostPoses);
-  const auto pose = [&](std::size_t i) {
-    return i < of_clips ? clips[i * clips.size() / of_clips]
-                        : source.motion[(i - of_clips) * source.motion.size() / of_motion].pose();
-  };
+  std::vector<deform::Pose> poses = tools::evenly(clips, kMostPoses);
+  for (const deform::MotionPose& turned : tools::evenly(source.motion, kMostPoses)) poses.push_back(turned.pose());
   const deform::Coordinates simple = simple_over(form, out.coordinates);
   const auto look = [&](const deform::Coordinates& coordinates) {
-    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, of_clips + of_motion, pose);
+    return deform::uglier_than_ssd(source.mesh, coordinates, simple, out.helpers, poses);
   };
   deform::Ugliness now = look(out.coordinates);
   for (int round = 0; round < kRounds; ++round) {

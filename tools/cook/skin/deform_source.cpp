@@ -1,12 +1,11 @@
 #include "cook/skin/deform_source.h"
 
-#include <algorithm>
-
 #include <map>
 #include <tuple>
 
 #include <glm/matrix.hpp>
 
+#include "common/evenly.h"
 #include "cook/scene/matrices.h"
 
 namespace marrow::cook {
@@ -86,20 +85,20 @@ deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skelet
   return out;
 }
 
-std::vector<std::array<deform::Pose, 3>> frames_in_a_row(const DeformSource& source, const BuiltScene& built,
-                                                         std::size_t most) {
+std::vector<deform::FramesInARow> frames_in_a_row(const DeformSource& source, const BuiltScene& built,
+                                                  std::size_t most) {
   constexpr double kRate_hz = 60;
   constexpr std::size_t kMostFrames = 4096;  // of longer clips they are farther apart
   const std::vector<SampledPose> frames = clip_poses(built, source.skeleton, kRate_hz, kMostFrames);
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i + 2 < frames.size(); ++i)
     if (frames[i].clip == frames[i + 2].clip) begins.push_back(i);
-  const std::size_t count = std::min(begins.size(), most);
-  std::vector<std::array<deform::Pose, 3>> out(count);
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<deform::FramesInARow> out;
+  for (const std::size_t begin : tools::evenly(begins, most)) {
+    out.emplace_back();
     for (std::size_t k = 0; k < 3; ++k)
-      out[i][k] =
-          deform_pose(source, built.skeletons[source.skeleton], frames[begins[i * begins.size() / count] + k].local);
+      out.back()[k] = deform_pose(source, built.skeletons[source.skeleton], frames[begin + k].local);
+  }
   return out;
 }
 

@@ -1,7 +1,6 @@
 // A mesh of the scene as the offline deformers take it, and its poses.
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "cook/skin/sampled_poses.h"
@@ -36,10 +35,10 @@ struct DeformSource : WeldedMesh {
   std::vector<std::uint16_t> joints;
   std::vector<glm::dmat4> inverse_bind;
   std::uint32_t skeleton = 0;
-  std::vector<ShownPose> shown;                     // in ascending order of clips; read_examples() has them
-  deform::Deformer elastic;                         // of the mesh; remember_truth() has it
-  std::vector<deform::MotionPose> motion;           // what fits are judged by too; range_of_motion() has them
-  std::vector<std::array<deform::Pose, 3>> frames;  // the same, for what jumps; frames_in_a_row() has them
+  std::vector<ShownPose> shown;              // in ascending order of clips; read_examples() has them
+  deform::Deformer elastic;                  // of the mesh; remember_truth() has it
+  std::vector<deform::MotionPose> motion;    // what fits are judged by too; range_of_motion() has them
+  std::vector<deform::FramesInARow> frames;  // the same, for what jumps; frames_in_a_row() has them
 };
 
 DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding,
@@ -50,8 +49,8 @@ deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skelet
                          const std::vector<SoaTransform>& local);
 
 // Three frames in a row at 60 Hz, at so many moments of all clips at most, evenly.
-std::vector<std::array<deform::Pose, 3>> frames_in_a_row(const DeformSource& source, const BuiltScene& built,
-                                                         std::size_t most);
+std::vector<deform::FramesInARow> frames_in_a_row(const DeformSource& source, const BuiltScene& built,
+                                                  std::size_t most);
 
 // What the mesh does: the bind pose, then moments of all clips, without clips poses made up; helpers among the
 // joints.

@@ -66,19 +66,6 @@ std::vector<double> agreement(const Lattice& lattice, const SkinnedMesh& mesh) {
   return out;
 }
 
-// Shares first wider by some rings, so that smoothing leaves what they were: all of it where there are as many as
-// steps.
-void soften(const SkinnedMesh& mesh, int rings, std::vector<double>& shares) {
-  const Surface surface(mesh);
-  std::vector<double> scratch;
-  for (int ring = 0; ring < rings; ++ring) {
-    scratch = shares;
-    for (std::size_t v = 0; v < shares.size(); ++v)
-      for (const std::uint32_t k : surface.neighbours(v)) shares[v] = std::max(shares[v], scratch[k]);
-  }
-  for (int i = 0; i < kSeam; ++i) surface.smooth(shares, 0.5, scratch);
-}
-
 }  // namespace
 
 double Embedding::quadratic(double t) {
@@ -140,14 +127,14 @@ void Embedding::find_shares() {
     rig_[v] = 1 - smooth_step(std::max(common, agrees[v]), kStrange, kAgrees);
     thin_[v] = 1 - smooth_step(filled / sum, kThin, kThick);
   }
-  soften(mesh_, 1, rig_);
+  soften(Surface(mesh_), 1, kSeam, rig_);
   for (std::size_t v = 0; v < count; ++v)
     if (body_.lattice.cell_of[v] == Lattice::kNone) rig_[v] = 1;
 }
 
 void Embedding::leave_to_rig(const std::vector<char>& vertices) {
   std::vector<double> shares(vertices.begin(), vertices.end());
-  soften(mesh_, kSeam, shares);
+  soften(Surface(mesh_), kSeam, kSeam, shares);
   for (std::size_t v = 0; v < shares.size(); ++v) rig_[v] = std::max(rig_[v], shares[v]);
 }
 

@@ -25,7 +25,7 @@ struct FitOptions {
   const ClosedForm* weights = nullptr;
   bool is_lift = true;
   std::size_t most_joints = 4;
-  double unseen = 0;                   // and none whose loss costs less than this: mean squares over pose, in diagonals
+  double unseen = 0;                   // and none whose loss costs less: the mean square over poses, in diagonals
   const Surface* even_over = nullptr;  // where not null, what is missed of the truth goes over smoothly
   double most_worse = 0.02;  // share of shipped poses that may be worse than the reference, where that can be had
   Progress progress = {};    // of poses, then of sets of joints

@@ -23,20 +23,19 @@ using Sums = std::array<std::vector<double>, kKinds>;  // of vertices
 
 // Added up in parts and in order, so that sums do not depend on threads.
 Sums sums_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& deformers,
-               const std::vector<Helper>& helpers, std::size_t poses, const std::function<Pose(std::size_t)>& pose) {
+               const std::vector<Helper>& helpers, const std::vector<Pose>& poses) {
   constexpr std::size_t kParts = 16;
   const FoldMeter meter(mesh);
   std::vector<Sums> parts(kParts);
   tools::for_each_in_parallel(kParts, [&](std::size_t part) {
     for (std::vector<double>& sums : parts[part]) sums.assign(mesh.positions.size(), 0);
-    for (std::size_t i = part; i < poses; i += kParts) {
-      const Pose joints = pose(i);
-      Pose extended = joints;
+    for (std::size_t i = part; i < poses.size(); i += kParts) {
+      Pose extended = poses[i];
       append_helpers(helpers, extended);
       Positions positions;
       for (std::size_t kind = 0; kind < kKinds; ++kind) {
         deformers[kind](extended, positions);
-        meter.add_at_vertices(joints, positions, parts[part][kind]);
+        meter.add_at_vertices(poses[i], positions, parts[part][kind]);
       }
     }
   });
@@ -45,18 +44,6 @@ Sums sums_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& defo
     for (std::size_t kind = 0; kind < kKinds; ++kind)
       for (std::size_t v = 0; v < mesh.positions.size(); ++v) out[kind][v] += parts[part][kind][v];
   return out;
-}
-
-// What goes back is wider by some rings, and ends smoothly.
-void soften(const SkinnedMesh& mesh, std::vector<double>& back) {
-  const Surface surface(mesh);
-  std::vector<double> scratch;
-  for (int ring = 0; ring < kWider; ++ring) {
-    scratch = back;
-    for (std::size_t v = 0; v < back.size(); ++v)
-      for (const std::uint32_t k : surface.neighbours(v)) back[v] = std::max(back[v], scratch[k]);
-  }
-  for (int i = 0; i < kSeam; ++i) surface.smooth(back, 0.5, scratch);
 }
 
 // Of each vertex the largest over all frames, each in diagonals of what it shows.
@@ -93,19 +80,17 @@ Sums jumps_over(const SkinnedMesh& mesh, const std::array<Deformer, kKinds>& def
 }  // namespace
 
 Ugliness uglier_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates, const Coordinates& simple,
-                         const std::vector<Helper>& helpers, std::size_t poses,
-                         const std::function<Pose(std::size_t)>& pose) {
-  const Sums sums =
-      sums_over(mesh, {ssd(mesh), animation_space(simple), animation_space(coordinates)}, helpers, poses, pose);
+                         const std::vector<Helper>& helpers, const std::vector<Pose>& poses) {
+  const Sums sums = sums_over(mesh, {ssd(mesh), animation_space(simple), animation_space(coordinates)}, helpers, poses);
   Ugliness out;
   std::vector<double>& back = out.goes_back;
   back.assign(mesh.positions.size(), 0);
   for (std::size_t v = 0; v < back.size(); ++v) {
     out.total += sums[kOurs][v];
     const double most = std::max(sums[kPlain][v], sums[kSimple][v]);
-    if (sums[kOurs][v] > kMore * most + kUnseen * static_cast<double>(poses)) back[v] = 1;
+    if (sums[kOurs][v] > kMore * most + kUnseen * static_cast<double>(poses.size())) back[v] = 1;
   }
-  soften(mesh, back);
+  soften(Surface(mesh), kWider, kSeam, back);
   return out;
 }
 
@@ -117,7 +102,7 @@ std::vector<double> jumps_more_than_ssd(const SkinnedMesh& mesh, const Coordinat
   std::vector<double> back(mesh.positions.size(), 0);
   for (std::size_t v = 0; v < back.size(); ++v)
     if (jumps[kOurs][v] > kMore * std::max(jumps[kPlain][v], jumps[kSimple][v]) + kUnseenJump) back[v] = 1;
-  soften(mesh, back);
+  soften(Surface(mesh), kWider, kSeam, back);
   return back;
 }
 

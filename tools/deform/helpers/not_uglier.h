@@ -1,8 +1,6 @@
 // What is learnt must not look worse than linear blend skinning where nobody has looked.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <vector>
 
 #include "deform/helpers/helpers.h"
@@ -17,14 +15,10 @@ struct Ugliness {
 };
 
 // Whether it looks worse is a matter of FoldMeter's sums at vertices: by a quarter, and by more than nobody sees.
-// simple: what coordinates go back to. coordinates, helpers and pose as of better_by_ssd(). On all cores; the same
-// result on every run.
+// simple: what coordinates go back to. coordinates and helpers as of better_by_ssd(); poses: of joints alone. On all
+// cores; the same result on every run.
 Ugliness uglier_than_ssd(const SkinnedMesh& mesh, const Coordinates& coordinates, const Coordinates& simple,
-                         const std::vector<Helper>& helpers, std::size_t poses,
-                         const std::function<Pose(std::size_t)>& pose);
-
-// Poses of three frames, one after the other.
-using FramesInARow = std::array<Pose, 3>;
+                         const std::vector<Helper>& helpers, const std::vector<Pose>& poses);
 
 // Of each vertex how much of what it has learnt it must do without, since it jumps from frame to frame, |a - 2 b + c|,
 // by a quarter more than with linear blend skinning and with `simple`, and by more than a thousandth of the diagonal:

@@ -27,10 +27,6 @@ std::vector<Influence> mean_weights(const SkinnedMesh& mesh, std::span<const std
   return out;
 }
 
-glm::dvec3 doubled_area(const Positions& p, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  return glm::cross(p[b] - p[a], p[c] - p[a]);
-}
-
 // Between the normals of triangles a b c and b a d; above 0 at a ridge.
 double angle_between(const Positions& p, const std::array<std::uint32_t, 4>& corners) {
   const auto [a, b, c, d] = corners;

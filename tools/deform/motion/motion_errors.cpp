@@ -24,10 +24,6 @@ struct Cut {
   double of_b;
 };
 
-glm::dvec3 doubled_area(const Positions& of, const std::uint32_t* i) {
-  return glm::cross(of[i[1]] - of[i[0]], of[i[2]] - of[i[0]]);
-}
-
 // Where what a joint turns goes over into the rest.
 class Border {
  public:
@@ -79,14 +75,16 @@ class Border {
       const double share = (shares_[i[0]] + shares_[i[1]] + shares_[i[2]]) / 3;
       const glm::dvec3 v = pose.axis * (share * sine);
       out.push_back(glm::normalize(glm::dquat(1 - share + share * cosine, v.x, v.y, v.z)) *
-                    doubled_area(mesh_.positions, i));
+                    doubled_area(mesh_.positions, i[0], i[1], i[2]));
     }
     return out;
   }
   std::size_t flipped(const std::vector<glm::dvec3>& facing, const Positions& p) const {
     std::size_t out = 0;
-    for (std::size_t t = 0; t < facing.size(); ++t)
-      out += glm::dot(doubled_area(p, &mesh_.indices[3 * t]), facing[t]) < 0;
+    for (std::size_t t = 0; t < facing.size(); ++t) {
+      const std::uint32_t* const i = &mesh_.indices[3 * t];
+      out += glm::dot(doubled_area(p, i[0], i[1], i[2]), facing[t]) < 0;
+    }
     return out;
   }
 

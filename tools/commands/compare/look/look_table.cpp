@@ -1,7 +1,6 @@
 #include "commands/compare/look/look_table.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace marrow::tools {
 namespace {
@@ -35,9 +34,10 @@ const std::vector<TableColumn> kLookColumns = {
      }},
     {"largest", "mm", "largest", 9, 2, [](Line l, Line) { return of(l, &DeformerRow::held_max, 1e3); }},
     {"poses worse than SSD", "%", "worse %", 8, 1, [](Line l, Line) { return of(l, &DeformerRow::worse_share, 100); }},
-    {"flipped triangles", "a pose", "flips", 8, 1, [](Line l, Line) { return Value(l.look.flipped); }, true},
-    {"bend", "degrees", "bend °", 8, 2, [](Line l, Line) { return Value(l.look.bend_deg); }, true},
-    {"creases", "%", "crease %", 9, 2, [](Line l, Line) { return Value(100 * l.look.creased); }, true},
+    {"flipped triangles", "a pose", "flips", 8, kFlippedDecimals, [](Line l, Line) { return Value(l.look.flipped); },
+     true},
+    {"bend", "degrees", "bend °", 8, kBendDecimals, [](Line l, Line) { return Value(l.look.bend_deg); }, true},
+    {"creases", "%", "crease %", 9, kCreasedDecimals, [](Line l, Line) { return Value(100 * l.look.creased); }, true},
     {"narrowest ring", "", "ring", 6, 2, [](Line l, Line) { return l.ring; }},
     {"jumps of SSD's", "", "jumps", 7, 2, [](Line l, Line) { return l.look.jump_of_ssd; }},
     {"volume of the truth's", "", "volume", 8, 3, [](Line l, Line) { return of(l, &DeformerRow::volume); }},
@@ -85,9 +85,7 @@ std::vector<TableColumn> known(const std::vector<TableColumn>& columns, const st
 }
 
 bool is_uglier(const TableColumn& column, const TableLine& line, const TableLine& ssd) {
-  if (!column.more_is_uglier) return false;
-  const double shown = std::pow(10.0, column.decimals);
-  return std::round(shown * *column.value(line, ssd)) > std::round(shown * *column.value(ssd, ssd));
+  return column.more_is_uglier && reads_more(*column.value(line, ssd), *column.value(ssd, ssd), column.decimals);
 }
 
 }  // namespace marrow::tools

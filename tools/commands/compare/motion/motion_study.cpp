@@ -74,7 +74,7 @@ MotionStudy study_motion(const Study& study, const DeformerComparison& compariso
     if (folds) out.folding.push_back(i);
     out.poses += !folds;
     if (poses[i].kind == deform::MotionKind::twist && errors.truth_ring_over_bind)
-      out.truth_ring = std::min(*errors.truth_ring_over_bind, out.truth_ring.value_or(1e300));
+      out.truth_ring = std::min(*errors.truth_ring_over_bind, out.truth_ring.value_or(*errors.truth_ring_over_bind));
     for (std::size_t d = 0; d < deformers.size(); ++d) {
       all[d].add(i, poses[i], errors, d);
       of_joint.back()[d].add(i, poses[i], errors, d);
