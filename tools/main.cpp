@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "commands/command.h"
-#include "common/call_errors.h"
 #include "common/failure.h"
+#include "marrow/call_error.h"
 #include "options/options.h"
 #include "terminal/interrupt.h"
 #include "text/nearest.h"
@@ -37,6 +37,11 @@ constexpr AddCommand kCommands[] = {
     add_view,
 #endif
 };
+
+// A bad call of the runtime is the tools' own error.
+void print_call_error(const char* function, const char* condition) {
+  std::fprintf(stderr, "marrow: bad call of %s: %s\n", function, condition);
+}
 
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> out;
@@ -104,7 +109,7 @@ int main(int argc, char** argv) {
   std::set_new_handler(marrow::tools::end_without_memory);
   try {
     marrow::tools::end_cleanly_on_interrupt();
-    marrow::tools::print_call_errors();
+    marrow::set_call_error_handler(marrow::tools::print_call_error);
     const int code = marrow::tools::run(argc, argv);
     // What a pipe or a full disk refuses is known when everything has been handed over.
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
