@@ -30,7 +30,8 @@ constexpr std::size_t kMostCandidates = 24;   // joints and helpers that a verte
 constexpr std::size_t kMostEntries = 341;     // what fits into a uniform block
 constexpr std::size_t kVerticesAHelper = 16;  // so that posing helpers costs less than the vertices
 // What helpers divide a pair of joints into: of `auto` no more than is worth its bytes.
-constexpr int kHalves = 2, kQuarters = 4, kEighths = 8;
+constexpr int kQuarters = 4, kEighths = 8;
+constexpr std::size_t kSingleJoints = 320;  // poses of them that a body learns
 
 // Whether what is learnt is a body, which goes over from joint to joint more widely than weights do.
 bool is_body(const LearnOptions& options) {
@@ -43,15 +44,15 @@ std::size_t most_joints(const LearnOptions& options) {
 }
 
 // Of `auto` one a joint, more where there are vertices to pay for them, and no more than the palette has room for; of
-// a body, which takes halves alone, a few more than joints.
+// a body two a joint.
 std::size_t most_helpers(const deform::SkinnedMesh& mesh, const LearnOptions& options) {
   if (options.helpers != kAutoHelpers) return static_cast<std::size_t>(options.helpers);
   std::set<std::uint32_t> joints;
   for (const std::vector<deform::Influence>& influences : mesh.influences)
     for (const deform::Influence& i : influences) joints.insert(i.joint);
   const std::size_t room = joints.size() < kMostEntries ? kMostEntries - joints.size() : joints.size();
-  return std::min(room, is_body(options) ? joints.size() * 6 / 5
-                                         : std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
+  return std::min(
+      room, is_body(options) ? joints.size() * 2 : std::max(joints.size(), mesh.positions.size() / kVerticesAHelper));
 }
 
 // The best guess without examples, over joints that a vertex may follow: to delta mush those that smoothing reaches, of
@@ -218,9 +219,9 @@ std::uint32_t folds_of(const std::vector<deform::TrainingPose>& poses) {
 // motion: usable_motion() where it is judged by that.
 void add_motion(const DeformSource& source, bool body, const std::vector<std::size_t>& motion,
                 std::vector<deform::TrainingPose>& poses) {
-  constexpr std::size_t kMostJudged = 512, kMostLearnt = 320;
+  constexpr std::size_t kMostJudged = 512;
   if (body) {
-    for (deform::TrainingPose& p : single_joints(source.motion, kMostLearnt, folds_of(poses)))
+    for (deform::TrainingPose& p : single_joints(source.motion, kSingleJoints, folds_of(poses)))
       poses.push_back(std::move(p));
   }
   for (const std::size_t i : tools::evenly(motion, kMostJudged))
@@ -299,11 +300,13 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   const deform::SkinnedMesh reach = body ? spread(mesh) : following(mesh, candidates);
   const std::vector<deform::Pose> clips = only_poses(poses);
   const deform::Likeness likeness(reach, clips, source.parents);
-  out.helpers = deform::choose_helpers(reach, likeness, source.centres, most_helpers(mesh, options),
-                                       options.truth == Truth::centres_of_rotation,
-                                       options.helpers != kAutoHelpers ? kEighths
-                                       : body                          ? kHalves
-                                                                       : kQuarters);
+  // A body has helpers where no clip turns a joint, too.
+  std::vector<deform::Pose> seen = clips;
+  if (body)
+    for (deform::TrainingPose& p : single_joints(source.motion, kSingleJoints, 1)) seen.push_back(std::move(p.pose));
+  out.helpers = deform::choose_helpers(reach, deform::Likeness(reach, seen, source.parents), source.centres,
+                                       most_helpers(mesh, options), options.truth == Truth::centres_of_rotation,
+                                       options.helpers != kAutoHelpers ? kEighths : kQuarters);
   const deform::ClosedForm form(mesh, out.helpers, likeness);
   for (std::size_t v = 0; v < candidates.size(); ++v) {
     out.weights[v] = form.weights_of(v);
