@@ -323,6 +323,7 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
   if (!contestant.can_be_cooked) return;
   cook::CookOptions options;
   options.learn = contestant.cooked;
+  options.learn.known_elastic = study.source.elastic;
   options.raw_clips = true;
   options.most_entries = kMaxJoints;  // a mesh a primitive
   const cook::CookResult cooked = cook::cook_scene(study.scene, options);

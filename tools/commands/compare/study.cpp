@@ -23,6 +23,8 @@ using namespace marrow::cook;
 constexpr double kRate_hz = 30;
 constexpr std::size_t kMostPoses = 640;  // half of them are learnt from
 constexpr std::size_t kMostRounds = 8;
+// Bytes: each row learns from the truth's poses, and is judged by them.
+constexpr std::size_t kMostRemembered = 512'000'000;
 
 std::size_t vertex_count(const RawMesh& mesh) {
   std::size_t out = 0;
@@ -161,7 +163,8 @@ void drop_unusable_poses(const LearnOptions& options, Study& study, Notes& notes
   const RawSkin& skin = study.scene.skins[static_cast<std::size_t>(study.scene.instances.front().skin)];
   const UsablePoses usable(study.source.mesh, options.truth);
   remember_truth(options, study.scene, skin,
-                 study.scene.meshes[static_cast<std::size_t>(study.scene.instances.front().mesh)], study.source, notes);
+                 study.scene.meshes[static_cast<std::size_t>(study.scene.instances.front().mesh)], study.source, notes,
+                 kMostRemembered);
   const deform::Deformer truth = make_truth(study.source, options);
   const auto is_infinite = [&](const auto& p) {
     deform::Positions positions;

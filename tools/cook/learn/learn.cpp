@@ -14,7 +14,6 @@
 #include "cook/learn/single_joints.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/elastic/elastic.h"
-#include "deform/fit/remembered.h"
 #include "deform/helpers/choose_helpers.h"
 #include "deform/helpers/never_worse.h"
 #include "deform/motion/motion_errors.h"
@@ -187,12 +186,16 @@ deform::Deformer make_truth(const DeformSource& source, const LearnOptions& opti
 }
 
 void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
-                    DeformSource& source, Notes& notes) {
+                    DeformSource& source, Notes& notes, std::size_t most_bytes) {
   if (options.truth != Truth::elastic) return;
+  if (options.known_elastic) {
+    source.elastic = options.known_elastic;
+    return;
+  }
   std::vector<deform::Pose> poses;
   for (const deform::MotionPose& turned : tools::evenly(source.motion, kLookedAt)) poses.push_back(turned.pose());
   std::vector<double> rig_shares;
-  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares));
+  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares), most_bytes);
   note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
 }
 

@@ -7,6 +7,7 @@
 #include "cook/learn/examples.h"
 #include "cook/scene/cook_options.h"
 #include "deform/deformers.h"
+#include "deform/fit/remembered.h"
 
 namespace marrow::cook {
 
@@ -21,9 +22,9 @@ const char* name_of(Truth truth);
 deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
 
 // Makes `source.elastic` where that is the truth, and notes where it does not apply: by the source's range of motion,
-// too. `source`, of `mesh`, must not move afterwards.
+// too. `source`, of `mesh`, must not move afterwards. most_bytes: of poses that it keeps.
 void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
-                    DeformSource& source, Notes& notes);
+                    DeformSource& source, Notes& notes, std::size_t most_bytes = deform::kRememberedBytes);
 
 // DeformSource::shown of a mesh: where examples are the truth they are read; else none.
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes);

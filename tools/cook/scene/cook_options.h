@@ -101,6 +101,7 @@ struct LearnOptions {
   Truth truth = Truth::centres_of_rotation;
   deform::DeltaMushOptions delta_mush;
   deform::ElasticOptions elastic;
+  deform::Deformer known_elastic;  // that truth of the only mesh, where it has been made
   std::string examples_file;
   int helpers = 0;     // between the joints that vertices share, at most; or kAutoHelpers
   int influences = 0;  // that a vertex may have, more where its weights need them; 0: 4, with helpers 5
