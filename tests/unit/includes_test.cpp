@@ -241,9 +241,13 @@ TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
                                        "filesystem", "cstdio",    "stdio.h",   "span"};
   // In debug builds a bad call that nobody handles prints a line.
   const fs::path prints = kRuntime / "core" / "call_error.cpp";
+  // For programs that may allocate: no part of the library includes it.
+  const fs::path allocates = kRuntime / "include/marrow/owned.h";
   // Draco brings these, and allocates, anyhow.
   const std::set<std::string> of_draco = {"vector", "memory"};
   for (const Include& include : all) {
+    EXPECT_NE(include.name, "marrow/owned.h") << include.file;
+    if (include.file == allocates) continue;
     const bool beside_draco =
         fs::path(include.file).parent_path() == kRuntime / "draco" && of_draco.count(include.name);
     EXPECT_TRUE(!heavy.count(include.name) || (include.file == prints && include.name == "cstdio") || beside_draco)

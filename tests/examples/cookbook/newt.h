@@ -2,28 +2,18 @@
 // Of a file that is not packed: marrow cook hero.glb --mesh-codec none --clip-codec raw -o hero.mrw
 #pragma once
 
-#include <marrow/marrow.h>
+#include <marrow/owned.h>
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
 
-inline void must(marrow::Status status) {
-  if (status == marrow::Status::ok) return;
-  std::printf("%s\n", to_string(status));
-  std::exit(1);
-}
-
 struct Newt {
-  std::vector<char> bytes;
-  std::vector<std::byte> shared, own;
-  marrow::File file;
-  marrow::Animations animations;
-  marrow::Character body;
+  marrow::OwnedFile file;
+  marrow::OwnedCharacter body;
   marrow::Skeleton skeleton;
   // Both forms of the pose. All solvers keep them alike.
   marrow::Span<marrow::SoaTransform> local;
@@ -32,17 +22,14 @@ struct Newt {
   explicit Newt(const char* path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) std::perror(path);
-    bytes.assign(std::istreambuf_iterator<char>(stream), {});
-    must(load({reinterpret_cast<const std::byte*>(bytes.data()), bytes.size()}, file));
-    shared.resize(animations_bytes(file, file));
-    own.resize(character_bytes(file, {}));
-    must(make_animations(file, file, shared, animations));
-    must(make_character(file, {}, own, body));
+    const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+    must(make_owned(bytes, file));
+    must(make_owned(file, {}, body));
     skeleton = body.skeletons[0].skeleton;
     local = body.skeletons[0].local;
     scene = body.skeletons[0].scene_from_joint;
   }
-  const marrow::Animation* clip(const char* name) const { return find_animation(animations, name); }
+  const marrow::Animation* clip(const char* name) const { return find_animation(file.animations, name); }
   void play(const char* name, float time_s) { must(pose_character(body, {{clip(name), time_s}})); }
   std::uint32_t joint(const char* name) const {
     const std::uint32_t found = file.find_joint(skeleton, name);

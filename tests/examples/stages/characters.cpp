@@ -1,40 +1,35 @@
 // A whole character in two calls a frame: all skeletons, all meshes, blended animations.
 // $ characters hero.mrw
-#include "asset.h"
+#include <marrow/draco.h>
+#include <marrow/owned.h>
 
-using marrow::Status;
+#include <cstdio>
+#include <fstream>
+#include <iterator>
 
 int main(int argc, char** argv) {
-  Asset asset;
-  if (asset.open(argc > 1 ? argv[1] : "hero.mrw") != Status::ok) return 1;
-  const marrow::File& file = asset.file;
-
-  // Once a load: the animations, for any number of characters.
-  std::vector<std::byte> shared(marrow::block_bytes(animations_bytes(file, file)));
-  marrow::Animations animations;
-  if (make_animations(file, file, marrow::block_in(shared), animations) != Status::ok) return 1;
-  const marrow::Animation* const idle = find_animation(animations, "idle");
-  const marrow::Animation* const walk = find_animation(animations, "walk");
+  const char* const path = argc > 1 ? argv[1] : "hero.mrw";
+  std::ifstream stream(path, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  marrow::OwnedFile file;  // with the animations, for any number of characters
+  must(make_owned(bytes, {marrow::draco_decoder()}, file));
+  const marrow::Animation* const idle = find_animation(file.animations, "idle");
+  const marrow::Animation* const walk = find_animation(file.animations, "walk");
   if (idle == nullptr || walk == nullptr) return 1;
 
-  // Once a character: its poses, palettes and what it remembers of its clips.
-  const marrow::CharacterOptions options{.layers = 2};
-  std::vector<std::byte> own(marrow::block_bytes(character_bytes(file, options)));
-  marrow::Character character;
-  if (make_character(file, options, marrow::block_in(own), character) != Status::ok) return 1;
-  std::printf("%zu animations, %zu skeletons, %zu meshes\n", animations.all.size, character.skeletons.size,
+  marrow::OwnedCharacter character;  // its poses, palettes and what it remembers of its clips
+  must(make_owned(file, {.layers = 2}, character));
+  std::printf("%zu animations, %zu skeletons, %zu meshes\n", file.animations.all.size, character.skeletons.size,
               character.meshes.size);
 
   marrow::Playback idling, walking;
   for (int frame = 0; frame < 24; ++frame) {
     const float dt_s = 1.0f / 60, share = float(frame + 1) / 48;  // half a walk at the end
-    if (advance(idling, idle->duration_s, dt_s) != Status::ok || advance(walking, walk->duration_s, dt_s) != Status::ok)
-      return 1;
-    if (pose_character(character, {{idle, clip_time(idling), 1 - share}, {walk, clip_time(walking), share}}) !=
-        Status::ok)
-      return 1;
+    must(advance(idling, idle->duration_s, dt_s));
+    must(advance(walking, walk->duration_s, dt_s));
+    must(pose_character(character, {{idle, clip_time(idling), 1 - share}, {walk, clip_time(walking), share}}));
     // Here the game reaches, looks, places feet: `local` and `scene_from_joint` are both of this frame.
-    if (finish_character(character) != Status::ok) return 1;
+    must(finish_character(character));
   }
 
   const marrow::CharacterSkeleton& posed = character.skeletons[0];
@@ -47,7 +42,7 @@ int main(int argc, char** argv) {
   std::vector<float> positions;
   for (const marrow::CharacterMesh& m : character.meshes) {
     positions.resize(3 * std::size_t(m.mesh.geometry.slot_count));
-    if (skin_ssd(m.mesh, m.palette, {.positions = positions}) != Status::ok) return 1;
+    must(skin_ssd(m.mesh, m.palette, {.positions = positions}));
     vertices += m.mesh.geometry.vertex_count;
   }
   std::printf("%zu vertices are skinned\n", vertices);

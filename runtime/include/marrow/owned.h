@@ -1,0 +1,93 @@
+// Files and characters that own their memory, for programs that may allocate and may end where something is wrong: a
+// game's first day, tools, tests.
+//
+//   OwnedFile file;             must(make_owned(bytes, file))         a file and its animations
+//   OwnedCharacter a, b;        must(make_owned(file, {}, a))         any number of characters of it
+//
+// Each is what it owns, so that every call of the runtime takes it. They may be moved, not copied, as views point into
+// their memory; a file stays as long as its characters. Header only: the library itself has no allocation.
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include "marrow/marrow.h"
+
+namespace marrow {
+
+// A block of memory on a boundary of 16 bytes.
+class OwnedBlock {
+ public:
+  OwnedBlock() = default;
+  explicit OwnedBlock(std::size_t bytes) : memory_(block_bytes(bytes)) {}
+  OwnedBlock(OwnedBlock&&) = default;
+  OwnedBlock& operator=(OwnedBlock&&) = default;
+
+  Span<std::byte> span() { return block_in({memory_.data(), memory_.size()}); }
+
+ private:
+  std::vector<std::byte> memory_;
+};
+
+struct OwnedFile : File {
+  Animations animations = {};
+  DataError error = {};  // of the last make_owned() that failed
+  OwnedBlock block, animations_block;
+};
+
+struct OwnedCharacter : Character {
+  OwnedBlock block;
+};
+
+// Ends the program, with a line on stderr, where a call failed.
+inline void must(Status status) {
+  if (status == Status::ok) return;
+  std::fprintf(stderr, "marrow: %s\n", to_string(status));
+  std::exit(EXIT_FAILURE);
+}
+
+// load() and make_animations() of what `out.block` begins with.
+inline Status load_owned(Span<const std::byte> bytes, OwnedFile& out) {
+  const Status status = load(bytes, out, &out.error);
+  if (status != Status::ok) return status;
+  out.animations_block = OwnedBlock(animations_bytes(out, out));
+  return make_animations(out, out, out.animations_block.span(), out.animations);
+}
+
+// A file that is not packed, and its animations. bytes: copied.
+// Errors: those of load() and make_animations(); OwnedFile::error says where. Cost: theirs, a copy, two allocations.
+inline Status make_owned(Span<const std::byte> bytes, OwnedFile& out) {
+  out.block = OwnedBlock(bytes.size);
+  std::copy(bytes.begin(), bytes.end(), out.block.span().begin());
+  return load_owned({out.block.span().data, bytes.size}, out);
+}
+// As streams and texts have them.
+inline Status make_owned(Span<const char> bytes, OwnedFile& out) {
+  return make_owned({reinterpret_cast<const std::byte*>(bytes.data), bytes.size}, out);
+}
+
+// A file that may be packed. decoders: of the codecs that it may be packed by. Link marrow::unpack, which comes with
+// marrow::draco and marrow::meshopt. Errors: those of unpack(), too. Cost: unpack()'s and the above, without the copy.
+inline Status make_owned(Span<const std::byte> bytes, Span<const MeshDecoder> decoders, OwnedFile& out) {
+  if (!is_packed(bytes)) return make_owned(bytes, out);
+  UnpackSizes sizes;
+  Status status = unpack_sizes(bytes, sizes, &out.error);
+  if (status != Status::ok) return status;
+  out.block = OwnedBlock(sizes.memory_bytes);
+  Span<const std::byte> file;
+  status = unpack(bytes, decoders, out.block.span(), file, &out.error);
+  return status == Status::ok ? load_owned(file, out) : status;
+}
+inline Status make_owned(Span<const char> bytes, Span<const MeshDecoder> decoders, OwnedFile& out) {
+  return make_owned({reinterpret_cast<const std::byte*>(bytes.data), bytes.size}, decoders, out);
+}
+
+// A character of `file`, which stays where it is. Errors: those of make_character(). Cost: its, and an allocation.
+inline Status make_owned(const OwnedFile& file, const CharacterOptions& options, OwnedCharacter& out) {
+  out.block = OwnedBlock(character_bytes(file, options));
+  return make_character(file, options, out.block.span(), out);
+}
+
+}  // namespace marrow
