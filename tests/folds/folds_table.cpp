@@ -1,6 +1,7 @@
 // What folds, bends, creases and jumps of a character by each deformer, in its clips and joint by joint: a table.
 //   marrow_folds_table MODEL.glb [POSES [frames|clips [DEFORMER…]]]
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 
@@ -172,9 +173,9 @@ void print_jumps(const Study& study, const std::vector<Named>& all, std::size_t 
   for (const Named& n : all) {
     std::vector<double> jumps(frames.size());
     for_each_in_parallel(frames.size(), [&](std::size_t i) {
-      Positions at[3];
+      std::array<Positions, 3> at;
       for (std::size_t k = 0; k < 3; ++k) n.deformer(frames[i][k], at[k]);
-      jumps[i] = deform::largest_jump(at[0], at[1], at[2]);
+      jumps[i] = deform::largest_jump(study.source.mesh, frames[i], at);
     });
     largest.push_back(*std::ranges::max_element(jumps));
     fmt::print("  {:<12} largest jump at {} moments: {:.2f} of ssd's\n", n.name, frames.size(),
