@@ -1,10 +1,13 @@
 // What folds, bends, creases and jumps of a character by each deformer, in its clips and joint by joint: a table.
-//   marrow_folds_table MODEL.glb [POSES [frames|clips [DEFORMER…]]]
+//   marrow_folds_table MODEL.glb [POSES [frames|clips [volume=V] [DEFORMER…]]]
+// A fit has a row as it is learnt, and one with residuals rounded as files have them.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "commands/compare/study.h"
@@ -82,8 +85,30 @@ struct Named {
   Deformer deformer;
 };
 
-// Learnt from every other frame of the clips, as --as fit --truth TRUTH does.
-Deformer fitted(const Study& study, const std::string& truth) {
+Deformer by(std::shared_ptr<const cook::Learnt> learnt) {
+  return [learnt, by = deform::animation_space(learnt->coordinates)](const Pose& pose, Positions& to) {
+    Pose at = pose;
+    deform::append_helpers(learnt->helpers, at);
+    by(at, to);
+  };
+}
+
+// With residuals rounded as files have them, see with_learnt() of cook/learn/learn.cpp.
+cook::Learnt rounded(cook::Learnt learnt, const deform::SkinnedMesh& mesh) {
+  const double size = deform::diagonal(mesh), step = std::max(learnt.rms_m / 2, size / 16384);
+  const glm::dvec4 steps(step, step, step, step / (0.1 * size));
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    for (deform::Coordinate& c : learnt.coordinates[v]) {
+      const auto at = std::ranges::find(learnt.weights[v], c.joint, &deform::Influence::joint);
+      const double weight = at == learnt.weights[v].end() ? 0 : at->weight;
+      const glm::dvec4 lifted = glm::dvec4(mesh.positions[v], 1) * weight;
+      c.q = lifted + glm::round((c.q - lifted) / steps) * steps;
+    }
+  return learnt;
+}
+
+// Learnt from what is not held out, as --as fit --truth TRUTH does.
+std::shared_ptr<const cook::Learnt> fitted(const Study& study, const std::string& truth) {
   cook::Given given;
   given["as"] = {{"fit", {"--as", ""}}};
   given["truth"] = {{truth, {"--truth", ""}}};
@@ -100,11 +125,7 @@ Deformer fitted(const Study& study, const std::string& truth) {
       truth, took.count(), learnt->helpers.size(),
       static_cast<double>(entries) / static_cast<double>(learnt->coordinates.size()), learnt->quality.share,
       100 * learnt->quality.worse_share);
-  return [learnt, by = deform::animation_space(learnt->coordinates)](const Pose& pose, Positions& to) {
-    Pose at = pose;
-    deform::append_helpers(learnt->helpers, at);
-    by(at, to);
-  };
+  return learnt;
 }
 
 std::vector<Named> deformers(const Study& study, int count, char** names) {
@@ -115,7 +136,11 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
     if (name == "cor") out.push_back({name, deform::centres_of_rotation(mesh)});
     if (name == "dm") out.push_back({name, deform::delta_mush(mesh)});
     if (name == "dm-dqs") out.push_back({name, deform::delta_mush(mesh, {}, out[1].deformer)});
-    if (name.starts_with("fit-")) out.push_back({name, fitted(study, name.substr(4))});
+    if (name.starts_with("fit-")) {
+      const auto learnt = fitted(study, name.substr(4));
+      out.push_back({name, by(learnt)});
+      out.push_back({"rounded", by(std::make_shared<const cook::Learnt>(rounded(*learnt, mesh)))});
+    }
     if (name == "elastic") out.push_back({name, study.source.elastic});
     if (!name.starts_with("elastic") || name == "elastic") continue;
     deform::ElasticOptions options;
@@ -172,9 +197,9 @@ void print_jumps(const Study& study, const std::vector<Named>& all, std::size_t 
   for (const Named& n : all) {
     std::vector<double> jumps(frames.size());
     for_each_in_parallel(frames.size(), [&](std::size_t i) {
-      Positions at[3];
+      std::array<Positions, 3> at;
       for (std::size_t k = 0; k < 3; ++k) n.deformer(frames[i][k], at[k]);
-      jumps[i] = deform::largest_jump(at[0], at[1], at[2]);
+      jumps[i] = deform::largest_jump(study.source.mesh, frames[i], at);
     });
     largest.push_back(*std::ranges::max_element(jumps));
     fmt::print("  {:<12} largest jump at {} moments: {:.2f} of ssd's\n", n.name, frames.size(),
@@ -212,6 +237,9 @@ void print_table(const std::string& file, std::size_t most, Holdout holdout, int
   cook::LearnOptions options;
   options.animation_space = cook::AnimationSpace::fit;
   options.truth = cook::Truth::elastic;
+  for (int i = 0; i < count; ++i)
+    if (const std::string name = names[i]; name.starts_with("volume="))
+      options.elastic.volume = std::atof(name.c_str() + 7);
   Study study = study_scene(cook::read_gltf(file), holdout, options);
   cook::Notes notes;
   drop_unusable_poses(options, study, notes);

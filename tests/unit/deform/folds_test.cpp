@@ -95,10 +95,47 @@ TEST(Folds, SayNothingOfWhatIsNotFinite) {
   EXPECT_EQ(FoldMeter({}).of(Pose{}, {}).flipped, 0u);
 }
 
-// Of 3 t² the second difference is 6.
-TEST(Folds, JumpsAreSecondDifferences) {
-  const auto at_time = [](double t) { return Positions{{t, 0, 0}, {0, 3 * t * t, 1}}; };
-  EXPECT_DOUBLE_EQ(largest_jump(at_time(4), at_time(5), at_time(6)), 6);
+// A vertex that follows joint 1 by three quarters.
+SkinnedMesh one_vertex() {
+  SkinnedMesh mesh;
+  mesh.positions = {{1, 0, 0}};
+  mesh.influences = {{{0, 0.25}, {1, 0.75}}};
+  mesh.joint_count = 2;
+  return mesh;
+}
+
+std::array<Positions, 3> places(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  return {Positions{a}, Positions{b}, Positions{c}};
+}
+
+// Of 3 t² the second difference is 6, of what joints carry none.
+TEST(Folds, JumpsAreSecondDifferencesBesideTheJoint) {
+  const Pose still = {Matrix(1.0), Matrix(1.0)};
+  const auto at_time = [](double t) { return glm::dvec3(t, 3 * t * t, 1); };
+  EXPECT_DOUBLE_EQ(largest_jump(one_vertex(), {still, still, still}, places(at_time(4), at_time(5), at_time(6))), 6);
+  // Joint 1 stops from one frame to the next, as does what it carries: 100 m, then none.
+  const Pose there = {Matrix(1.0), matrix(turn(0, {0, 0, 1}), {100, 0, 0})};
+  EXPECT_EQ(largest_jump(one_vertex(), {still, there, there}, places({1, 0, 0}, {101, 0, 0}, {101, 0, 0})), 0);
+  // Half a metre that it is behind for a frame counts twice.
+  EXPECT_DOUBLE_EQ(largest_jump(one_vertex(), {still, there, there}, places({1, 0, 0}, {100.5, 0, 0}, {101, 0, 0})), 1);
+}
+
+// Joint 1 turns by 90° a frame. What turns with it does not jump. What stays at (1, 0, 0) is, seen from it, at
+// (1, 0, 0), (0, -1, 0) and (-1, 0, 0): a second difference of (0, 2, 0). A joint twice as large sees it half as far.
+TEST(Folds, JumpsAreSeenFromAJointThatTurns) {
+  const auto frames = [](double scale) {
+    FramesInARow out;
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] = {Matrix(1.0), matrix(turn(90.0 * static_cast<double>(k), {0, 0, 1}), {}, scale)};
+    return out;
+  };
+  EXPECT_NEAR(largest_jump(one_vertex(), frames(1), places({1, 0, 0}, {0, 1, 0}, {-1, 0, 0})), 0, 1e-15);
+  EXPECT_NEAR(largest_jump(one_vertex(), frames(1), places({1, 0, 0}, {1, 0, 0}, {1, 0, 0})), 2, 1e-15);
+  EXPECT_NEAR(largest_jump(one_vertex(), frames(2), places({1, 0, 0}, {1, 0, 0}, {1, 0, 0})), 1, 1e-15);
+  EXPECT_EQ(largest_jump(one_vertex(), frames(0), places({1, 0, 0}, {1, 0, 0}, {1, 0, 0})), 0) << "no inverse";
+  SkinnedMesh loose = one_vertex();
+  loose.influences = {{}};
+  EXPECT_EQ(largest_jump(loose, frames(1), places({1, 0, 0}, {1, 0, 0}, {1, 0, 0})), 0);
 }
 
 }  // namespace

@@ -168,6 +168,7 @@ void finish(SurfaceLook& look) {
 
 // One triangle that faces inwards nobody sees, a thousandth of them is a patch as large as a fingertip.
 constexpr double kFolds = 1e-3;
+constexpr double kStill = 1e-9;  // of the diagonal: what is below is rounding of what joints carry
 
 void add_truth(const std::vector<TruthLook>& looks, const Round& round, std::size_t triangles,
                DeformerComparison& out) {
@@ -361,7 +362,7 @@ void add_jumps(const Study& study, const deform::Deformer& truth, DeformerCompar
   const auto ssd = std::ranges::find(out.rows, "ssd", &DeformerRow::deformer);
   const auto jumps = largest_jumps(study, out.trained_in_first_round, truth, ssd->error_of_pose);
   const std::optional<double> plain = jumps[static_cast<std::size_t>(ssd - out.rows.begin())];
-  if (!plain || !(*plain > 0)) return;
+  if (!plain || !(*plain > kStill * out.diagonal_m)) return;
   for (std::size_t d = 0; d <= out.rows.size(); ++d)
     if (jumps[d]) (d < out.rows.size() ? out.rows[d].look : out.truth).jump_of_ssd = *jumps[d] / *plain;
 }

@@ -122,9 +122,17 @@ void FoldMeter::add_at_vertices(const Pose& pose, const Positions& positions, st
   }
 }
 
-double largest_jump(const Positions& a, const Positions& b, const Positions& c) {
+double largest_jump(const SkinnedMesh& mesh, const FramesInARow& poses, const std::array<Positions, 3>& at) {
   double out = 0;
-  for (std::size_t v = 0; v < b.size(); ++v) out = std::max(out, glm::length(a[v] - b[v] * 2.0 + c[v]));
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.influences[v].empty()) continue;
+    const std::uint32_t joint = largest(mesh.influences[v]).joint;
+    glm::dvec3 seen[3];
+    for (std::size_t k = 0; k < 3; ++k)
+      seen[k] = glm::inverse(linear_of(poses[k][joint])) * (at[k][v] - poses[k][joint][3]);
+    const double jump = glm::length(seen[0] - seen[1] * 2.0 + seen[2]);
+    if (std::isfinite(jump)) out = std::max(out, jump);
+  }
   return out;
 }
 

@@ -54,7 +54,10 @@ class FoldMeter {
   double length_ = 0;  // of all
 };
 
-// The largest |a - 2 b + c| of a vertex: how much faster something goes from one frame to the next.
-double largest_jump(const Positions& a, const Positions& b, const Positions& c);
+// How much faster a vertex goes from one frame to the next, seen from the joint that it follows most: the largest
+// |a - 2 b + c| of what the inverse of that joint's matrix makes of its positions, lengths of the bind pose. What a
+// joint carries along is still, however fast the joint is. Vertices without a joint, or whose joint's matrix has no
+// inverse, do not count.
+double largest_jump(const SkinnedMesh& mesh, const FramesInARow& poses, const std::array<Positions, 3>& at);
 
 }  // namespace marrow::deform

@@ -59,7 +59,7 @@ std::vector<std::optional<double>> largest_jumps(const Study& study, const std::
         deformer(poses[i], at[i]);
         is_known = is_known && deform::is_finite(at[i]);
       }
-      jumps[m].push_back(is_known ? std::optional(deform::largest_jump(at[0], at[1], at[2])) : std::nullopt);
+      jumps[m].push_back(is_known ? std::optional(deform::largest_jump(study.source.mesh, poses, at)) : std::nullopt);
     }
   });
   std::vector<std::optional<double>> out(deformers.size() + 1);
