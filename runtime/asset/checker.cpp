@@ -20,6 +20,7 @@ bool Checker::fail(const void* where, const char* rule) {
 
 bool Checker::begin(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec) {
   section_ = &s;
+  base_ = block_.data + s.offset;
   owner_ = &kNobody;
   if (s.codec > last_codec) {
     error_ = {Status::unsupported, s.offset, "a codec that this build lacks"};

@@ -42,7 +42,7 @@ class Checker {
   const File::Section& section() const { return *section_; }
   // The one before it in the file has its type.
   bool follows_its_like() const { return section_ != sections_.data && section_[-1].type == section_->type; }
-  const void* header() const { return block_.data + section_->offset; }
+  const void* header() const { return base_; }
   template <class Header>
   const Header& header_before() const {
     return *reinterpret_cast<const Header*>(block_.data + section_[-1].offset);
@@ -50,7 +50,7 @@ class Checker {
   // What stands in the section, which is known to hold it.
   template <class T>
   const T& at(std::uint64_t offset) const {
-    return *reinterpret_cast<const T*>(static_cast<const std::byte*>(header()) + offset);
+    return *reinterpret_cast<const T*>(base_ + offset);
   }
   template <class T>
   Span<const T> in(const format::Array<T>& array) const {
@@ -168,6 +168,7 @@ class Checker {
   const std::uint32_t* first_;
   const std::uint32_t* counts_;
   const File::Section* section_ = nullptr;
+  const std::byte* base_ = nullptr;  // where that begins
   const format::SkeletonHeader* owner_ = nullptr;
   bool leaves_arrays_ = false;
   DataError error_;
@@ -187,7 +188,7 @@ inline std::uint32_t count_bits(std::uint32_t bits) {
 // Whether a section is as large as its arrays, and what its description says.
 template <class Header>
 bool check_fields(Checker& c, const Header& h, typename format::LayoutOf<Header>::Type& l) {
-  l = layout(h);
+  lay_out(h, l);
   if (l.bytes != c.section().bytes) return c.fail(&h, kWrongSize);
   fields(c, h, l);
   return c.good();

@@ -134,11 +134,15 @@ struct LayoutOf;
 
 // Counts are products of 32-bit numbers, so their sums do not overflow.
 template <class Header>
-constexpr auto layout(const Header& h) -> typename LayoutOf<Header>::Type {
-  typename LayoutOf<Header>::Type l{};
+constexpr void lay_out(const Header& h, typename LayoutOf<Header>::Type& l) {
   LayOut v(sizeof h);
   fields(v, h, l);
   l.bytes = v.end();
+}
+template <class Header>
+constexpr auto layout(const Header& h) -> typename LayoutOf<Header>::Type {
+  typename LayoutOf<Header>::Type l{};
+  lay_out(h, l);
   return l;
 }
 
