@@ -1,6 +1,6 @@
 // What is asked of SHAP sections, and the view of one that keeps it.
 #include "asset/checker.h"
-#include "asset/sections/examples.h"
+#include "asset/sections/examples_section.h"
 #include "core/check.h"
 #include "core/mark.h"
 

@@ -7,14 +7,14 @@
 #include <cstdint>
 
 #include "asset/checksum.h"
-#include "asset/sections/clip.h"
-#include "asset/sections/geometry.h"
+#include "asset/sections/clip_section.h"
+#include "asset/sections/geometry_section.h"
 #include "asset/sections/kind.h"
-#include "asset/sections/look.h"
-#include "asset/sections/mesh.h"
-#include "asset/sections/motion.h"
-#include "asset/sections/node.h"
-#include "asset/sections/skeleton.h"
+#include "asset/sections/look_section.h"
+#include "asset/sections/mesh_section.h"
+#include "asset/sections/motion_section.h"
+#include "asset/sections/node_section.h"
+#include "asset/sections/skeleton_section.h"
 #include "marrow/file.h"
 #include "marrow/version.h"
 

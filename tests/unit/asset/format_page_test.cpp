@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
-#include "asset/sections/examples.h"
+#include "asset/sections/examples_section.h"
 #include "support/places.h"
 
 namespace marrow {

@@ -5,7 +5,7 @@
 #include <deque>
 #include <map>
 
-#include "asset/sections/examples.h"
+#include "asset/sections/examples_section.h"
 #include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
