@@ -1,13 +1,10 @@
-// Rules of SHAP sections, and the view of one that keeps them.
+// What is asked of SHAP sections, and the view of one that keeps it.
 #include "asset/checker.h"
-#include "asset/example_format.h"
+#include "asset/sections/examples_section.h"
 #include "core/check.h"
 #include "core/mark.h"
-#include "math/finite.h"
 
 namespace marrow {
-
-using format::layout;
 
 namespace {
 
@@ -18,60 +15,39 @@ bool ascend(Span<const std::uint32_t> numbers, std::uint32_t limit) {
   return true;
 }
 
-ExampleSpace view(const std::byte* base) {
-  const auto& h = *reinterpret_cast<const format::ExampleHeader*>(base);
-  const format::ExampleLayout l = layout(h);
-  const auto floats = [&](std::uint64_t from, std::uint64_t to) {
-    return Span<const float>(reinterpret_cast<const float*>(base + from), static_cast<std::size_t>(to - from) / 4);
-  };
-  const auto words = [&](std::uint64_t from, std::uint64_t to) {
-    return Span<const std::uint32_t>(reinterpret_cast<const std::uint32_t*>(base + from),
-                                     static_cast<std::size_t>(to - from) / 4);
-  };
+ExampleSpace view(const format::ExampleHeader& h, const format::ExampleLayout& l) {
   ExampleSpace s;
   s.example_count = h.example_count;
-  s.parameters = {reinterpret_cast<const ExampleParameter*>(base + l.parameters), h.parameter_count};
-  s.targets = words(l.targets, l.meshes);
-  s.meshes = words(l.meshes, l.bytes);
-  s.linear = floats(l.linear, l.radial);
-  s.radial = floats(l.radial, l.places);
-  s.places = floats(l.places, l.widths);
-  s.inverse_widths = floats(l.widths, l.parameters);
+  s.parameters = l.parameters.in(&h);
+  s.targets = l.targets.in(&h);
+  s.meshes = l.meshes.in(&h);
+  s.linear = l.linear.in(&h);
+  s.radial = l.radial.in(&h);
+  s.places = l.places.in(&h);
+  s.inverse_widths = l.widths.in(&h);
   return s;
 }
 
-}  // namespace
-
-bool Checker::example_space(std::uint32_t index) {
-  const File::Section& section = nth(format::kExamples, index);
-  if (!has_header(section, sizeof(format::ExampleHeader), format::kCodecRaw)) return false;
-  const auto* h = at<format::ExampleHeader>(start_of(section), 0);
-  const format::ExampleLayout l = layout(*h);
-  if (section.bytes != l.bytes) return fail(h, "section size differs from its counts");
-  if (!name(h->name)) return false;
-  if (h->reserved != 0) return fail(&h->reserved, "reserved must be 0");
-  if (h->parameter_count == 0 || h->parameter_count > kMaxExampleParameters)
-    return fail(&h->parameter_count, "1 to 8 parameters");
-  if (h->example_count == 0 || h->example_count > kMaxExamples) return fail(&h->example_count, "1 to 64 examples");
-  if (h->target_count == 0 || h->target_count > kMaxExamples) return fail(&h->target_count, "1 to 64 targets");
-  if (h->mesh_count == 0) return fail(&h->mesh_count, "a space of no mesh");
-  if (const void* const beyond = first_beyond(kFiniteBits, at<float>(h, l.linear), l.parameters - l.linear))
-    return fail(beyond, kNotFinite);
-  const ExampleSpace s = view(block_.data + section.offset);
-  const std::uint32_t row = format::example_row(h->target_count);
-  for (std::uint64_t i = 0; i < (l.places - l.linear) / 4; ++i)
-    if (i % row >= h->target_count && s.linear.data[i] != 0) return fail(s.linear.data + i, "padding must be 0");
-  for (const float& width : s.inverse_widths)
-    if (!(width > 0)) return fail(&width, "a width that is not above 0");
-  for (const ExampleParameter& p : s.parameters)
-    if (!name(p.name) || (!is_finite(p.rest) && !fail(&p.rest, kNotFinite))) return false;
-  if (!ascend(s.meshes, counts_[format::kMeshes])) return fail(s.meshes.data, "meshes of the file, ascending");
-  for (const std::uint32_t& mesh : s.meshes) {
-    const std::uint32_t targets = at<format::MeshHeader>(start_of(nth(format::kMeshes, mesh)), 0)->target_count;
-    if (!ascend(s.targets, targets)) return fail(s.targets.data, "targets of each mesh, ascending");
-  }
+bool check_rows(Checker& c, Span<const float> rows, std::uint32_t target_count) {
+  const std::uint32_t row = format::example_row(target_count);
+  for (std::size_t i = 0; i < rows.size; ++i)
+    if (i % row >= target_count && rows[i] != 0) return c.fail(&rows[i], "padding must be 0");
   return true;
 }
+
+bool check_space(Checker& c, const ExampleSpace& s) {
+  const auto target_count = static_cast<std::uint32_t>(s.targets.size);
+  if (!check_rows(c, s.linear, target_count) || !check_rows(c, s.radial, target_count)) return false;
+  for (const float& width : s.inverse_widths)
+    if (!(width > 0)) return c.fail(&width, "a width that is not above 0");
+  if (!ascend(s.meshes, c.count_of(format::kMeshes))) return c.fail(s.meshes.data, "meshes of the file, ascending");
+  for (const std::uint32_t mesh : s.meshes)
+    if (!ascend(s.targets, c.nth<format::MeshHeader>(format::kMeshes, mesh).target_count))
+      return c.fail(s.targets.data, "targets of each mesh, ascending");
+  return true;
+}
+
+}  // namespace
 
 Status File::example_space(std::uint32_t index, ExampleSpace& out, DataError* error) const {
   MARROW_MARK;
@@ -79,12 +55,17 @@ Status File::example_space(std::uint32_t index, ExampleSpace& out, DataError* er
   MARROW_REQUIRE(index < example_space_count());
   const Span<const std::byte> block(block_, reinterpret_cast<const format::Header*>(block_)->file_bytes);
   Checker checker(block, sections_, first_, counts_);
-  const bool good = checker.example_space(index);
+  const auto& h = *reinterpret_cast<const format::ExampleHeader*>(section(format::kExamples, index));
+  format::ExampleLayout l;
+  ExampleSpace made;
+  if (checker.begin(sections_[first_[format::kExamples] + index], sizeof h, format::kCodecRaw) &&
+      check_fields(checker, h, l)) {
+    made = view(h, l);
+    made.name = text(h.name);
+    check_space(checker, made);
+  }
   if (error != nullptr) *error = checker.error();
-  if (!good) return checker.error().status;
-  const std::byte* const base = section(format::kExamples, index);
-  ExampleSpace made = view(base);
-  made.name = text(reinterpret_cast<const format::ExampleHeader*>(base)->name);
+  if (!checker.good()) return checker.error().status;
   out = made;
   return Status::ok;
 }

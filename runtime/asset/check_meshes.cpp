@@ -1,193 +1,229 @@
-// Rules of GEOM and MESH sections that are code.
+// What is asked of GEOM and MESH sections beyond their descriptions.
 #include "asset/checker.h"
 
 namespace marrow {
 
 using format::GeometryHeader;
-using format::layout;
+using format::GeometryLayout;
 using format::MeshHeader;
+using format::MeshLayout;
+using format::MorphHeader;
+using format::MorphLayout;
+using format::PoseSpaceHeader;
+using format::PoseSpaceLayout;
+
+namespace {
 
 template <class Index>
-bool Checker::below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule) {
+bool all_below(Checker& c, Span<const Index> numbers, std::uint64_t limit, const char* rule) {
   Index largest = 0;
-  for (std::uint64_t i = 0; i < count; ++i) largest = first[i] > largest ? first[i] : largest;
-  return count == 0 || largest < limit || fail(first, rule);
+  for (const Index n : numbers) largest = n > largest ? n : largest;
+  return numbers.empty() || largest < limit || c.fail(numbers.data, rule);
 }
 
-// The next part of a geometry, if it has it: its header is looked at only where it is inside.
-bool Checker::part_size(std::uint32_t flag, std::size_t place, std::size_t header_bytes, Part arrays) {
-  const std::uint64_t start = format::align4(places_[arrays_]), end = start + header_bytes;
-  if ((header<GeometryHeader>().flags & flag) == 0) return true;
-  begin_arrays(place, end);
-  return end <= section_->bytes && keeps(rules_of(arrays), at<std::byte>(start));
-}
+// Indices, or numbers of blocks, of 2 or 4 bytes each.
+struct BlockNumbers {
+  const std::byte* first;
+  std::uint32_t bytes_each;
 
-// Whether a geometry's arrays fill the section.
-bool Checker::geometry_size() {
-  const format::GeometryLayout l = layout(header<GeometryHeader>());
-  std::memcpy(places_, &l, offsetof(format::GeometryLayout, index_bytes));
-  places_[kIndexBytesPlace] = l.index_bytes;
-  arrays_ = kMorphPlace - 1;
-  return part_size(format::kHasMorphTargets, kMorphPlace, sizeof(format::MorphHeader), kMorphArrays) &&
-         part_size(format::kHasPoseSpace, kPosePlace, sizeof(format::PoseSpaceHeader), kPoseArrays) &&
-         places_[arrays_] == section_->bytes;
-}
+  const std::byte* at(std::uint64_t i) const { return first + i * bytes_each; }
+  std::uint32_t operator[](std::uint64_t i) const {
+    return bytes_each == 2 ? *reinterpret_cast<const std::uint16_t*>(at(i))
+                           : *reinterpret_cast<const std::uint32_t*>(at(i));
+  }
+};
 
-bool Checker::indices() {
-  const auto& h = header<GeometryHeader>();
+bool check_indices(Checker& c, const GeometryHeader& h, const GeometryLayout& l) {
   constexpr const char* kRule = "an index outside the vertices";
   const std::uint64_t slots = std::uint64_t{h.block_count} * 4;
-  return index_bytes() == 2
-             ? below(array<std::uint16_t>(MARROW_PLACE(GeometryLayout, indices)), h.index_count, slots, kRule)
-             : below(array<std::uint32_t>(MARROW_PLACE(GeometryLayout, indices)), h.index_count, slots, kRule);
+  return l.index_bytes == 2
+             ? all_below<std::uint16_t>(c, {&c.at<std::uint16_t>(l.indices), h.index_count}, slots, kRule)
+             : all_below<std::uint32_t>(c, {&c.at<std::uint32_t>(l.indices), h.index_count}, slots, kRule);
 }
 
-bool Checker::runs() {
-  const auto& h = header<GeometryHeader>();
+bool check_runs(Checker& c, const GeometryHeader& h, Span<const Run> runs) {
   std::uint64_t vertices = 0, blocks = 0, influence_blocks = 0, entries = 0;
-  for (const Run& run : Span<const Run>{array<Run>(MARROW_PLACE(GeometryLayout, runs)), h.run_count}) {
+  for (const Run& run : runs) {
     const std::uint64_t run_blocks = (std::uint64_t{run.vertex_count} + 3) / 4;
     vertices += run.vertex_count;
     blocks += run_blocks;
     influence_blocks += run_blocks * run.influences;
     entries += run.influences;
   }
-  return vertices == h.vertex_count && blocks == h.block_count && influence_blocks == h.influence_blocks &&
-         entries == h.set_count;
+  return (vertices == h.vertex_count && blocks == h.block_count && influence_blocks == h.influence_blocks &&
+          entries == h.set_count) ||
+         c.fail(&h, "runs do not add up to the geometry's counts");
 }
 
-bool Checker::sets() {
-  const auto& h = header<GeometryHeader>();
-  return below(array<std::uint16_t>(MARROW_PLACE(GeometryLayout, sets)), h.set_count, h.joint_count,
-               "a set refers to a joint outside the palette");
-}
-
-bool Checker::source_slots() {
-  const auto& h = header<GeometryHeader>();
-  for (const std::uint32_t& slot : Span<const std::uint32_t>{
-           array<std::uint32_t>(MARROW_PLACE(GeometryLayout, source_slots)), h.source_vertex_count})
-    if (slot >= std::uint64_t{h.block_count} * 4 && slot != kNoSlot) return fail(&slot, "a slot outside the vertices");
+bool check_source_slots(Checker& c, const GeometryHeader& h, Span<const std::uint32_t> slots) {
+  for (const std::uint32_t& slot : slots)
+    if (slot >= std::uint64_t{h.block_count} * 4 && slot != kNoSlot)
+      return c.fail(&slot, "a slot outside the vertices");
   return true;
 }
 
-bool Checker::morph_blocks(const void* blocks, const MorphTarget& t) {
-  const std::uint32_t index_bytes = this->index_bytes();
-  const auto block = [&](std::uint32_t i) -> std::uint32_t {
-    return index_bytes == 2 ? static_cast<const std::uint16_t*>(blocks)[i]
-                            : static_cast<const std::uint32_t*>(blocks)[i];
-  };
+bool check_blocks(Checker& c, const MorphTarget& t, const BlockNumbers& blocks, std::uint32_t block_count) {
   for (std::uint32_t i = 1; i < t.block_count; ++i)
-    if (block(i - 1) >= block(i))
-      return fail(at<std::byte>(blocks, std::uint64_t{i} * index_bytes), "a target's blocks ascend");
+    if (blocks[i - 1] >= blocks[i]) return c.fail(blocks.at(i), "a target's blocks ascend");
   const std::uint32_t last = t.block_count - 1;
-  return t.block_count == 0 || block(last) < header<GeometryHeader>().block_count ||
-         fail(at<std::byte>(blocks, std::uint64_t{last} * index_bytes), "a target's block outside the vertices");
+  return t.block_count == 0 || blocks[last] < block_count ||
+         c.fail(blocks.at(last), "a target's block outside the vertices");
 }
+
+// How many there are of what targets, or examples, share out.
+struct Shared {
+  std::uint64_t block_count, record_count;
+  std::uint32_t attributes;  // that there are
+};
 
 // Each moves some blocks, in ascending order, and adds to what the geometry has; lists and records stand back to back.
-bool Checker::sparse_records(const SparseRecords& r) {
+bool check_targets(Checker& c, Span<const MorphTarget> targets, const Shared& shared, const BlockNumbers& all,
+                   const GeometryHeader& h) {
   std::uint64_t blocks = 0, records = 0;
-  for (const MorphTarget& t : r.targets) {
-    if ((t.attributes & ~r.allowed) != 0) return fail(&t.attributes, "a target moves what the geometry has");
-    if ((t.attributes == 0) != (t.block_count == 0)) return fail(&t.attributes, "what moves has blocks");
-    if (t.first_block != blocks || t.first_record != records) return fail(&t, "targets stand back to back");
-    if (t.reserved != 0) return fail(&t.reserved, "reserved must be 0");
-    if (const void* const beyond = first_beyond(kFiniteBits, &t.position_step, 12)) return fail(beyond, kNotFinite);
+  for (const MorphTarget& t : targets) {
+    if ((t.attributes & ~shared.attributes) != 0) return c.fail(&t.attributes, "a target moves what the geometry has");
+    if ((t.attributes == 0) != (t.block_count == 0)) return c.fail(&t.attributes, "what moves has blocks");
+    if (t.first_block != blocks || t.first_record != records) return c.fail(&t, "targets stand back to back");
+    format::fields(c, t);
     blocks += t.block_count;
     records += std::uint64_t{t.block_count} * count_bits(t.attributes);
-    if (blocks > r.block_count || records > r.record_count) return fail(&t, "a target outside the records");
-    if (!morph_blocks(at<std::byte>(r.blocks + std::uint64_t{t.first_block} * index_bytes()), t)) return false;
+    if (blocks > shared.block_count || records > shared.record_count) c.fail(&t, "a target outside the records");
+    if (!c.good() || !check_blocks(c, t, {all.at(t.first_block), all.bytes_each}, h.block_count)) return false;
   }
-  return (blocks == r.block_count && records == r.record_count) || fail(r.targets.data, "records that no target uses");
+  return (blocks == shared.block_count && records == shared.record_count) ||
+         c.fail(targets.data, "records that no target uses");
 }
 
-bool Checker::targets() {
-  const auto& h = record<format::MorphHeader>();
-  const std::uint32_t flags = header<GeometryHeader>().flags;
-  const std::uint32_t allowed = kMorphsPositions | ((flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
-                                ((flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
-  return sparse_records({{array<MorphTarget>(kMorphPlace), h.target_count},
-                         places_[kMorphPlace + 1],
-                         h.block_count,
-                         h.record_count,
-                         allowed});
+// The parts behind a geometry's arrays, null where it has none.
+struct GeometryParts {
+  const MorphHeader* morphs = nullptr;
+  MorphLayout morphs_at{};
+  const PoseSpaceHeader* space = nullptr;
+  PoseSpaceLayout space_at{};
+};
+
+// Whether arrays and parts fill the section. A header is looked at only where it is inside.
+bool find_parts(Checker& c, const GeometryHeader& h, const GeometryLayout& l, GeometryParts& out) {
+  const std::uint64_t bytes = c.section().bytes;
+  std::uint64_t end = l.bytes;
+  if ((h.flags & format::kHasMorphTargets) != 0) {
+    const std::uint64_t start = format::align4(end);
+    if (start + sizeof(MorphHeader) > bytes) return c.fail(&h, kWrongSize);
+    out.morphs = &c.at<MorphHeader>(start);
+    out.morphs_at = layout(*out.morphs, l);
+    end = out.morphs_at.bytes;
+  }
+  if ((h.flags & format::kHasPoseSpace) != 0) {
+    const std::uint64_t start = format::align4(end);
+    if (start + sizeof(PoseSpaceHeader) > bytes) return c.fail(&h, kWrongSize);
+    out.space = &c.at<PoseSpaceHeader>(start);
+    // Of any number of examples the sizes would be none.
+    c.leave_arrays(true);
+    fields(c, *out.space, out.space_at, h);
+    c.leave_arrays(false);
+    if (!c.good()) return false;
+    out.space_at = layout(*out.space, h, end);
+    end = out.space_at.bytes;
+  }
+  return end == bytes || c.fail(&h, kWrongSize);
 }
 
-bool Checker::examples() {
-  const auto& h = record<format::PoseSpaceHeader>();
-  return sparse_records({{array<MorphTarget>(kPosePlace), h.example_count},
-                         places_[kPosePlace + 2],
-                         h.block_count,
-                         h.block_count,
-                         kMorphsPositions});
+bool check_counts(Checker& c, const GeometryHeader& h) {
+  const bool has_root = (h.flags & format::kHasMwe) != 0;
+  if (has_root ? h.mwe_root >= h.joint_count : h.mwe_root != 0)
+    return c.fail(&h.mwe_root, "a root outside the palette, or of nothing");
+  if (h.index_count % 3 != 0) return c.fail(&h.index_count, "three indices a triangle");
+  return (h.flags & format::kHasSourceSlots) != 0 || h.source_vertex_count == 0 ||
+         c.fail(&h.source_vertex_count, "source vertices without slots");
 }
 
-const GeometryHeader& Checker::geometry(std::uint32_t number) const {
-  return *at<GeometryHeader>(start_of(nth(format::kGeometries, number)), 0);
+bool check_parts(Checker& c, const GeometryHeader& h, const GeometryLayout& l, GeometryParts& p) {
+  if (p.morphs != nullptr) {
+    fields(c, *p.morphs, p.morphs_at, l);
+    const std::uint32_t attributes = kMorphsPositions | ((h.flags & format::kHasNormals) != 0 ? kMorphsNormals : 0u) |
+                                     ((h.flags & format::kHasTangents) != 0 ? kMorphsTangents : 0u);
+    if (!c.good() ||
+        !check_targets(c, c.in(p.morphs_at.targets), {p.morphs->block_count, p.morphs->record_count, attributes},
+                       {c.in(p.morphs_at.blocks).data, l.index_bytes}, h))
+      return false;
+  }
+  if (p.space == nullptr) return true;
+  fields(c, *p.space, p.space_at, h);
+  return c.good() &&
+         check_targets(c, c.in(p.space_at.examples), {p.space->block_count, p.space->block_count, kMorphsPositions},
+                       {c.in(p.space_at.blocks).data, l.index_bytes}, h);
 }
 
-std::uint32_t Checker::target_count(std::uint32_t of_geometry) const {
-  const GeometryHeader& g = geometry(of_geometry);
+const GeometryHeader& geometry(const Checker& c, std::uint32_t number) {
+  return c.nth<GeometryHeader>(format::kGeometries, number);
+}
+
+std::uint32_t target_count(const GeometryHeader& g) {
   if ((g.flags & format::kHasMorphTargets) == 0) return 0;
-  return at<format::MorphHeader>(&g, format::morph_start(layout(g)))->target_count;
+  const auto* const section = reinterpret_cast<const std::byte*>(&g);
+  return reinterpret_cast<const MorphHeader*>(section + format::morph_start(layout(g)))->target_count;
 }
 
 // Whoever puts a primitive together again from its parts leans on what they have in common.
-bool Checker::next_part() {
-  const auto& h = header<MeshHeader>();
+bool check_next_part(Checker& c, const MeshHeader& h) {
   if ((h.flags & format::kNextPart) == 0) return true;
-  if (section_ == sections_.data || section_[-1].type != section_->type)
-    return fail(&h.flags, "a next part follows a mesh");
-  const auto& first = *at<MeshHeader>(start_of(section_[-1]), 0);
-  const GeometryHeader &a = geometry(first.geometry), &b = geometry(h.geometry);
+  if (!c.follows_its_like()) return c.fail(&h.flags, "a next part follows a mesh");
+  const auto& first = c.header_before<MeshHeader>();
+  const GeometryHeader &a = geometry(c, first.geometry), &b = geometry(c, h.geometry);
   constexpr std::uint32_t kSurface =
       format::kHasNormals | format::kHasTangents | format::kHasUvs | format::kHasColours | format::kHasSourceSlots;
-  return h.skeleton == first.skeleton && h.target_count == first.target_count &&
-         ((a.flags ^ b.flags) & kSurface) == 0 && a.source_vertex_count == b.source_vertex_count;
+  return (h.skeleton == first.skeleton && h.target_count == first.target_count &&
+          ((a.flags ^ b.flags) & kSurface) == 0 && a.source_vertex_count == b.source_vertex_count) ||
+         c.fail(&h.flags,
+                "a next part has the skeleton, attributes, morph targets and source vertices of the part before it");
 }
 
-bool Checker::mesh_joints() {
-  return below(array<std::uint16_t>(MARROW_PLACE(MeshLayout, joints)), header<MeshHeader>().joint_count, joint_count(),
-               "a joint outside the skeleton");
+bool has_palette(const MeshHeader& h, const GeometryHeader& g) {
+  return std::uint64_t{h.joint_count} + h.helper_count == g.joint_count;
 }
 
-bool Checker::keeps_of_mesh(Check check, std::uint32_t limit) {
-  using namespace format;
-  switch (check) {
-    case Check::geometry_size:
-      return geometry_size();
-    case Check::triangles:
-      return header<GeometryHeader>().index_count % 3 == 0;
-    case Check::indices:
-      return indices();
-    case Check::runs:
-      return runs();
-    case Check::sets:
-      return sets();
-    case Check::source_slots:
-      return source_slots();
-    case Check::morphs:
-      return keeps(rules_of(kMorphPart), at<MorphHeader>(places_[kMorphPlace]) - 1);
-    case Check::pose_space:
-      return keeps(rules_of(kPosePart), at<PoseSpaceHeader>(places_[kPosePlace]) - 1);
-    case Check::targets:
-      return targets();
-    case Check::examples:
-      return examples();
-    case Check::next_part:
-      return next_part();
-    case Check::palette:
-      return std::uint64_t{header<MeshHeader>().joint_count} + header<MeshHeader>().helper_count ==
-             geometry(limit).joint_count;
-    case Check::target_count:
-      return target_count(limit) == header<MeshHeader>().target_count;
-    case Check::level_targets:
-      return target_count(limit) == 0 || target_count(limit) == header<MeshHeader>().target_count;
-    case Check::helper_count:
-      return header<MeshHeader>().helper_count != 0;
-    default:
-      return mesh_joints();
+bool check_geometry_of(Checker& c, const MeshHeader& h) {
+  const GeometryHeader& g = geometry(c, h.geometry);
+  if (!has_palette(h, g)) return c.fail(&h.joint_count, "as many palette entries as the geometry");
+  return target_count(g) == h.target_count || c.fail(&h.target_count, "as many morph targets as the geometry");
+}
+
+bool check_levels(Checker& c, const MeshHeader& h, Span<const MeshLod> lods) {
+  for (const MeshLod& lod : lods) {
+    const GeometryHeader& g = geometry(c, lod.geometry);
+    if (!has_palette(h, g)) return c.fail(&lod, "a level has the mesh's palette");
+    const std::uint32_t targets = target_count(g);
+    if (targets != 0 && targets != h.target_count) return c.fail(&lod, "a level has the mesh's morph targets or none");
   }
+  return true;
+}
+
+bool check_helpers(Checker& c, const MeshHeader& h, Span<const Helper> helpers) {
+  if ((h.flags & format::kHelpersHaveCentres) != 0 && helpers.empty())
+    return c.fail(&h.flags, "centres without helpers");
+  for (const Helper& helper : helpers)
+    if (helper.first == helper.second) return c.fail(&helper, "a helper blends two joints of the mesh");
+  return true;
+}
+
+}  // namespace
+
+void check(Checker& c, const GeometryHeader& h) {
+  // The layout subtracts one weight a block, so every block must have an influence before sizes mean anything.
+  if (h.influence_blocks < h.block_count) c.fail(&h.influence_blocks, "a block has influences");
+  GeometryLayout l = layout(h);
+  GeometryParts parts;
+  if (!c.good() || !find_parts(c, h, l, parts)) return;
+  fields(c, h, l);
+  c.good() && check_counts(c, h) && check_indices(c, h, l) && check_runs(c, h, c.in(l.runs)) &&
+      all_below(c, c.in(l.sets), h.joint_count, "a set refers to a joint outside the palette") &&
+      check_source_slots(c, h, c.in(l.source_slots)) && check_parts(c, h, l, parts);
+}
+
+void check(Checker& c, const MeshHeader& h) {
+  MeshLayout l;
+  check_fields(c, h, l) && check_next_part(c, h) && check_geometry_of(c, h) && check_helpers(c, h, c.in(l.helpers)) &&
+      check_levels(c, h, c.in(l.lods)) && all_below(c, c.in(l.joints), c.joint_count(), "a joint outside the skeleton");
 }
 
 }  // namespace marrow

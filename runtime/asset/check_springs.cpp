@@ -1,4 +1,4 @@
-// Rules of SPRI sections that are code.
+// What is asked of SPRI sections beyond their description.
 #include "asset/checker.h"
 #include "asset/spring_rules.h"
 
@@ -15,21 +15,35 @@ bool is_below(const std::uint16_t* parents, std::uint32_t joint, std::uint32_t a
   return false;
 }
 
-}  // namespace
-
-bool Checker::chain_joints() {
-  const auto& chain = record<format::SpringRecord>();
-  const auto* const joints = array<SpringJoint>(MARROW_PLACE(SpringLayout, joints)) + so_far_.next_joint;
-  so_far_.next_joint += chain.joint_count;
-  const auto& skeleton = *static_cast<const format::SkeletonHeader*>(base(From::owner));
-  const auto* const parents = at<std::uint16_t>(base(From::owner), format::layout(skeleton).parents);
-  for (const SpringJoint* j = joints; j != joints + chain.joint_count; ++j) {
-    if (j->joint >= skeleton.joint_count) return fail(j, "a joint outside the skeleton");
-    if (j != joints && !is_below(parents, j->joint, j[-1].joint))
-      return fail(j, "each joint of a chain is below the one before it, by 255 generations at most");
-    if (!good_settings(*j)) return fail(j, "a setting out of its range");
+bool check_chain_joints(Checker& c, Span<const SpringJoint> joints) {
+  const format::SkeletonHeader& skeleton = c.owner();
+  const std::uint16_t* const parents = layout(skeleton).parents.in(&skeleton).data;
+  for (const SpringJoint* j = joints.begin(); j != joints.end(); ++j) {
+    if (j->joint >= skeleton.joint_count) return c.fail(j, "a joint outside the skeleton");
+    if (j != joints.begin() && !is_below(parents, j->joint, j[-1].joint))
+      return c.fail(j, "each joint of a chain is below the one before it, by 255 generations at most");
+    if (!good_settings(*j)) return c.fail(j, "a setting out of its range");
   }
   return true;
+}
+
+}  // namespace
+
+void check(Checker& c, const format::SpringHeader& h) {
+  format::SpringLayout l;
+  if (!check_fields(c, h, l)) return;
+  std::uint32_t next = 0;
+  for (const format::SpringRecord& chain : c.in(l.chains)) {
+    if (chain.first_joint != next || chain.joint_count == 0 || chain.joint_count > h.joint_count - next)
+      c.fail(&chain, "chains share out the joints, one after the other");
+    else if (h.collider_count < kMaxSpringColliders && chain.colliders >> h.collider_count != 0)
+      c.fail(&chain, "a collider that is not there");
+    else if (chain.joint_count == 1 && chain.tip[0] == 0 && chain.tip[1] == 0 && chain.tip[2] == 0)
+      c.fail(&chain, "a chain without a bone");
+    if (!c.good() || !check_chain_joints(c, {c.in(l.joints).data + next, chain.joint_count})) return;
+    next += chain.joint_count;
+  }
+  if (next != h.joint_count) c.fail(&h.joint_count, "joints of no chain");
 }
 
 }  // namespace marrow

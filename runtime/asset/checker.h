@@ -1,151 +1,176 @@
-// Keeps files to the rules of docs/format.md: a table of them (file_rules.h), and those that are code (check_*.cpp).
+// Holds sections to their descriptions (sections/*.h) and to what check_*.cpp asks of them beyond those.
 #pragma once
 
-#include <cstring>
+#include <type_traits>
 
-#include "asset/file_rules.h"
 #include "asset/format.h"
 #include "core/builtins.h"
 
 namespace marrow {
 
-// A block under examination: the first broken rule is kept with its place.
+// The least that a unit quaternion's squares may add up to, and the least product with the key before it of one between
+// which and that key others are found: so that neither they nor their blends come to nothing.
+inline constexpr float kShortestSquare = 0.5f, kLeastProduct = -0.25f;
+// The least number that is beyond format::kFarthest.
+inline constexpr float kBeyondFarthest = bit_cast<float>(bit_cast<std::uint32_t>(format::kFarthest) + 1);
+// Of a part of a unit quaternion, but for rounding.
+inline constexpr float kMostOfUnit = 1.01f;
+inline constexpr const char *kNotFinite = "a number that is not finite",
+                            *kNotBounded = "a number that is not finite, or beyond 1e12",
+                            *kNoUnit = "a rotation that is no unit quaternion",
+                            *kWrongSize = "section size differs from its counts";
+
+// A block under examination. It keeps the first broken rule with its place, and goes on: what it is asked after that
+// changes nothing, so descriptions need not look.
 class Checker {
  public:
+  using Field = format::Field;
+  using Floats = format::Floats;
+
   // first, counts: for each kind of section, its first one and how many there are.
   Checker(Span<const std::byte> block, Span<const File::Section> sections, const std::uint32_t* first,
           const std::uint32_t* counts)
-      : block_(block), sections_(sections), first_(first), counts_(counts) {
-    base(From::counts) = counts;
-    base(From::arrays) = places_;
-    base(From::constants) = constants_of_rules();
-  }
+      : block_(block), sections_(sections), first_(first), counts_(counts) {}
 
-  bool all();
-  // Of a whole file: all() leaves it out, so that a game without links none of it.
-  bool example_space(std::uint32_t index);
   const DataError& error() const { return error_; }
-
- private:
+  bool good() const { return error_.status == Status::ok; }
   // Keeps the first; false.
   [[gnu::cold]] bool fail(const void* where, const char* rule);
-  // Whether the section is long enough for a header, and its codec one of those up to `last_codec`.
-  bool has_header(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
-  bool names(const File::Section& s);
-  // Names are compared with others, so how long they are has a limit; text() is only handed out.
-  bool name(const std::uint32_t& n);
-  bool text(const std::uint32_t& n);
-  // The first float that is not, without its sign, less than the one with the limit's bits; null if all are. What is
-  // not finite has the largest bits.
-  static const void* first_beyond(std::uint32_t limit, const void* first, std::uint64_t bytes);
 
-  // Rules from `rule` to the end of the list, about `record`.
-  bool keeps(const Rule* rule, const void* record);
-  static bool agree(How how, std::uint32_t a, std::uint32_t b);
-  bool keeps_other(const Rule& rule, const void*& where, std::uint32_t a, std::uint32_t b);
-  bool keeps_each(const Rule* rule);
-  bool keeps(Check check, std::uint32_t limit);
-  bool keeps_of_clip(Check check);
-  bool keeps_of_mesh(Check check, std::uint32_t limit);
-  bool keeps_of_others(Check check);
-  const void* place(RuleNumber n) const { return at<std::byte>(bases_[n.from], n.at); }
-  std::uint32_t value(RuleNumber n) const;
-  // Arrays begin behind a header.
-  void begin_arrays(std::size_t place, std::uint64_t at) {
-    arrays_ = static_cast<std::uint32_t>(place);
-    places_[arrays_] = at;
-  }
-  void add_array(std::uint64_t bytes) {
-    places_[arrays_ + 1] = places_[arrays_] + bytes;
-    ++arrays_;
-  }
-  bool find_owner(std::uint32_t number, bool or_reference);
-
-  const void*& base(From from) { return bases_[static_cast<std::size_t>(from)]; }
-  const void* base(From from) const { return bases_[static_cast<std::size_t>(from)]; }
-  // The section, its header, and what is looked at.
-  template <class T>
-  const T* at(std::uint64_t offset) const {
-    return at<T>(base(From::header), offset);
-  }
-  template <class T>
-  static const T* at(const void* start, std::uint64_t offset) {
-    return reinterpret_cast<const T*>(static_cast<const std::byte*>(start) + offset);
-  }
-  template <class T>
-  const T* array(std::size_t n) const {
-    return at<T>(places_[n]);
-  }
-  template <class T>
-  const T& record() const {
-    return *static_cast<const T*>(base(From::record));
-  }
+  // Goes on with a section: whether it is long enough for a header, and its codec one of those up to `last_codec`.
+  bool begin(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
+  const File::Section& section() const { return *section_; }
+  // The one before it in the file has its type.
+  bool follows_its_like() const { return section_ != sections_.data && section_[-1].type == section_->type; }
+  const void* header() const { return base_; }
   template <class Header>
-  const Header& header() const {
-    return *static_cast<const Header*>(base(From::header));
+  const Header& header_before() const {
+    return *reinterpret_cast<const Header*>(block_.data + section_[-1].offset);
   }
-  const void* start_of(const File::Section& s) const { return block_.data + s.offset; }
-  const File::Section& nth(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n]; }
-  // Of the skeleton or reference that the section is for.
-  std::uint32_t joint_count() const {
-    return static_cast<const format::SkeletonHeader*>(base(From::owner))->joint_count;
+  // What stands in the section, which is known to hold it.
+  template <class T>
+  const T& at(std::uint64_t offset) const {
+    return *reinterpret_cast<const T*>(base_ + offset);
+  }
+  template <class T>
+  Span<const T> in(const format::Array<T>& array) const {
+    return array.in(header());
+  }
+  // The header of a section by its kind and number, which are those of one.
+  template <class Header>
+  const Header& nth(format::Kind kind, std::uint32_t n) const {
+    return *reinterpret_cast<const Header*>(block_.data + sections_[first_[kind] + n].offset);
+  }
+  std::uint32_t bytes_of(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n].bytes; }
+  // Of the section, while its header is looked at before its size is known: what stands in arrays is left alone.
+  void leave_arrays(bool alone) { leaves_arrays_ = alone; }
+  // The skeleton that the section is for.
+  const format::SkeletonHeader& owner() const { return *owner_; }
+
+  // Whether all floats are, without their signs, below one; else the first that is not. What is not finite is not.
+  static const float* first_from(float limit, const float* first, std::uint64_t count);
+  bool floats_below(float limit, const float* first, std::uint64_t count, const char* rule) {
+    const float* const beyond = first_from(limit, first, count);
+    return beyond == nullptr || fail(beyond, rule);
   }
 
-  bool joints(const std::uint16_t* parents, const std::uint32_t* joint_names, std::uint32_t root_count);
-  bool reference_joints();
-  bool clip_size();
-  bool keys(const std::uint32_t* k, std::uint32_t floats_per_key);
-  bool track();
-  bool turning_keys(const Track& t);
-  bool coded();
-  bool frame_times();
-  bool masks();
-  bool constants();
-  bool segments();
-  bool geometry_size();
-  bool part_size(std::uint32_t flag, std::size_t place, std::size_t header_bytes, Part arrays);
-  std::uint32_t index_bytes() const { return static_cast<std::uint32_t>(places_[kIndexBytesPlace]); }
-  template <class Index>
-  bool below(const Index* first, std::uint64_t count, std::uint64_t limit, const char* rule);
-  bool indices();
-  bool runs();
-  bool sets();
-  bool source_slots();
-  struct SparseRecords {
-    Span<const MorphTarget> targets;
-    std::uint64_t blocks;  // where they stand
-    std::uint64_t block_count, record_count;
-    std::uint32_t allowed;  // attributes
-  };
-  bool sparse_records(const SparseRecords& r);
-  bool morph_blocks(const void* blocks, const MorphTarget& t);
-  bool targets();
-  bool examples();
-  const format::GeometryHeader& geometry(std::uint32_t number) const;
-  std::uint32_t target_count(std::uint32_t of_geometry) const;
-  bool next_part();
-  bool mesh_joints();
-  bool fallback();
-  bool only_of_owner();
-  bool box() const;
-  bool chain_joints();
+  // The words of descriptions, see sections/fields.h.
+  template <class T>
+  void any(const Field&, const T&) {}
+  template <class T>
+  void reserved(const T& value) {
+    zero(&value, sizeof value);
+  }
+  template <class T, class Least, class Most>
+  void range(const Field&, const T& value, Least least, Most most, const char* rule) {
+    in_range(&value, word(value), word(least), word(most), rule);
+  }
+  template <class T>
+  void flags(const Field&, const T& value, std::uint32_t all, const char* rule) {
+    in_range(&value, value & ~all, 0, 0, rule);
+  }
+  void name(const Field&, const std::uint32_t& n) { is_name(n); }
+  void text(const Field&, const std::uint32_t& n) { is_text(n); }
+  template <class T>
+  void finite(const Field&, const T& value) {
+    floats(value, Floats::finite);
+  }
+  template <class T>
+  void bounded(const Field&, const T& value) {
+    floats(value, Floats::bounded);
+  }
+  void not_negative(const Field&, const float& value, const char* rule) { float_within(value, 0, kInfinity, rule); }
+  void within(const Field&, const float& value, float least, float most, const char* rule) {
+    float_within(value, least, most, rule);
+  }
+  void inside(const Field&, const float& value, float least, float most, const char* rule) {
+    if (!(value > least && value < most)) fail(&value, rule);
+  }
+  template <std::size_t count>
+  void near(const Field&, const float (&values)[count], float most, const char* rule) {
+    for (const float& x : values) float_within(x, -most, most, rule);
+  }
+  void skeleton(const Field&, const std::uint32_t& n) { find_owner(n, format::kSkeletons); }
+  void skeleton_or_reference(const Field&, const std::uint32_t& n) {
+    find_owner(n, counts_[format::kReferences] != 0 ? format::kReferences : format::kSkeletons);
+  }
+  void only_of_skeleton(const Field&, const std::uint32_t& n, const char* rule);
+  template <class T>
+  void below(const Field&, const T& value, std::uint32_t limit, const char* rule) {
+    if (!(value < limit)) fail(&value, rule);
+  }
+  template <class T>
+  void section(const Field&, const T& value, format::Kind kind, const char* rule) {
+    below({}, value, counts_[kind], rule);
+  }
+  template <class T>
+  void joint(const Field&, const T& value, const char* rule) {
+    below({}, value, joint_count(), rule);
+  }
+  std::uint32_t count_of(format::Kind kind) const { return counts_[kind]; }
+  std::uint32_t joint_count() const { return owner_->joint_count; }  // a reference's, too
+  template <class T>
+  void array(const Field&, const format::Array<T>& a, std::uint64_t, Floats which = Floats::any) {
+    if (which != Floats::any) array_of_floats(a.at, a.bytes() / sizeof(float), which);
+  }
+  void array(const Field&, const format::Array<SoaTransform>& a, std::uint64_t) { array_of_transforms(a); }
+  template <class T, class EachRecord>
+  void records(const Field&, const format::Array<T>& a, std::uint64_t, const EachRecord& each) {
+    if (leaves_arrays_) return;
+    const Span<const T> all = in(a);
+    for (const T* record = all.begin(); record != all.end() && good(); ++record) each(*record);
+  }
+  void align() {}
+
+ private:
+  template <class T>
+  static constexpr std::uint32_t word(T value) {
+    return static_cast<std::uint32_t>(value);
+  }
+  void in_range(const void* where, std::uint32_t value, std::uint32_t least, std::uint32_t most, const char* rule);
+  void zero(const void* where, std::size_t bytes);
+  bool is_text(const std::uint32_t& n);
+  void is_name(const std::uint32_t& n);
+  void floats(const float* first, std::uint64_t count, Floats which);
+  void floats(const float& value, Floats which) { floats(&value, 1, which); }
+  template <std::size_t count>
+  void floats(const float (&values)[count], Floats which) {
+    floats(values, count, which);
+  }
+  void floats(const Affine& value, Floats which) { floats(value.rows[0], 12, which); }
+  void array_of_floats(std::uint64_t first, std::uint64_t count, Floats which);
+  void array_of_transforms(const format::Array<SoaTransform>& a);
+  void float_within(const float& value, float least, float most, const char* rule);
+  void find_owner(const std::uint32_t& number, format::Kind kind);
 
   Span<const std::byte> block_;
   Span<const File::Section> sections_;
   const std::uint32_t* first_;
   const std::uint32_t* counts_;
-  // What follows is of the section.
-  const File::Section* section_;
-  const void* bases_[static_cast<std::size_t>(From::count)];  // by From
-  std::uint64_t places_[kPlaceCount];  // of arrays behind the header; the next one will stand at places_[arrays_]
-  std::uint32_t arrays_;
-  // What is gone through in order, and began at the header.
-  struct {
-    std::uint32_t first_time, times_end, next_joint, roles;
-    bool has_times;
-    std::uint64_t first_value, values_end;  // of what tracks use, and what is between
-    std::uint64_t turning;                  // values of rotations, each time that a track uses them
-  } so_far_;
+  const File::Section* section_ = nullptr;
+  const std::byte* base_ = nullptr;  // where that begins
+  const format::SkeletonHeader* owner_ = nullptr;
+  bool leaves_arrays_ = false;
   DataError error_;
 };
 
@@ -159,5 +184,55 @@ inline std::uint32_t count_bits(std::uint32_t bits) {
   for (; bits != 0; bits &= bits - 1) ++count;
   return count;
 }
+
+// Whether a section is as large as its arrays, and what its description says.
+template <class Header>
+bool check_fields(Checker& c, const Header& h, typename format::LayoutOf<Header>::Type& l) {
+  lay_out(h, l);
+  if (l.bytes != c.section().bytes) return c.fail(&h, kWrongSize);
+  fields(c, h, l);
+  return c.good();
+}
+
+// A kind of which nothing is asked beyond its description.
+template <class Header>
+void check(Checker& c, const Header& h) {
+  typename format::LayoutOf<Header>::Type l;
+  check_fields(c, h, l);
+}
+void check(Checker& c, const format::SkeletonHeader& h);
+void check(Checker& c, const format::ReferenceHeader& h);
+void check(Checker& c, const format::ClipHeader& h);
+void check(Checker& c, const format::GeometryHeader& h);
+void check(Checker& c, const format::MeshHeader& h);
+void check(Checker& c, const format::MaterialHeader& h);
+void check(Checker& c, const format::ImageHeader& h);
+void check(Checker& c, const format::NodeHeader& h);
+void check(Checker& c, const format::LimitHeader& h);
+void check(Checker& c, const format::SpringHeader& h);
+void check(Checker& c, const format::BoundsHeader& h);
+
+// A kind of section as load() knows it.
+struct SectionKind {
+  std::uint32_t kind, type;
+  std::uint32_t header_bytes, last_codec;
+  void (*check)(Checker&, const void* header);  // null: nothing is looked at but where it stands
+};
+template <class Header>
+constexpr SectionKind section_kind(std::uint32_t kind, std::uint32_t type, std::uint32_t last_codec) {
+  if constexpr (std::is_void_v<Header>) {
+    return {kind, type, 0, last_codec, nullptr};
+  } else {
+    return {kind, type, sizeof(Header), last_codec,
+            [](Checker& c, const void* header) { check(c, *static_cast<const Header*>(header)); }};
+  }
+}
+// Those of kind.h, in the order of a file.
+extern const Span<const SectionKind> kSectionKinds;
+
+// A whole file, of sections of these kinds, of which the last is names'. Tells for each kind, by number, the first
+// section and how many there are.
+DataError check_file(Span<const std::byte> block, Span<const SectionKind> kinds, std::uint32_t* first,
+                     std::uint32_t* counts);
 
 }  // namespace marrow

@@ -1,5 +1,5 @@
 // Shape by example: cardinal functions of a point, four targets at a time.
-#include "asset/example_format.h"
+#include "asset/sections/examples_section.h"
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/mark.h"

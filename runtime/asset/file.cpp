@@ -14,9 +14,10 @@ const T* at(const std::byte* base, std::uint64_t offset) {
   return reinterpret_cast<const T*>(base + offset);
 }
 
+// Where an array begins; null if it is not there.
 template <class T>
-const T* at_if(bool present, const std::byte* base, std::uint64_t offset) {
-  return present ? at<T>(base, offset) : nullptr;
+const T* first_if(bool present, const format::Array<T>& array, const std::byte* base) {
+  return present ? array.in(base).data : nullptr;
 }
 
 // No name is the null pointer.
@@ -44,14 +45,14 @@ Skeleton File::skeleton(std::uint32_t index) const {
   s.name = text(header.name);
   s.joint_count = header.joint_count;
   s.root_count = header.root_count;
-  s.scene_from_root = at<Affine>(base, l.roots);
-  s.rest = at<SoaTransform>(base, l.rest);
-  s.parents = at<std::uint16_t>(base, l.parents);
-  s.names = at<std::uint32_t>(base, l.names);
+  s.scene_from_root = l.roots.in(base).data;
+  s.rest = l.rest.in(base).data;
+  s.parents = l.parents.in(base).data;
+  s.names = l.names.in(base).data;
   for (std::uint32_t i = 0; i < counts_[format::kLimits]; ++i) {
     const std::byte* const section_i = section(format::kLimits, i);
     const auto& limits = *at<format::LimitHeader>(section_i, 0);
-    if (limits.skeleton == index) s.limits = {at<JointLimit>(section_i, layout(limits).limits), limits.limit_count};
+    if (limits.skeleton == index) s.limits = layout(limits).limits.in(section_i);
   }
   return s;
 }
@@ -65,9 +66,9 @@ SkeletonReference File::reference(std::uint32_t index) const {
   r.name = text(header.name);
   r.joint_count = header.joint_count;
   r.hash = header.hash;
-  r.names = at<std::uint32_t>(base, l.names);
-  r.rest_hashes = at<std::uint32_t>(base, l.rest_hashes);
-  r.parents = at<std::uint16_t>(base, l.parents);
+  r.names = l.names.in(base).data;
+  r.rest_hashes = l.rest_hashes.in(base).data;
+  r.parents = l.parents.in(base).data;
   return r;
 }
 
@@ -81,11 +82,11 @@ Clip File::clip(std::uint32_t index) const {
   c.skeleton = header.skeleton;
   c.duration_s = header.duration_s;
   c.additive = header.additive != 0;
-  c.reference = at_if<SoaTransform>(header.reference_groups != 0, base, l.reference);
-  c.tracks = {at<Track>(base, l.tracks), header.track_count};
-  c.channels = {at<Channel>(base, l.channels), header.channel_count};
-  c.times_s = at<float>(base, l.times);
-  c.values = at<float>(base, l.values);
+  c.reference = first_if(header.reference_groups != 0, l.reference, base);
+  c.tracks = l.tracks.in(base);
+  c.channels = l.channels.in(base);
+  c.times_s = l.times.in(base).data;
+  c.values = l.values.in(base).data;
   c.id = format::mix_checksum(at<format::Header>(block_, 0)->checksum, index + 1) | 1;
   c.joint_count = reference_count() > 0
                       ? at<format::ReferenceHeader>(section(format::kReferences, header.skeleton), 0)->joint_count
@@ -99,9 +100,9 @@ Clip File::clip(std::uint32_t index) const {
                coded.segment_intervals,
                coded.start_s,
                coded.frames_per_s,
-               coded.time_count > 0 ? at<float>(base, k.times) : nullptr,
-               at<GroupMasks>(base, k.masks),
-               at<std::uint32_t>(base, k.offsets),
+               first_if(coded.time_count > 0, k.times, base),
+               k.masks.in(base).data,
+               k.offsets.in(base).data,
                base + k.constants,
                base + k.payload};
   }
@@ -119,21 +120,21 @@ Geometry view_geometry(const std::byte* base) {
   g.index_bytes = l.index_bytes;
   g.joint_count = header.joint_count;
   g.indices = at<void>(base, l.indices);
-  g.runs = {at<Run>(base, l.runs), header.run_count};
-  g.sets = at<std::uint16_t>(base, l.sets);
-  g.skin = at<float>(base, l.skin);
-  g.normals = at_if<float>(has(format::kHasNormals), base, l.normals);
-  g.tangents = at_if<float>(has(format::kHasTangents), base, l.tangents);
-  g.as_residual = at_if<float>(has(format::kHasAsResidual), base, l.as_residual);
-  g.mwe_residual = at_if<float>(has(format::kHasMwe), base, l.mwe_residual);
+  g.runs = l.runs.in(base);
+  g.sets = l.sets.in(base).data;
+  g.skin = l.skin.in(base).data;
+  g.normals = first_if(has(format::kHasNormals), l.normals, base);
+  g.tangents = first_if(has(format::kHasTangents), l.tangents, base);
+  g.as_residual = first_if(has(format::kHasAsResidual), l.as_residual, base);
+  g.mwe_residual = first_if(has(format::kHasMwe), l.mwe_residual, base);
   g.mwe_root = header.mwe_root;
-  g.uvs = at_if<float>(has(format::kHasUvs), base, l.uvs);
-  g.colours = at_if<std::uint8_t>(has(format::kHasColours), base, l.colours);
-  g.source_slots = {at<std::uint32_t>(base, l.source_slots), header.source_vertex_count};
+  g.uvs = first_if(has(format::kHasUvs), l.uvs, base);
+  g.colours = first_if(has(format::kHasColours), l.colours, base);
+  g.source_slots = l.source_slots.in(base);
   if (has(format::kHasMorphTargets)) {
     const auto& morphs = *at<format::MorphHeader>(base, format::morph_start(l));
     const format::MorphLayout k = layout(morphs, l);
-    g.targets = {at<MorphTarget>(base, k.targets), morphs.target_count};
+    g.targets = k.targets.in(base);
     g.target_blocks = at<void>(base, k.blocks);
     g.target_records = at<std::int16_t>(base, k.records);
   }
@@ -142,11 +143,11 @@ Geometry view_geometry(const std::byte* base) {
     const auto& space = *at<format::PoseSpaceHeader>(base, start);
     const format::PoseSpaceLayout k = layout(space, header, start);
     g.pose_space = {space.sigma,
-                    {at<MorphTarget>(base, k.examples), space.example_count},
+                    k.examples.in(base),
                     at<void>(base, k.blocks),
                     at<std::int16_t>(base, k.records),
                     at<std::int16_t>(base, k.rotations),
-                    at<std::uint16_t>(base, k.parents)};
+                    k.parents.in(base).data};
   }
   std::memcpy(g.box_min, header.box_min, sizeof g.box_min);
   std::memcpy(g.box_max, header.box_max, sizeof g.box_max);
@@ -167,17 +168,17 @@ Mesh File::mesh(std::uint32_t index, std::uint32_t level) const {
   m.material = text(header.material);
   if (header.material_section != 0) m.material_index = header.material_section - 1;
   m.skeleton = header.skeleton;
-  m.lods = {at<MeshLod>(base, l.lods), header.lod_count};
+  m.lods = l.lods.in(base);
   level = level < m.lods.size ? level : static_cast<std::uint32_t>(m.lods.size);
   m.geometry_index = level > 0 ? m.lods[level - 1].geometry : header.geometry;
   m.joint_count = header.joint_count;
-  m.joints = at<std::uint16_t>(base, l.joints);
-  m.inverse_bind = at<Affine>(base, l.inverse_bind);
+  m.joints = l.joints.in(base).data;
+  m.inverse_bind = l.inverse_bind.in(base).data;
   std::memcpy(m.base_colour, header.base_colour, sizeof m.base_colour);
   m.double_sided = (header.flags & format::kDoubleSided) != 0;
   m.is_next_part = (header.flags & format::kNextPart) != 0;
-  m.helpers = {at<Helper>(base, l.helpers), header.helper_count};
-  m.helper_centres = {at<float>(base, l.centres), static_cast<std::size_t>(l.lods - l.centres) / sizeof(float)};
+  m.helpers = l.helpers.in(base);
+  m.helper_centres = l.centres.in(base);
   m.geometry = geometry(m.geometry_index);
   m.targets = {at<MeshTarget>(base, l.targets), m.geometry.targets.size};
   return m;
@@ -218,7 +219,7 @@ Material File::material(std::uint32_t index) const {
   const format::MaterialLayout l = layout(header);
   m.unlit = (header.flags & format::kUnlit) != 0;
   if ((header.flags & format::kEmits) != 0) std::memcpy(m.emissive, base + l.emissive, sizeof m.emissive);
-  m.textures = {at<Texture>(base, l.textures), header.texture_count};
+  m.textures = l.textures.in(base);
   return m;
 }
 
@@ -230,7 +231,7 @@ Image File::image(std::uint32_t index) const {
   i.name = text(header.name);
   i.uri = text(header.uri);
   i.format = header.format;
-  i.bytes = {base + layout(header).data, header.byte_count};
+  i.bytes = layout(header).data.in(base);
   if (header.fallback != 0) i.fallback = header.fallback - 1u;
   return i;
 }
@@ -244,7 +245,7 @@ Node File::node(std::uint32_t index) const {
   n.skeleton = header.skeleton;
   n.joint = header.joint;
   n.joint_from_node = &header.joint_from_node;
-  n.properties = {at<Property>(base, layout(header).properties), header.property_count};
+  n.properties = layout(header).properties.in(base);
   return n;
 }
 
@@ -265,9 +266,9 @@ SpringChain File::spring(std::uint32_t of_skeleton, std::uint32_t index) const {
   if (index >= spring_count(of_skeleton)) return {};
   const std::byte* const base = springs_of(of_skeleton);
   const format::SpringLayout l = layout(*at<format::SpringHeader>(base, 0));
-  const auto& record = at<format::SpringRecord>(base, l.chains)[index];
+  const format::SpringRecord& record = l.chains.in(base)[index];
   SpringChain chain;
-  chain.joints = {at<SpringJoint>(base, l.joints) + record.first_joint, record.joint_count};
+  chain.joints = {l.joints.in(base).data + record.first_joint, record.joint_count};
   std::memcpy(chain.tip, record.tip, sizeof chain.tip);
   chain.colliders = record.colliders;
   return chain;
@@ -277,7 +278,7 @@ Span<const SpringCollider> File::spring_colliders(std::uint32_t of_skeleton) con
   const std::byte* const base = springs_of(of_skeleton);
   if (base == nullptr) return {};
   const auto& header = *at<format::SpringHeader>(base, 0);
-  return {at<SpringCollider>(base, layout(header).colliders), header.collider_count};
+  return layout(header).colliders.in(base);
 }
 
 Bounds decode_bounds(const format::BoundsCodes& codes) {
@@ -309,8 +310,7 @@ Bounds File::bounds(std::uint32_t clip, std::uint32_t mesh) const {
     for (std::uint32_t c = 0; c < clip; ++c) row += skeleton_of_clip(c) == skeleton;
     for (std::uint32_t m = 0; m < mesh; ++m) column += skeleton_of_mesh(m) == skeleton;
     if (row >= header.clip_count || column >= header.mesh_count) return {};
-    const auto* codes = at<format::BoundsCodes>(base, format::layout(header).codes);
-    return decode_bounds(codes[std::uint64_t{row} * header.mesh_count + column]);
+    return decode_bounds(layout(header).codes.in(base)[std::uint64_t{row} * header.mesh_count + column]);
   }
   return {};
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "asset/example_format.h"
+#include "asset/sections/examples_section.h"
 #include "marrow/sample.h"
 #include "support/damage.h"
 #include "support/golden.h"

@@ -39,9 +39,10 @@ class LoadHelpers : public ::testing::Test {
     EXPECT_EQ(got.error.offset, place) << what;
     ++refused_;
   }
+  // Two that are the same are told at the helper, and so is its first; the others where they stand.
   template <class T>
-  void refuse(std::size_t offset, T value, const char* what) {
-    refuse_as(block_, "a helper blends two joints of the mesh", first_, offset, value, what);
+  void refuse(std::size_t place, std::size_t offset, T value, const char* what) {
+    refuse_as(block_, "a helper blends two joints of the mesh", place, offset, value, what);
   }
 
   test::AlignedBlock block_;
@@ -55,14 +56,14 @@ struct LoadCentres : LoadHelpers {
 };
 
 TEST_F(LoadHelpers, BlendTwoJoints) {
-  refuse(first_, std::uint16_t{1}, "its first is its second");
-  refuse(first_ + 2, std::uint16_t{0}, "its second is its first");
-  refuse(first_, std::uint16_t{2}, "its first is a helper");
-  refuse(first_, std::uint16_t{0xFFFF}, "a first out of range");
-  refuse(first_ + 2, std::uint16_t{2}, "its second is a helper");
-  refuse(first_ + 2, std::uint16_t{0xFFFF}, "a second out of range");
+  refuse(first_, first_, std::uint16_t{1}, "its first is its second");
+  refuse(first_, first_ + 2, std::uint16_t{0}, "its second is its first");
+  refuse(first_, first_, std::uint16_t{2}, "its first is a helper");
+  refuse(first_, first_, std::uint16_t{0xFFFF}, "a first out of range");
+  refuse(first_ + 2, first_ + 2, std::uint16_t{2}, "its second is a helper");
+  refuse(first_ + 2, first_ + 2, std::uint16_t{0xFFFF}, "a second out of range");
   for (const float share : {0.0f, -0.0f, 1.0f, -0.5f, 1.5f, kInfinity, -kInfinity, kNan})
-    refuse(first_ + 4, share, "a share that is not between");
+    refuse(first_ + 4, first_ + 4, share, "a share that is not between");
   EXPECT_EQ(refused_, 14);
 }
 
@@ -90,7 +91,7 @@ TEST_F(LoadCentres, AreNumbersOfSaneSize) {
       refuse_as(block_, "a number that is not finite, or beyond 1e12", at, at, c, "a centre");
   EXPECT_EQ(refused_, 15);
   EXPECT_EQ(test::load_with(block_, end_ - 12, -1e12f).status, Status::ok);
-  refuse(first_ + 4, 1.0f, "a share that is not between");
+  refuse(first_ + 4, first_ + 4, 1.0f, "a share that is not between");
 }
 
 TEST_F(LoadCentres, AreThereOrNot) {

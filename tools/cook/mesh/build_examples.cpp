@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "asset/example_format.h"
+#include "asset/sections/examples_section.h"
 #include "common/failure.h"
 #include "deform/fit/example_weights.h"
 #include "text/nearest.h"

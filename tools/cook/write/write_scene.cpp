@@ -5,7 +5,7 @@
 #include <deque>
 #include <map>
 
-#include "asset/example_format.h"
+#include "asset/sections/examples_section.h"
 #include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
@@ -15,32 +15,10 @@
 #include "cook/write/clip_packer.h"
 #include "cook/write/compact.h"
 #include "cook/write/measure_bounds.h"
+#include "cook/write/section_bytes.h"
 
 namespace marrow::cook {
 namespace {
-
-// Bytes of one section in the making, and of the record that packed files have instead, if there is one.
-class Section {
- public:
-  template <class T>
-  void add(const T& value) {
-    add_bytes(&value, sizeof value);
-  }
-  template <class T>
-  void add_all(const std::vector<T>& values) {
-    add_bytes(values.data(), values.size() * sizeof(T));
-  }
-  const std::vector<std::byte>& bytes() const { return bytes_; }
-  std::uint32_t codec = format::kCodecRaw;
-  std::vector<std::byte> compact;
-
- private:
-  void add_bytes(const void* data, std::size_t size) {
-    const auto* first = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), first, first + size);
-  }
-  std::vector<std::byte> bytes_;
-};
 
 // Zero-terminated names, each once; the empty one first.
 class Names {
@@ -70,15 +48,17 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   const auto joints = static_cast<std::uint32_t>(s.parents.size());
   std::uint32_t name = 0;
   const std::uint32_t name_code = names.add_in_turn(s.name, name);
-  out.add(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
-  out.add_all(s.scene_from_root);
-  out.add_all(s.rest);
-  std::vector<std::uint32_t> codes;
+  const auto l =
+      out.begin(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
+  std::vector<std::uint32_t> codes, joint_names;
   for (const std::string& joint : s.joint_names) {
     codes.push_back(names.add_in_turn(joint, name));
-    out.add(name);
+    joint_names.push_back(name);
   }
-  out.add_all(s.parents);
+  out.set(l.roots, s.scene_from_root);
+  out.set(l.rest, s.rest);
+  out.set(l.names, joint_names);
+  out.set(l.parents, s.parents);
   out.compact = compact_skeleton(s, name_code, codes);
   return out;
 }
@@ -86,45 +66,45 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
 Section write_reference(const BuiltSkeleton& s, Names& names) {
   Section out;
   Fnv64 hash;
-  std::vector<std::uint32_t> rest_hashes;
+  std::vector<std::uint32_t> rest_hashes, joint_names;
   for (std::size_t j = 0; j < s.parents.size(); ++j) {
     add_joint(hash, s.joint_names[j].c_str(), s.parents[j], s.rest.data(), j);
     rest_hashes.push_back(rest_hash(s.rest.data(), j));
   }
-  out.add(format::ReferenceHeader{names.add(s.name), static_cast<std::uint32_t>(s.parents.size()), hash.value()});
-  for (const std::string& name : s.joint_names) out.add(names.add(name));
-  out.add_all(rest_hashes);
-  out.add_all(s.parents);
+  const auto l =
+      out.begin(format::ReferenceHeader{names.add(s.name), static_cast<std::uint32_t>(s.parents.size()), hash.value()});
+  for (const std::string& name : s.joint_names) joint_names.push_back(names.add(name));
+  out.set(l.names, joint_names);
+  out.set(l.rest_hashes, rest_hashes);
+  out.set(l.parents, s.parents);
   return out;
 }
 
-void add_coded(const BuiltCoded& coded, Section& out) {
+void add_coded(const BuiltCoded& coded, std::uint64_t start, std::size_t joint_count, Section& out) {
   out.codec = format::kCodecSegments;
-  out.add(coded.header);
-  out.add_all(coded.times_s);
-  out.add_all(coded.offsets);
-  out.add_all(coded.masks);
-  out.add_all(coded.constants);
-  out.add_all(coded.payload);
+  const auto l = out.begin(coded.header, layout(coded.header, start, static_cast<std::uint32_t>(joint_count)));
+  out.set(l.times, coded.times_s);
+  out.set(l.offsets, coded.offsets);
+  out.set(l.masks, coded.masks);
+  out.set(l.constants, coded.constants);
+  out.set(l.payload, coded.payload);
 }
 
 Section write_clip(const BuiltClip& c, std::size_t joint_count, Names& names, ClipPacker& packer) {
   Section out;
-  out.add(format::ClipHeader{names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
-                             static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
-                             static_cast<std::uint32_t>(c.channels.size()),
-                             static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
-                             static_cast<std::uint16_t>(c.reference.size())});
-  out.add_all(c.reference);
-  out.add_all(c.tracks);
-  for (std::size_t i = 0; i < c.channels.size(); ++i) {
-    Channel channel = c.channels[i];
-    channel.name = names.add(c.channel_names[i]);
-    out.add(channel);
-  }
-  out.add_all(c.times_s);
-  out.add_all(c.values);
-  if (c.coded.header.frame_count > 0) add_coded(c.coded, out);
+  const auto l = out.begin(format::ClipHeader{
+      names.add(c.name), c.skeleton, c.duration_s, static_cast<std::uint32_t>(c.tracks.size()),
+      static_cast<std::uint32_t>(c.times_s.size()), static_cast<std::uint32_t>(c.values.size()),
+      static_cast<std::uint32_t>(c.channels.size()), static_cast<std::uint16_t>(c.additive.empty() ? 0 : 1),
+      static_cast<std::uint16_t>(c.reference.size())});
+  std::vector<Channel> channels = c.channels;
+  for (std::size_t i = 0; i < channels.size(); ++i) channels[i].name = names.add(c.channel_names[i]);
+  out.set(l.reference, c.reference);
+  out.set(l.tracks, c.tracks);
+  out.set(l.channels, channels);
+  out.set(l.times, c.times_s);
+  out.set(l.values, c.values);
+  if (c.coded.header.frame_count > 0) add_coded(c.coded, l.bytes, joint_count, out);
   out.compact = packer.pack(out.bytes(), out.codec, joint_count);
   return out;
 }
@@ -145,16 +125,17 @@ Section write_mesh(const BuiltMesh& m, Names& names) {
   h.helper_count = static_cast<std::uint16_t>(m.helpers.size());
   std::memcpy(h.base_colour, m.base_colour, sizeof h.base_colour);
   h.target_count = static_cast<std::uint32_t>(m.targets.size());
-  out.add(h);
-  out.add_all(m.inverse_bind);
   std::vector<MeshTarget> targets;
   for (const RawTargetWeight& t : m.targets) targets.push_back({names.add(t.target), names.add(t.channel), t.rest});
-  out.add_all(targets);
-  out.add_all(m.joints);
-  if ((!m.helpers.empty() || !m.lods.empty()) && m.joints.size() % 2 != 0) out.add(std::uint16_t{0});
-  out.add_all(m.helpers);
-  out.add_all(m.helper_centres);
-  for (const BuiltLod& lod : m.lods) out.add(MeshLod{lod.geometry, static_cast<float>(lod.max_error_m)});
+  std::vector<MeshLod> lods;
+  for (const BuiltLod& lod : m.lods) lods.push_back({lod.geometry, static_cast<float>(lod.max_error_m)});
+  const auto l = out.begin(h);
+  out.set(l.inverse_bind, m.inverse_bind);
+  out.set(l.targets, targets);
+  out.set(l.joints, m.joints);
+  out.set(l.helpers, m.helpers);
+  out.set(l.centres, m.helper_centres);
+  out.set(l.lods, lods);
   if (!m.bind_is_given.empty()) out.compact = compact_mesh(m, h, targets);
   return out;
 }
@@ -165,25 +146,27 @@ Section write_material(const BuiltMaterial& m, Names& names) {
   std::uint16_t flags = 0;
   if (m.unlit) flags |= format::kUnlit;
   if (emits) flags |= format::kEmits;
-  out.add(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
-                                 static_cast<std::uint8_t>(m.textures.size()), flags});
-  out.add_all(m.textures);
-  if (emits) out.add(m.emissive);
+  const auto l = out.begin(format::MaterialHeader{names.add(m.name), m.alpha_cutoff, m.alpha,
+                                                  static_cast<std::uint8_t>(m.textures.size()), flags});
+  out.set(l.textures, m.textures);
+  if (emits) out.set(l.emissive, std::vector<float>{m.emissive.x, m.emissive.y, m.emissive.z});
   return out;
 }
 
 Section write_image(const RawImage& i, Names& names) {
   Section out;
-  out.add(format::ImageHeader{names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()), i.format,
-                              0, static_cast<std::uint16_t>(i.fallback + 1)});
-  out.add_all(i.bytes);
+  const auto l =
+      out.begin(format::ImageHeader{names.add(i.name), names.add(i.uri), static_cast<std::uint32_t>(i.bytes.size()),
+                                    i.format, 0, static_cast<std::uint16_t>(i.fallback + 1)});
+  out.set(l.data, i.bytes);
   return out;
 }
 
 Section write_node(const BuiltNode& n, Names& names) {
   Section out;
-  out.add(format::NodeHeader{names.add(n.name), n.skeleton, static_cast<std::uint32_t>(n.properties.size()), n.joint, 0,
-                             n.joint_from_node});
+  std::vector<Property> properties;
+  const auto l = out.begin(format::NodeHeader{
+      names.add(n.name), n.skeleton, static_cast<std::uint32_t>(n.properties.size()), n.joint, 0, n.joint_from_node});
   for (const RawProperty& raw : n.properties) {
     Property p{};
     p.name = names.add(raw.name);
@@ -194,42 +177,44 @@ Section write_node(const BuiltNode& n, Names& names) {
     } else {
       p.number = raw.number;
     }
-    out.add(p);
+    properties.push_back(p);
   }
+  out.set(l.properties, properties);
   return out;
 }
 
 Section write_limits(const BuiltSkeleton& s, std::uint32_t skeleton) {
   Section out;
-  out.add(format::LimitHeader{skeleton, static_cast<std::uint32_t>(s.limits.size())});
-  out.add_all(s.limits);
+  const auto l = out.begin(format::LimitHeader{skeleton, static_cast<std::uint32_t>(s.limits.size())});
+  out.set(l.limits, s.limits);
   return out;
 }
 
 Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
   Section out;
-  out.add(format::SpringHeader{skeleton, static_cast<std::uint32_t>(s.chains.size()),
-                               static_cast<std::uint32_t>(s.joints.size()),
-                               static_cast<std::uint32_t>(s.colliders.size())});
-  out.add_all(s.chains);
-  out.add_all(s.joints);
-  out.add_all(s.colliders);
+  const auto l = out.begin(format::SpringHeader{skeleton, static_cast<std::uint32_t>(s.chains.size()),
+                                                static_cast<std::uint32_t>(s.joints.size()),
+                                                static_cast<std::uint32_t>(s.colliders.size())});
+  out.set(l.chains, s.chains);
+  out.set(l.joints, s.joints);
+  out.set(l.colliders, s.colliders);
   return out;
 }
 
 Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   Section out;
-  out.add(format::ExampleHeader{
+  const auto l = out.begin(format::ExampleHeader{
       names.add(e.name), static_cast<std::uint32_t>(e.meshes.size()), static_cast<std::uint16_t>(e.parameters.size()),
       static_cast<std::uint16_t>(e.inverse_widths.size()), static_cast<std::uint16_t>(e.targets.size()), 0});
-  out.add_all(e.linear);
-  out.add_all(e.radial);
-  out.add_all(e.places);
-  out.add_all(e.inverse_widths);
-  for (std::size_t p = 0; p < e.parameters.size(); ++p)
-    out.add(ExampleParameter{names.add(e.parameters[p]), e.rests[p]});
-  out.add_all(e.targets);
-  out.add_all(e.meshes);
+  std::vector<ExampleParameter> parameters;
+  for (std::size_t p = 0; p < e.parameters.size(); ++p) parameters.push_back({names.add(e.parameters[p]), e.rests[p]});
+  out.set(l.linear, e.linear);
+  out.set(l.radial, e.radial);
+  out.set(l.places, e.places);
+  out.set(l.widths, e.inverse_widths);
+  out.set(l.parameters, parameters);
+  out.set(l.targets, e.targets);
+  out.set(l.meshes, e.meshes);
   return out;
 }
 
@@ -237,8 +222,8 @@ constexpr std::size_t kLeastSaved = 8;
 
 Section write_bounds(const MeasuredBounds& b) {
   Section out;
-  out.add(b.header);
-  out.add_all(b.codes);
+  const auto l = out.begin(b.header);
+  out.set(l.codes, b.codes);
   out.compact = pack_bounds(b);
   // What is hardly smaller takes more than itself where files are compressed once more.
   if (out.compact.size() + kLeastSaved > out.bytes().size()) out.compact.clear();
@@ -407,8 +392,7 @@ class SceneWriter {
         add(format::kSprings, write_springs(scene_.skeletons[s].springs, s));
   }
   void add_names() {
-    Section pool;
-    pool.add_all(names_.pool());
+    Section pool(names_.pool());
     pool.compact = compact_names(names_.pool());
     add(format::kNames, std::move(pool));
   }
