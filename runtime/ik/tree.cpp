@@ -32,7 +32,7 @@ WideRotation rotation_in(const Affine& a) {
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
-MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
+void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = skeleton.parents[node.joint];
@@ -77,7 +77,7 @@ void set_end(const PosedJoints& pose, const std::uint16_t* node_of, IkEnd& end) 
   end.rotation = rotation;
 }
 
-MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
+void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
   set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
