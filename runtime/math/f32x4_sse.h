@@ -238,7 +238,7 @@ inline i32x4 load_aligned(const std::uint32_t* p) {
 inline void store(std::byte* p, i32x4 a) {
   __m128i* const to = reinterpret_cast<__m128i*>(p);
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__AVX__)
-  // GCC would rather shuffle each byte out of the register than load it.
+  // GCC would rather shuffle each byte out of the register than load it. With the next: `sample/*` takes 4 to 6 % less.
   asm("movdqa %1, %0" : "=m"(*to) : "x"(a.v));
 #else
   _mm_store_si128(to, a.v);

@@ -26,8 +26,8 @@ struct JointSet {
     }
   }
 
-  // Before each block. GCC would spread the lanes of many rows over registers ahead of the blocks, and spill those, or
-  // copy from memory to memory what has been spread.
+  // Before each block; rows `skin/as/ps/*` take 3 to 5 % less for it. GCC would spread the lanes of many rows over
+  // registers ahead of the blocks, and spill those, or copy from memory to memory what has been spread.
   template <class D, class Count>
   [[gnu::always_inline]] void stay([[maybe_unused]] D directions, [[maybe_unused]] Count influences) {
     if constexpr (kMultipliesByLane && !std::is_same_v<Count, std::uint32_t>) {
