@@ -4,6 +4,7 @@
 #include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -18,17 +19,6 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   f.axis[2] = f.axis[2] * splat_lane<2>(s);
   f.origin = wide_translation_of(local, joint);
   return f;
-}
-
-// As rotation_of() of a map.
-WideRotation rotation_in(const Affine& a) {
-  const Columns map = columns(a);
-  const f32x4 x = unit3_or(map.axis[0], lanes(1.0f, 0.0f, 0.0f, 0.0f));
-  const WideRotation first = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
-  const f32x4 from = rotate(first, lanes(0.0f, 1.0f, 0.0f, 0.0f)), to = unit3_or(across3(map.axis[1], x), from);
-  const float cosine = dot3(from, to), sine = dot3(x, cross3(from, to));
-  const bool apart = cosine > -0.9999999f;
-  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
 }
 
 // What is above a node, up to the node that it hangs on, or to the scene.
@@ -49,7 +39,7 @@ void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& no
   }
   if (top) {
     multiply(columns(map_above(pose, node.joint)), above, above);
-    turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
+    turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
   } else {
     const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
@@ -187,7 +177,7 @@ void set_turned(IkNode& node, WideRotation rotation) {
 }
 
 f32x4 turn_of(WideRotation rotation) {
-  return log_of_shorter(normalised(rotation));
+  return log_of_shorter(normalised(rotation)).v;
 }
 
 void store_tree(const IkTree& tree, float weight, const PosedJoints& pose) {

@@ -35,18 +35,6 @@ inline void set_where(mask4 m, T& to, T value) {
 
 alignas(16) inline constexpr float kUnitAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
-// As of other vectors, in little code: across v, of unit length, however short v is; x where v has no direction.
-inline Vector<One> any_across(Vector<One> v) {
-  float squares[4];
-  store(squares, v.v * v.v);
-  int least = squares[2] < squares[1] ? 2 : 1;
-  if (!(squares[least] < squares[0])) least = 0;
-  const Vector<One> across = cross(v, {load_aligned(kUnitAxes[least])});
-  const One squared = dot(across, across);
-  if (squared < number<One>(kNumbers.tiny)) return {load_aligned(kUnitAxes[0])};
-  return across * inverse_root(squared);
-}
-
 // A quaternion, of an axis whose w is 0.
 template <class F>
 inline Quaternion<F> quaternion_of(const Vector<F>& axis, F w) {

@@ -80,6 +80,9 @@ inline One greater(One a, One b) {
 inline One absolute(One a) {
   return {absolute(a.v)};
 }
+inline One inverse_length(One squared) {
+  return {inverse_length(squared.v)};
+}
 inline One flip(One a, One by) {
   return {flip(a.v, by.v)};
 }

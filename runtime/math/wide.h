@@ -83,15 +83,8 @@ inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
   const float squared = squared3(v);
   return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
 }
-// As any_across().
 inline f32x4 any_across3(f32x4 v) {
-  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-  float s[4];
-  store(s, v * v);
-  const int axis = lesser(s[1], s[2]) < s[0] ? (s[2] < s[1] ? 2 : 1) : 0;
-  const f32x4 across = cross3(v, load_aligned(kAxes[axis]));
-  const float squared = squared3(across);
-  return squared < kTinySquare ? load_aligned(kAxes[0]) : across * (1.0f / sqrt(squared));
+  return any_across(Vector<One>{v}).v;
 }
 
 inline WideRotation no_turn() {
@@ -136,31 +129,21 @@ inline f32x4 rotate(WideRotation q, f32x4 v) {
   const f32x4 half = cross3(q.v, v), t = half + half;
   return v + t * splat_lane<3>(q.v) + cross3(q.v, t);
 }
-// As of Vector3.
+// The shortest turn that takes the direction of `from` to that of `to`, of any lengths above 0; half a turn, about any
+// axis across them, where they are opposite; the identity where either has no direction.
 inline WideRotation shortest_arc(f32x4 from, f32x4 to) {
   const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, splat(0.0f)), sum = a + b;
-  const float w = 0.5f * squared3(sum);
+  const float w = 0.5f * squared3(sum);  // 1 + cos, without cancellation
   if (w < 1e-8f) return !(squared3(a) > 0) ? no_turn() : WideRotation{any_across3(a)};
   return normalised(quaternion(cross3(a, b), w));
 }
-// As share_of() of Rotation.
-inline WideRotation share_of(WideRotation q, float share) {
-  const f32x4 part = q.v * share;
-  return normalised(WideRotation{with_w(part, part + splat(1.0f - share))});
-}
 
-// As of Rotation: axis times angle, of the shorter of the two turns that q and its negative are.
-inline f32x4 log_of_shorter(WideRotation q) {
-  const f32x4 v = flip(q.v, splat_lane<3>(q.v));
-  const float w = w_lane({v}), sine_squared = squared3(v);
-  if (sine_squared < 0.5f) return without_w(v) * (2.0f * asinc_of_root(sine_squared));
-  return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
+// As of other lanes.
+inline WideRotation share_of(WideRotation q, float share) {
+  return share_of(q, all_lanes<One>(share));
 }
-// As of Vector3: the rotation by |v| about v.
 inline WideRotation exp_rotation(f32x4 v) {
-  const f32x4 half = v * 0.5f;
-  const float y = squared3(half);
-  return quaternion(half * sinc_of_root(y), cos_of_root(y));
+  return exp_rotation(Vector<One>{without_w(v)});
 }
 
 }  // namespace marrow
