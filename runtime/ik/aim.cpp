@@ -1,5 +1,4 @@
 #include "core/check.h"
-#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
 #include "ik/turn_onto.h"
@@ -127,7 +126,7 @@ inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
 
 // A joint's turn; false if the numbers are not finite. The gaze is a view in the scene, from its origin: when a joint
 // has turned, the target and the pole are turned back instead of all that hangs on it.
-MARROW_CALLED_WHERE_SMALL bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
+bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   const Axes<One> axes = axes_of<false>(joint);
   const Vector<One> at = wide_origin(joint), way = gaze.of[kWay] - at;
   View view = gaze;
@@ -177,7 +176,7 @@ BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, co
 }  // namespace
 
 [[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
-  if (!kSmall && is_plain_share(goal.weight)) {
+  if (is_plain_share(goal.weight)) {
     View view = view_from<true>(joint, goal);
     if (look<true>(view, goal.weight, out)) return Status::ok;
   }

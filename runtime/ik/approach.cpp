@@ -9,7 +9,7 @@ namespace {
 constexpr float kNearlyStraight = 5e-4f;  // of its length, by which a chain is short of straight
 constexpr float kNearlyALine = 0.1f;      // of its length, by which a chain's joints are off a line
 
-MARROW_CALLED_WHERE_SMALL float smooth_step(float x) {
+float smooth_step(float x) {
   const float u = x <= 0 ? 0.0f : x < 1 ? x : 1.0f;
   return u * u * (3.0f - 2.0f * u);
 }

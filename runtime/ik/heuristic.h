@@ -81,7 +81,7 @@ struct TurnSum {
 struct InverseAxes {
   explicit InverseAxes(const f32x4 (&axis)[3]);
   // Of the length that it has, but for a factor above 0: not to wait for a division.
-  MARROW_CALLED_WHERE_SMALL f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
+  f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
   f32x4 operator*(f32x4 v) const { return direction(v) * scale; }
   f32x4 cofactor[3];
   float sign, scale;

@@ -4,6 +4,7 @@
 #include "limits/joint_limit.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
+#include "math/rotation.h"
 
 namespace marrow {
 namespace {
@@ -20,19 +21,8 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
-// As rotation_of() of a map.
-WideRotation rotation_in(const Affine& a) {
-  const Columns map = columns(a);
-  const f32x4 x = unit3_or(map.axis[0], lanes(1.0f, 0.0f, 0.0f, 0.0f));
-  const WideRotation first = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
-  const f32x4 from = rotate(first, lanes(0.0f, 1.0f, 0.0f, 0.0f)), to = unit3_or(across3(map.axis[1], x), from);
-  const float cosine = dot3(from, to), sine = dot3(x, cross3(from, to));
-  const bool apart = cosine > -0.9999999f;
-  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
-}
-
 // What is above a node, up to the node that it hangs on, or to the scene.
-MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
+void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = skeleton.parents[node.joint];
@@ -49,7 +39,7 @@ MARROW_CALLED_WHERE_SMALL void set_above(const PosedJoints& pose, const std::uin
   }
   if (top) {
     multiply(columns(map_above(pose, node.joint)), above, above);
-    turned = rotation_in(skeleton.scene_from_root[joint]) * turned;
+    turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
   } else {
     const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
@@ -77,7 +67,7 @@ void set_end(const PosedJoints& pose, const std::uint16_t* node_of, IkEnd& end) 
   end.rotation = rotation;
 }
 
-MARROW_CALLED_WHERE_SMALL void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
+void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
   set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
@@ -187,7 +177,7 @@ void set_turned(IkNode& node, WideRotation rotation) {
 }
 
 f32x4 turn_of(WideRotation rotation) {
-  return log_of_shorter(normalised(rotation));
+  return log_of_shorter(normalised(rotation)).v;
 }
 
 void store_tree(const IkTree& tree, float weight, const PosedJoints& pose) {

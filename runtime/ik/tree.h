@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/memory.h"
 #include "ik/chance.h"
 #include "ik/turn_joint.h"
@@ -71,11 +70,11 @@ void begin_anew(IkTree& tree, Chance& chance, float size);
 void update_frames(IkTree& tree);
 
 // Rotation in the scene of a node's axes before they turn.
-MARROW_CALLED_WHERE_SMALL inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
+inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
   return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
 }
 // Axes of a map, turned before it.
-MARROW_CALLED_WHERE_SMALL inline void turn_axes(const Columns& map, WideRotation rotation, f32x4 (&out)[3]) {
+inline void turn_axes(const Columns& map, WideRotation rotation, f32x4 (&out)[3]) {
   f32x4 axes[3];
   set_axes(rotation, axes);
   for (int a = 0; a < 3; ++a) out[a] = turn(map, axes[a]);
@@ -91,7 +90,7 @@ f32x4 rotation_error(const IkTree& tree, const IkEnd& end);
 // See IkReport.
 float total_error(const IkTree& tree);
 // `sum`, the squares of other ends' errors, with those of an end that is so far from where it shall be.
-MARROW_CALLED_WHERE_SMALL inline float with_error(float sum, const IkTree& tree, const IkEnd& end, f32x4 apart) {
+inline float with_error(float sum, const IkTree& tree, const IkEnd& end, f32x4 apart) {
   const float p = end.goal->position_weight, r = end.goal->rotation_weight;
   sum += squared3(apart * p);
   return r > 0 ? sum + squared3(rotation_error(tree, end) * r) : sum;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "marrow/file.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
@@ -23,7 +22,7 @@ struct PosedJoints {
 
 // The kernels know the axes of a matrix, which hide whether a joint mirrors itself by its own scale: there the turn
 // goes the other way about the axes that are mirrored an odd number of times.
-MARROW_CALLED_WHERE_SMALL inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
+inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
   const f32x4 next = rotated_xyz(lanes(s.x, s.y, s.z, 1)), mirrored = flip(next, rotated_xyz(next));
   set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});

@@ -4,7 +4,6 @@
 
 #include <type_traits>
 
-#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/numbers.h"
 #include "math/affine.h"
@@ -35,18 +34,6 @@ inline void set_where(mask4 m, T& to, T value) {
 }
 
 alignas(16) inline constexpr float kUnitAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-
-// As of other vectors, in little code: across v, of unit length, however short v is; x where v has no direction.
-MARROW_CALLED_WHERE_SMALL inline Vector<One> any_across(Vector<One> v) {
-  float squares[4];
-  store(squares, v.v * v.v);
-  int least = squares[2] < squares[1] ? 2 : 1;
-  if (!(squares[least] < squares[0])) least = 0;
-  const Vector<One> across = cross(v, {load_aligned(kUnitAxes[least])});
-  const One squared = dot(across, across);
-  if (squared < number<One>(kNumbers.tiny)) return {load_aligned(kUnitAxes[0])};
-  return across * inverse_root(squared);
-}
 
 // A quaternion, of an axis whose w is 0.
 template <class F>
@@ -91,7 +78,7 @@ inline Quaternion<One> part_where_some(Quaternion<One> q, One weight) {
 
 // The part by `weight`, if it is `partial`, of a turn as of unit_turn().
 template <bool plain, class F>
-MARROW_CALLED_WHERE_SMALL inline Quaternion<F> weighted_turn(Quaternion<F> q, F squared, bool partial, F weight) {
+inline Quaternion<F> weighted_turn(Quaternion<F> q, F squared, bool partial, F weight) {
   const Quaternion<F> whole = unit_turn<plain>(q, squared);
   return partial ? part_where_some(whole, weight) : whole;
 }
@@ -180,8 +167,7 @@ inline Halfway<F> halfway_round(Vector<F> from, Vector<F> normal, Vector<F> to, 
 // plane of the limb. With C and S the cosine and sine of half the angle that is left, the product is ((from × h) C + h
 // S, (from · h) C), with S negative; here h is from + to.
 template <bool plain, class F>
-MARROW_CALLED_WHERE_SMALL inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const About<F>& about,
-                                                AnyTurn<F>& out) {
+inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const About<F>& about, AnyTurn<F>& out) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one);
   Halfway<F> way = {from + to, one, one};
   way.along = way.half = number<F>(kNumbers.half) * dot(way.h, way.h);
@@ -251,7 +237,7 @@ inline Axes<F> axes_of(const Linear<F>& rows) {
 }
 
 template <bool plain>
-MARROW_CALLED_WHERE_SMALL inline Axes<One> axes_of(const Affine& joint) {
+inline Axes<One> axes_of(const Affine& joint) {
   return axes_of<plain>(wide_rows(joint));
 }
 
@@ -262,12 +248,12 @@ inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
 }
 // The axis of a turn.
 template <class F>
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
+inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
 // And back.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
+inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));
   return flip(transposed_times(axes.rows, t), axes.handed);
 }

@@ -1,7 +1,6 @@
 #include "ik/two_bone.h"
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/opaque.h"
 #include "ik/goals.h"
 #include "ik/turn_joint.h"
@@ -15,7 +14,7 @@ namespace {
 
 constexpr int kMostSteps = 10;
 
-MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
+inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
   return {mid - start,
           end - mid,
@@ -58,7 +57,7 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
 [[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
                                                     TwoBoneTurns& out) {
   const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (!kSmall && usual && solve_one<true>(joints, goal, out)) return {};
+  if (usual && solve_one<true>(joints, goal, out)) return {};
   return solve_any(joints, goal, out);
 }
 
@@ -144,7 +143,7 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   }
 }
 
-MARROW_CALLED_WHERE_SMALL void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
+void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneTurns& turns) {
   turn_joint(local, limb.start, turns.start);
   turn_joint(local, limb.mid, turns.mid);
 }

@@ -132,7 +132,7 @@ struct Bend {
 
 // A unit vector across `unit`, next to v; `otherwise` if v, times a number of that size, is none.
 template <class F>
-MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
+inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
   const F squared = dot(part, part);
   Vector<F> unit_part = part * inverse_root(squared);
@@ -144,9 +144,8 @@ MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit,
 // until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
 // first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
-                                                        Vector<F> upper, Vector<F> now, F sine, F cosine,
-                                                        const Triangle<F>& triangle) {
+inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper, Vector<F> now, F sine,
+                              F cosine, const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   const Vector<F> bend_axis = without_w(in_registers(in.bend_axis));
   const auto free = dot(bend_axis, bend_axis) < tiny;
@@ -174,8 +173,8 @@ MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in
 
 // Leaves out what only some need if `plain`; false if it is needed.
 template <bool plain, class F>
-MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower,
-                                             const Triangle<F>& triangle, Bend<F>& bend) {
+inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
+                      Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
   const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
@@ -202,7 +201,7 @@ MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F>
 // Bones of no length, and a target at the start joint: something that has directions in their place. Returns what the
 // way to the target is to be multiplied by: 0 at the start joint.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline F give_lengths(LimbProblem<F>& in) {
+inline F give_lengths(LimbProblem<F>& in) {
   const F tiny = number<F>(kNumbers.tiny);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
   set_where(no_upper, in.upper, in.lower);

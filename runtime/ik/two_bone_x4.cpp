@@ -1,6 +1,5 @@
 // Four limbs at once, a limb a lane.
 #include "core/check.h"
-#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/two_bone.h"
 #include "marrow/ik.h"
@@ -79,7 +78,7 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   for (const TwoBone& goal : goals) MARROW_REQUIRE(is_stretch(goal.max_stretch));
   const bool stretched = is_partial(goals[0].max_stretch) || is_partial(goals[1].max_stretch) ||
                          is_partial(goals[2].max_stretch) || is_partial(goals[3].max_stretch);
-  if (!kSmall && !stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
+  if (!stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
   MARROW_REQUIRE_GOOD(solve_any_four(joints, goals, stretched, out));
   return Status::ok;
 }

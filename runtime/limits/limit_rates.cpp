@@ -135,7 +135,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   const float time_s = frame_time(dt_s);
   // As rotation vectors from where the target now is.
   const auto from_target = [&](const float(&q)[4]) {
-    return log_of_shorter(normalised(WideRotation{load(q)}) * conjugate(unit));
+    return log_of_shorter(normalised(WideRotation{load(q)}) * conjugate(unit)).v;
   };
   const bool was_on_target = state.mode == kOnTarget;
   const f32x4 from = from_target(state.target);

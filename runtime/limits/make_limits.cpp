@@ -25,19 +25,17 @@ bool is_rate(const RateLimit& rate) {
 }
 
 // x along `axis`, y along `across` as far as it is perpendicular.
-bool limit_axes(const LimitDescription& d, Rotation& joint_from_limit) {
+bool limit_axes(const LimitDescription& d, WideRotation& joint_from_limit) {
   if (!is_direction(d.axis) || !is_direction(d.across)) return false;
-  const Vector3 x = normalised_or(vector3(d.axis), {}), a = normalised_or(vector3(d.across), {});
-  const Vector3 part = across(a, x);
-  if (!(dot(part, part) > 1e-6f)) return false;
-  const Vector3 y = normalised_or(part, {});
+  const f32x4 none = splat(0.0f), x = unit3_or(to_f32x4(vector3(d.axis)), none);
+  const f32x4 part = across3(unit3_or(to_f32x4(vector3(d.across)), none), x);
+  if (!(squared3(part) > 1e-6f)) return false;
   // First x is brought there, then the rest is a turn about it.
-  const Rotation to_x = shortest_arc({1, 0, 0}, x);
-  const Vector3 y_now = rotate(conjugate(to_x), y);  // in the y-z plane
-  const float cos = y_now.y, sin = y_now.z;
-  const Rotation turn =
-      cos > -0.9f ? normalised(Rotation{sin, 0, 0, 1.0f + cos}) : normalised(Rotation{1.0f - cos, 0, 0, sin});
-  joint_from_limit = normalised(to_x * turn);
+  const WideRotation to_x = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
+  const f32x4 y = rotate(conjugate(to_x), unit3_or(part, none));  // in the y-z plane
+  const float cos = first_lane(splat_lane<1>(y)), sin = first_lane(splat_lane<2>(y));
+  const WideRotation turn = {cos > -0.9f ? lanes(sin, 0, 0, 1.0f + cos) : lanes(1.0f - cos, 0, 0, sin)};
+  joint_from_limit = normalised(to_x * normalised(turn));
   return true;
 }
 
@@ -72,9 +70,10 @@ Status make_limit(const LimitDescription& d, std::uint16_t joint, JointLimit& ou
   MARROW_REQUIRE(d.order <= AxisOrder::zyx);
   MARROW_REQUIRE(is_rate(d.rate));
   made.rate = d.rate;
-  const Rotation given = rotation(d.zero);
-  MARROW_REQUIRE(dot(given, given) > 1e-12f && dot(given, given) < 1e12f);
-  Rotation joint_from_limit;
+  const WideRotation given = {load(d.zero)};
+  const float squared = dot4(given.v, given.v);
+  MARROW_REQUIRE(squared > 1e-12f && squared < 1e12f);
+  WideRotation joint_from_limit;
   MARROW_REQUIRE(limit_axes(d, joint_from_limit));
   if (d.kind == LimitKind::hinge || d.kind == LimitKind::cone) {
     MARROW_REQUIRE(are_angles(d, 1));
@@ -91,8 +90,8 @@ Status make_limit(const LimitDescription& d, std::uint16_t joint, JointLimit& ou
     for (int i = 0; i < 3; ++i) made.angles[i] = angle_range(d.least_rad[i], d.most_rad[i]);
     made.order = d.order;
   }
-  store(made.limit_from_parent, normalised(conjugate(normalised(given) * joint_from_limit)));
-  store(made.joint_from_limit, joint_from_limit);
+  store(made.limit_from_parent, normalised(conjugate(normalised(given) * joint_from_limit)).v);
+  store(made.joint_from_limit, joint_from_limit.v);
   out = made;
   return Status::ok;
 }

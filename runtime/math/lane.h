@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/builtins.h"
-#include "core/fixed.h"
 #include "math/f32x4.h"
 
 namespace marrow {
@@ -80,6 +79,9 @@ inline One greater(One a, One b) {
 }
 inline One absolute(One a) {
   return {absolute(a.v)};
+}
+inline One inverse_length(One squared) {
+  return {inverse_length(squared.v)};
 }
 inline One flip(One a, One by) {
   return {flip(a.v, by.v)};

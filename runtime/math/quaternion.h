@@ -91,6 +91,9 @@ inline One squared_length(Quaternion<One> q) {
   return {sum_of_lanes(q.v * q.v)};
 }
 
+inline Quaternion<One> flip(Quaternion<One> q, One by) {
+  return {flip(q.v, by.v)};
+}
 inline Quaternion<One> select(bool m, Quaternion<One> yes, Quaternion<One> no) {  // as of One
   if (m) return yes;
   return no;
@@ -175,14 +178,14 @@ inline Vector<F> log_rotation(const Quaternion<F>& q) {
   const F zero = all_lanes<F>(0), two = all_lanes<F>(2), half_pi = all_lanes<F>(1.57079633f);
   const F sine_squared = dot(axis_part(q), axis_part(q));
   const auto narrow = sine_squared < all_lanes<F>(0.5f);  // half the angle is within π/4 of 0; else it is near π/2
-  const F part = asinc_of_root(select(narrow, sine_squared, q.w * q.w));
-  const F wide = (half_pi - q.w * part) * inverse_length(select(narrow, zero, sine_squared));
+  const F w = w_of(q), part = asinc_of_root(select(narrow, sine_squared, w * w));
+  const F wide = (half_pi - w * part) * inverse_length(select(narrow, zero, sine_squared));
   return axis_part(q) * (two * select(narrow, part, wide));
 }
 // Of the shorter of the two turns that a quaternion and its negative are.
 template <class F>
 inline Vector<F> log_of_shorter(const Quaternion<F>& q) {
-  return log_rotation(flip(q, q.w));
+  return log_rotation(flip(q, w_of(q)));
 }
 
 }  // namespace marrow

@@ -7,37 +7,16 @@
 
 namespace marrow {
 
-// The shortest turn that takes the direction of `from` to that of `to`, of any lengths above 0; half a turn, about any
-// axis across them, where they are opposite; the identity where either has no direction.
-inline Rotation shortest_arc(const Vector3& from, const Vector3& to) {
-  const Vector3 a = normalised_or(from, {}), b = normalised_or(to, {});
-  const Vector3 sum = a + b;
-  const float w = 0.5f * dot(sum, sum);  // 1 + cos, without cancellation
-  if (w < 1e-8f) {
-    if (dot(a, a) == 0) return {};
-    return quaternion(any_across(a), 0.0f);
-  }
-  return normalised(quaternion(cross(a, b), w));
+// x along `along`, y to the side of `aside`, as unit axes at right angles; a right-handed triple. Axes without a
+// direction are made up.
+inline Columns right_axes(f32x4 along, f32x4 aside) {
+  const f32x4 x = unit3_or(along, lanes(1.0f, 0.0f, 0.0f, 0.0f)), y = unit3_or(across3(aside, x), any_across3(x));
+  return {{x, y, cross3(x, y)}, splat(0.0f)};
 }
-
-// The rotation in a map: its first axis keeps its direction, the second its side; scale, shear and mirroring are left
-// out. Axes without a direction are made up.
-inline Rotation rotation_of(const Affine& a) {
-  const Vector3 x = normalised_or(column(a, 0), {1, 0, 0});
-  const Rotation first = shortest_arc({1, 0, 0}, x);
-  // Then about x, to the side of the second axis.
-  const Vector3 from = rotate(first, {0, 1, 0}), to = normalised_or(across(column(a, 1), x), from);
-  const float cosine = dot(from, to), sine = dot(x, cross(from, to));
-  const bool apart = cosine > -0.9999999f;
-  return normalised(quaternion(x * (apart ? sine : 1.0f), apart ? 1 + cosine : 0.0f)) * first;
-}
-
-// A joint's attitude, world · scene, as unit axes at right angles; a right-handed triple, mirrored or not.
+// A joint's attitude, world · scene; mirrored or not.
 inline Columns right_axes(const Columns& world, const Affine& scene) {
   const Columns joint = columns(scene);
-  const f32x4 x = unit3_or(turn(world, joint.axis[0]), lanes(1.0f, 0.0f, 0.0f, 0.0f));
-  const f32x4 y = unit3_or(across3(turn(world, joint.axis[1]), x), any_across3(x));
-  return {{x, y, cross3(x, y)}, splat(0.0f)};
+  return right_axes(turn(world, joint.axis[0]), turn(world, joint.axis[1]));
 }
 
 // The rotations next to four matrices' first two columns; the third column is their cross product, mirrored or not. A
@@ -49,11 +28,12 @@ inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
 
-// Of a rotation matrix by columns: a component q_i of its quaternion q and 4 q_i q (Shepperd 1978). The component is w,
-// or of the others the largest.
-inline f32x4 scaled_quaternion(const float (&m)[3][4], bool by_w) {
+// The rotation that has these axes, unit and at right angles (Shepperd 1978): from a component q_i of its quaternion,
+// w or of the others the largest, and 4 q_i q.
+inline WideRotation rotation_of(const f32x4 (&axis)[3]) {
   static constexpr int kNext[] = {1, 2, 0};
-  float q[4];
+  float m[3][4], q[4];
+  for (int c = 0; c < 3; ++c) store(m[c], axis[c]);
   int i = m[1][1] > m[0][0] ? 1 : 0;
   i = m[2][2] > m[i][i] ? 2 : i;
   const int j = kNext[i], k = kNext[j];
@@ -61,20 +41,24 @@ inline f32x4 scaled_quaternion(const float (&m)[3][4], bool by_w) {
   q[j] = m[i][j] + m[j][i];
   q[k] = m[k][i] + m[i][k];
   q[3] = m[j][k] - m[k][j];
-  if (by_w) {
+  if (m[0][0] + m[1][1] + m[2][2] > 0) {
     q[i] = q[3];
     q[j] = m[k][i] - m[i][k];
     q[k] = m[i][j] - m[j][i];
     q[3] = 1.0f + (m[0][0] + m[1][1] + m[2][2]);
   }
-  return load(q);
+  return normalised(WideRotation{load(q)});
 }
-
-// The rotation that takes the axes `from` to the axes `to`, as seen from `from` (K. Shoemake, Quaternions, 1994).
+// That takes the axes `from` to the axes `to`, as seen from `from`.
 inline WideRotation rotation_between(const Columns& from, const Columns& to) {
-  float m[3][4];
-  for (int i = 0; i < 3; ++i) store(m[i], products(from.axis, to.axis[i]));
-  return normalised(WideRotation{scaled_quaternion(m, m[0][0] + m[1][1] + m[2][2] > 0)});
+  const f32x4 seen[3] = {products(from.axis, to.axis[0]), products(from.axis, to.axis[1]),
+                         products(from.axis, to.axis[2])};
+  return rotation_of(seen);
+}
+// In a map: its first axis keeps its direction, the second its side; scale, shear and mirroring are left out.
+inline WideRotation rotation_of(const Affine& a) {
+  const Columns m = columns(a);
+  return rotation_of(right_axes(m.axis[0], m.axis[1]).axis);
 }
 
 // The matrix of a quaternion of any length but 0.

@@ -65,11 +65,11 @@ inline Vector<F> by_component(const Vector<F>& a, const Vector<F>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class F>
-MARROW_OWN_WHERE_SMALL inline F dot(const Vector<F>& a, const Vector<F>& b) {
+inline F dot(const Vector<F>& a, const Vector<F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class F>
-MARROW_OWN_WHERE_SMALL inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
+inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class F>
@@ -129,10 +129,10 @@ inline Vector<One> operator*(Vector<One> a, One s) {
 inline Vector<One> by_component(Vector<One> a, Vector<One> b) {
   return {a.v * b.v};
 }
-MARROW_OWN_WHERE_SMALL inline One dot(Vector<One> a, Vector<One> b) {
+inline One dot(Vector<One> a, Vector<One> b) {
   return {sum_of_lanes(a.v * b.v)};
 }
-MARROW_OWN_WHERE_SMALL inline Vector<One> cross(Vector<One> a, Vector<One> b) {
+inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
 }
 [[gnu::always_inline]] inline Vector<One> select(bool m, Vector<One> yes, Vector<One> no) {  // as of One
@@ -171,7 +171,7 @@ inline Vector<One> without_w(Vector<One> a) {
 }
 
 template <class F>
-MARROW_OWN_WHERE_SMALL inline F inverse_root(F squared) {
+inline F inverse_root(F squared) {
   return inverse_root<false>(squared);
 }
 
@@ -199,6 +199,19 @@ inline Vector<F> any_across(const Vector<F>& v) {
   return select(none, vector_of(one, zero, zero), across * (one / sqrt(select(none, one, squared))));
 }
 
+// In little code: the axes lie in memory.
+inline Vector<One> any_across(Vector<One> v) {
+  alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+  float squares[4];
+  store(squares, v.v * v.v);
+  int least = squares[2] < squares[1] ? 2 : 1;
+  if (!(squares[least] < squares[0])) least = 0;
+  const Vector<One> across = cross(v, {load_aligned(kAxes[least])});
+  const One squared = dot(across, across);
+  if (squared < all_lanes<One>(kTinySquare)) return {load_aligned(kAxes[0])};
+  return across * inverse_root(squared);
+}
+
 inline float length(const Vector3& a) {
   return sqrt(dot(a, a));
 }
@@ -219,14 +232,10 @@ inline Vector3 normalised_or(const Vector3& v, const Vector3& otherwise) {
   return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
 }
 
-// v, no longer than `most`. By the inverse length or by the length: poses depend on the bits of either.
+// v, no longer than `most`.
 inline Vector<f32x4> no_longer(const Vector<f32x4>& v, float most) {
   const f32x4 squared = dot(v, v), limit = splat(most * most);
   return v * select(limit < squared, splat(most) * inverse_length(squared), splat(1.0f));
-}
-inline Vector3 no_longer(const Vector3& v, float most) {
-  const float squared = dot(v, v);
-  return squared > most * most ? v * (most / sqrt(squared)) : v;
 }
 
 }  // namespace marrow

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "math/joint.h"
+#include "support/rig.h"
 
 namespace marrow {
 namespace {
@@ -57,14 +58,43 @@ TEST(Rotation, ShortestArcTakesOneToTheOther) {
   int pairs = 0;
   for (const Vector3& from : directions) {
     for (const Vector3& to : directions) {
-      const Rotation q = shortest_arc(from, to);
+      float f[4];
+      store(f, shortest_arc(to_f32x4(from), to_f32x4(to)).v);
+      const Rotation q = rotation(f);
       EXPECT_NEAR(dot(q, q), 1, 1e-6f);
       expect_near(rotate(q, normalised_or(from, {})), normalised_or(to, {}), 2e-6f + (q.w < 1e-3f ? 2e-4f : 0));
       ++pairs;
     }
   }
   EXPECT_EQ(pairs, 36);
-  EXPECT_EQ(shortest_arc(Vector3{}, Vector3{1, 0, 0}).w, 1);
+  EXPECT_EQ(w_lane(shortest_arc(splat(0.0f), to_f32x4({1, 0, 0}))), 1);
+}
+
+// The axes are computed in double precision; the rotation may be either of the two quaternions.
+TEST(Rotation, OfAxesIsTheOneThatHasThem) {
+  test::Random random(5);
+  int cases = 0, far = 0;
+  for (; cases < 20000; ++cases) {
+    double q[4], squared = 0;
+    for (double& x : q) x = random.between(-1, 1);
+    if (cases % 4 == 1) q[3] *= 1e-4;              // about half a turn
+    if (cases % 4 == 2) q[cases / 4 % 3] *= 1e-4;  // or about an axis in a plane
+    for (const double x : q) squared += x * x;
+    if (squared < 1e-4) continue;
+    for (double& x : q) x /= std::sqrt(squared);
+    const auto [x, y, z, w] = q;
+    const f32x4 axes[3] = {
+        to_f32x4({float(1 - 2 * (y * y + z * z)), float(2 * (x * y + w * z)), float(2 * (x * z - w * y))}),
+        to_f32x4({float(2 * (x * y - w * z)), float(1 - 2 * (x * x + z * z)), float(2 * (y * z + w * x))}),
+        to_f32x4({float(2 * (x * z + w * y)), float(2 * (y * z - w * x)), float(1 - 2 * (x * x + y * y))})};
+    float got[4];
+    store(got, rotation_of(axes).v);
+    const double sign = q[0] * got[0] + q[1] * got[1] + q[2] * got[2] + q[3] * got[3] < 0 ? -1 : 1;
+    for (int i = 0; i < 4; ++i) ASSERT_NEAR(sign * got[i], q[i], 4e-7);
+    far += std::abs(w) < 1e-3 ? 1 : 0;
+  }
+  EXPECT_EQ(cases, 20000);
+  EXPECT_GT(far, 1000);
 }
 
 TEST(Rotation, JointsOfAPoseAreReadAndWrittenInTheirLane) {

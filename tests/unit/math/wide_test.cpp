@@ -55,7 +55,6 @@ TEST(Wide, VectorsHaveTheBitsOfVector3) {
     expect_same(narrow(with_z(wa, b.z)).z, b.z);
     const f32x4 of[3] = {wa, wb, wide_unit};
     expect_same(products(of, wb), {dot(a, b), dot(b, b), dot(unit, b)});
-    expect_same(shortest_arc(wa, wb), shortest_arc(a, b));
   }
   EXPECT_EQ(cases, 20000);
 }
@@ -75,7 +74,7 @@ TEST(Wide, RotationsHaveTheBitsOfRotation) {
     expect_same(rotate(wp, to_f32x4(v)), rotate(p, v));
     const Rotation shorter = flip(p, p.w);
     expect_same(share_of(wide_of(shorter), share), share_of(shorter, share));
-    expect_same(log_of_shorter(wp), log_of_shorter(p));
+    expect_same(log_of_shorter(wp).v, log_of_shorter(p));
     const Vector3 turn = log_of_shorter(q);
     expect_same(exp_rotation(to_f32x4(turn)), exp_rotation(turn));
     f32x4 axes[3];
