@@ -39,39 +39,43 @@ inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& dir
   return true;
 }
 
-// As turn_onto(), by a share; the identity where there are no directions. False also if the numbers are not finite.
-template <bool plain>
-inline bool look(View& view, float weight, AimTurn& out) {
+// As turn_onto(), by a share; the identity where there are no directions. False if the numbers are not finite, or if
+// `usual` and the view is not.
+template <bool usual>
+inline bool look(View view, float weight, AimTurn& out) {
   const One one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
   const One way_squared = dot(view.of[kWay], view.of[kWay]);
-  if (plain && view.about.twisted) return false;
-  Quaternion<One> turn;
-  One squared;
+  Quaternion<One> turn = unturned<One>();
+  One squared = one;
   bool reached;
   if (Vector<One> from; direction_of_ray(view, way_squared, from, reached)) {
     Vector<One> normal = cross(view.of[kUp], from);
     const One normal_squared = dot(normal, normal);
     if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.of[kUp], view.of[kUp]), tiny)) {
-      if constexpr (plain) return false;
+      if constexpr (usual) return false;
       view.about.pole = Vector<One>{};
       normal = any_across(from);
     } else {
       normal = normal * (one / sqrt(normal_squared));
     }
     AnyTurn<One> whole;
-    if (!turn_onto<plain>(from, normal, view.of[kWay] * (one / sqrt(way_squared)), view.about, whole)) return false;
-    turn = quaternion_of(whole.axis, whole.w);
+    if (!turn_onto<usual>(from, normal, view.of[kWay] * (one / sqrt(way_squared)), view.about, whole)) return false;
+    turn = quaternion(whole.axis, whole.w);
     squared = squared_length(turn);
-    if (plain && squared < tiny) return false;
   } else {
-    if constexpr (plain) return false;
-    turn = unturned<One>();
+    if constexpr (usual) return false;
     squared =
         one + (way_squared + dot(view.of[kForward], view.of[kForward]) + dot(view.of[kOffset], view.of[kOffset])) *
                   all_lanes<One>(0x1p-24f);
   }
   if (!(squared < number<One>(kNumbers.huge))) return false;
-  store(out.turn, weighted_turn<plain>(turn, squared, is_partial(weight), all_lanes<One>(weight)).v);
+  if (squared < tiny) {
+    if constexpr (usual) return false;
+    turn = unturned<One>(), squared = one;
+  }
+  turn = turn * (one / sqrt(squared));
+  if (is_partial(weight)) turn = weighted_turn(turn, all_lanes<One>(weight));
+  store(out.turn, turn.v);
   out.reached = reached;
   return true;
 }
@@ -80,28 +84,25 @@ inline Vector<One> to_local(const Axes<One>& axes, Vector<One> v) {
   return without_w(direction_to_local(axes, v));
 }
 
-// Three numbers; what stands behind them is finite, or the call is bad, if `plain`.
-template <bool plain>
-inline Vector<One> wide_or_more(const float (&v)[3]) {
-  return plain ? Vector<One>{load(v)} : wide(v);
-}
-
-template <bool plain>
+template <bool usual>
 inline View view_from(const Affine& joint, const Aim& goal) {
-  const Axes<One> axes = axes_of<plain>(joint);
+  const Axes<One> axes = axes_of<usual>(joint);
   const Vector<One> lengths = without_w(axes.lengths);
-  const Vector<One> forward = by_component(wide_or_more<plain>(goal.forward), lengths);
+  const Vector<One> forward = by_component(wide(goal.forward), lengths);
   View view = {{to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)), forward,
-                by_component(wide_or_more<plain>(goal.up), lengths), forward},
+                by_component(wide(goal.up), lengths), forward},
                is_some(goal.offset),
                {to_local(axes, {load(goal.pole)}), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   if (view.apart) view.of[kOffset] = by_component(wide(goal.offset), lengths);
   return view;
 }
 
+template <bool usual>
+[[gnu::flatten]] inline bool aim_once(const Affine& joint, const Aim& goal, AimTurn& out) {
+  return look<usual>(view_from<usual>(joint, goal), goal.weight, out);
+}
 [[gnu::noinline, gnu::cold]] bool aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
-  View view = view_from<false>(joint, goal);
-  return look<false>(view, goal.weight, out);
+  return aim_once<false>(joint, goal, out);
 }
 
 // What part of what is left joint i of `count` does: falloff^m / (1 + falloff + … + falloff^m), m joints being after
@@ -176,12 +177,10 @@ BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, co
 
 }  // namespace
 
-[[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
-  if (!kSmall && is_plain_share(goal.weight)) {
-    View view = view_from<true>(joint, goal);
-    if (look<true>(view, goal.weight, out)) return Status::ok;
-  }
+Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
   MARROW_REQUIRE(is_share(goal.weight));
+  if (aim_once<true>(joint, goal, out)) [[likely]]
+    return Status::ok;
   MARROW_REQUIRE(aim_any(joint, goal, out) && "finite, not too large");
   return Status::ok;
 }

@@ -316,7 +316,7 @@ MARROW_CALLED_WHERE_SMALL void move_pelvis(const FeetCall& call, float lift) {
 // Leg to `goal`, ankle to the axes `want`. A leg that has gone too far for that stays as it is.
 void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Columns& want, bool& reached) {
   const Affine& ankle = call.pose.scene_from_joint[foot.ankle];
-  if (reach(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
+  if (solve_limb_of_pose(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const WideRotation q = rotation_between(right_axes(call.world, ankle), want);
   const float mirror =
       inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // then the third axis goes the other way

@@ -9,12 +9,9 @@
 
 namespace marrow {
 
-// 0 … 1: of numbers that are not negative, the order is that of their bits. False for -0.
-inline bool is_plain_share(float x) {
-  return bit_cast<std::uint32_t>(x) <= bit_cast<std::uint32_t>(1.0f);
-}
+// Whether x is in 0 … 1: for numbers that are not negative, the order of the numbers is that of their bits.
 inline bool is_share(float x) {
-  return 0 <= x && x <= 1;
+  return bit_cast<std::uint32_t>(x) <= bit_cast<std::uint32_t>(1.0f) || x == 0;
 }
 
 inline constexpr float kMostStretch = 0x1p20f;

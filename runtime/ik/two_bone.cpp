@@ -17,13 +17,11 @@ constexpr int kMostSteps = 10;
 
 MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
-  return {mid - start,
-          end - mid,
-          wide(goal.target) - start,
-          *opaque(joints.start),
+  return {{mid - start, end - mid, wide(goal.target) - start},
+          *joints.start,
           *joints.mid,
-          goal.bend_axis,
-          goal.pole,
+          {load_aligned(goal.bend_axis)},
+          wide(goal.pole),
           is_some(goal.twist_rad),
           all_lanes<One>(goal.twist_rad),
           all_lanes<One>(goal.soft),
@@ -33,12 +31,11 @@ MARROW_CALLED_WHERE_SMALL inline LimbProblem<One> problem(const TwoBoneJoints& j
           all_lanes<One>(goal.weight)};
 }
 
-// False if the numbers are not finite; see solve_limb().
-template <bool plain>
+template <bool usual>
 inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
   LimbProblem<One> in = problem(joints, goal);
   LimbSolution<One> s;
-  if (!solve_limb<plain>(in, s)) return false;
+  if (!solve_limb<usual>(in, s)) return false;
   store(out.start, s.start.v);
   store(out.mid, s.mid.v);
   out.stretch = first_lane(s.stretch.v);
@@ -46,20 +43,19 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   out.reached = s.miss_squared < near * near;
   return true;
 }
-
-[[gnu::noinline, gnu::cold]] BadCall solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
-  MARROW_CHECK(is_share(goal.weight) && is_share(goal.soft));
-  MARROW_CHECK(is_stretch(goal.max_stretch));
-  MARROW_CHECK(solve_one<false>(joints, goal, out) && "finite, not too large");
-  return {};
+[[gnu::noinline, gnu::cold]] bool solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  return solve_one<false>(joints, goal, out);
 }
 
 // The kernel, of joints that are there.
-[[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
-                                                    TwoBoneTurns& out) {
-  const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (!kSmall && usual && solve_one<true>(joints, goal, out)) return {};
-  return solve_any(joints, goal, out);
+[[gnu::noinline, gnu::flatten]] BadCall solve_limb(const TwoBoneJoints& joints, const TwoBone& goal,
+                                                   TwoBoneTurns& out) {
+  MARROW_CHECK(is_share(goal.weight) && is_share(goal.soft));
+  MARROW_CHECK(is_stretch(goal.max_stretch));
+  if (solve_one<true>(joints, goal, out)) [[likely]]
+    return {};
+  MARROW_CHECK(solve_any(joints, goal, out) && "finite, not too large");
+  return {};
 }
 
 // The translations of the limb's joints but the first.
@@ -115,7 +111,7 @@ struct UnevenLimb {
   const Affine* const joints[] = {u.at.start, u.at.mid, u.at.end};
   for (int i = 0; i < 3; ++i) multiply(m, *joints[i], seen[i]);
   store_wide(goal.target, through(m, target).v);
-  return !solve_reach({seen, seen + 1, seen + 2}, goal, turns);
+  return !solve_limb({seen, seen + 1, seen + 2}, goal, turns);
 }
 
 // Bends the limb until it is as long as the way to the target, both seen from above: by secants, in the space where the
@@ -187,11 +183,11 @@ void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) 
 
 Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
   MARROW_REQUIRE(joints.start != nullptr && joints.mid != nullptr && joints.end != nullptr);
-  MARROW_REQUIRE_GOOD(solve_reach(joints, goal, out));
+  MARROW_REQUIRE_GOOD(solve_limb(joints, goal, out));
   return Status::ok;
 }
 
-BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
   const Skeleton& skeleton = pose.skeleton;
   MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
@@ -199,7 +195,7 @@ BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& g
   const Affine* const joints = pose.scene_from_joint.data;
   const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
-  if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
+  if (const BadCall bad = solve_limb(at, goal, turns)) return bad;
   if (goal.weight != 0) {
     if (is_uneven(map_above(pose, limb.start)) || is_uneven(map_above(pose, limb.mid))) {
       turn_uneven({pose, limb, at}, goal, turns);
@@ -215,7 +211,7 @@ BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& g
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
                       Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(reach({skeleton, local, scene_from_joint}, limb, goal, reached));
+  MARROW_REQUIRE_GOOD(solve_limb_of_pose({skeleton, local, scene_from_joint}, limb, goal, reached));
   return Status::ok;
 }
 

@@ -1,4 +1,4 @@
-// A limb of two bones solved, one limb or four at a time: the same operations in the same order, so the same bits.
+// The kernel of a limb of two bones, for one limb or four: the same operations in the same order, so the same bits.
 #pragma once
 
 #include "core/check.h"
@@ -8,26 +8,21 @@
 
 namespace marrow {
 
-// solve_two_bone(), for what does not refuse when it does.
-BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
+// solve_two_bone() without its refusal: what is wrong with the call, or nothing.
+BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
-// Three numbers of four goals, or of one, which are read where they are used: there are not enough registers for them.
+// Of a limb in the scene: from the start joint to the middle joint, from there to the end joint; from the start joint
+// to the target.
 template <class F>
-using GoalVector = std::conditional_t<std::is_same_v<F, One>, const float (&)[3], Vector<F>>;
-
-// Their w may be anything finite.
-inline const Vector<f32x4>& in_registers(const Vector<f32x4>& v) {
-  return v;
-}
-inline Vector<One> in_registers(const float (&v)[3]) {
-  return {load_aligned(v)};
-}
+struct LimbWays {
+  Vector<F> upper, lower, way;
+};
 
 template <class F>
 struct LimbProblem {
-  Vector<F> upper, lower, way;  // scene: start to middle joint, middle to end joint, start to target
+  LimbWays<F> ways;
   RowsOf<F> scene_from_start, scene_from_mid;
-  GoalVector<F> bend_axis, pole;
+  Vector<F> bend_axis, pole;
   bool twisted;
   F twist_rad;  // if twisted
   F soft;
@@ -45,41 +40,12 @@ struct LimbSolution {
   F limb;  // its length
 };
 
-template <bool>
-inline About<f32x4> about(const LimbProblem<f32x4>& in) {
-  return {in.pole, in.twisted, in.twist_rad};
-}
-template <bool plain>
-inline About<One> about(const LimbProblem<One>& in) {
-  const Vector<One> pole = in_registers(in.pole);
-  return {plain ? pole : without_w(pole), in.twisted, in.twist_rad};
-}
-
 // The squared lengths of three vectors, as a vector; its w is the third again.
 inline Vector<f32x4> squared_lengths(const Vector<f32x4>& a, const Vector<f32x4>& b, const Vector<f32x4>& c) {
   return {dot(a, a), dot(b, b), dot(c, c)};
 }
 inline Vector<One> squared_lengths(Vector<One> a, Vector<One> b, Vector<One> c) {
   return {three_sums(a.v * a.v, b.v * b.v, c.v * c.v)};
-}
-// One over each of three numbers: of one limb's at once, of four limbs' where each is used.
-struct InversesOfFour {
-  const Vector<f32x4>& of;
-};
-inline InversesOfFour inverses_of(const Vector<f32x4>& v) {
-  return {v};
-}
-inline f32x4 x_of(InversesOfFour i) {
-  return number<f32x4>(kNumbers.one) / i.of.x;
-}
-inline f32x4 y_of(InversesOfFour i) {
-  return number<f32x4>(kNumbers.one) / i.of.y;
-}
-inline f32x4 z_of(InversesOfFour i) {
-  return number<f32x4>(kNumbers.one) / i.of.z;
-}
-inline Vector<One> inverses_of(Vector<One> v) {
-  return {number<f32x4>(kNumbers.one) / v.v};
 }
 inline bool any_below(const Vector<f32x4>& v, f32x4 limit) {
   return any(lesser(lesser(v.x, v.y), v.z) < limit);
@@ -122,17 +88,17 @@ inline void shape_triangle(const LimbProblem<F>& in, F inverse_upper, Triangle<F
   t.miss_squared = miss * miss;
 }
 
-// The bones' plane, and the middle joint's turn that bends them as the triangle says.
+// The plane of the bones, and the middle joint's turn that bends them as the triangle says.
 template <class F>
 struct Bend {
   Vector<F> normal, to_end;  // unit; to_end: from start to end, once bent
-  Quaternion<F> mid;         // axis in the middle joint's local space
-  F agreed;                  // how far the bend is as preferred: not finite if the preference is not
+  Quaternion<F> mid;         // of any length; its axis in the middle joint's space
+  F agreed;  // cosine-like measure of how far the bend has the preferred sense; infinite or NaN: bad goal
 };
 
-// A unit vector across `unit`, next to v; `otherwise` if v, times a number of that size, is none.
+// A unit vector across `unit`, next to v; `otherwise` where v's part across has a square below `enough`.
 template <class F>
-MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
+inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
   const F squared = dot(part, part);
   Vector<F> unit_part = part * inverse_root(squared);
@@ -140,22 +106,22 @@ MARROW_OWN_WHERE_SMALL inline Vector<F> unit_across(Vector<F> v, Vector<F> unit,
   return unit_part;
 }
 
-// Where the limb is all but straight, or bent the other way than preferred: the normal is pulled to the preferred axis
-// until it has kStraight of it; so it is never without direction, and moves steadily. The lower bone is turned straight
-// first, about the normal that it has, then bent about the new one; if folded, folded more, and opened.
+// Bends a limb that is all but straight, or bent the other way than preferred. Its normal is mixed with the preferred
+// axis until it has kStraight of that: so it always has a direction, and moves steadily. The lower bone is first turned
+// straight about the normal that it has, then bent about the new one; a folded limb is folded shut, then opened.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
-                                                        Vector<F> upper, Vector<F> now, F sine, F cosine,
-                                                        const Triangle<F>& triangle) {
+inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper, Vector<F> now, F sine,
+                              F cosine, const Triangle<F>& triangle) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
-  const Vector<F> bend_axis = without_w(in_registers(in.bend_axis));
+  const Vector<F> bend_axis = without_w(in.bend_axis);
   const auto free = dot(bend_axis, bend_axis) < tiny;
   Vector<F> wanted = axis_to_scene(mid_axes, bend_axis);
-  set_where(free, wanted, cross(without_w(in_registers(in.pole)), upper));
+  set_where(free, wanted, cross(in.pole, upper));
   const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
   Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
-  axis = across(axis, upper);  // again, for what is left if that was nearly all of it
-  // now is 2 sin(bend / 2) cos(bend / 2) long, which is `sine`; w is 2 cos²(bend / 2), or if folded -2 sin²(bend / 2).
+  axis = across(axis, upper);  // again: if nearly all of it was along, much of what is left is rounding
+  // The normal now is 2 sin(bend / 2) cos(bend / 2) long, which is `sine`; w is 2 cos²(bend / 2), or of a folded limb
+  // -2 sin²(bend / 2).
   F agreed = dot(now, axis);
   set_where(free, agreed, sine);
   const F pull = greater(number<F>(kNumbers.straight) * number<F>(kNumbers.half) * (one + cosine) - agreed, zero);
@@ -172,22 +138,21 @@ MARROW_CALLED_WHERE_SMALL inline Bend<F> bend_preferred(const LimbProblem<F>& in
           quaternion(axis_to_local(mid_axes, axis_part(turn)), w_of(turn)) * sign, agreed};
 }
 
-// Leaves out what only some need if `plain`; false if it is needed.
-template <bool plain, class F>
-MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower,
-                                             const Triangle<F>& triangle, Bend<F>& bend) {
+template <bool usual, class F>
+inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
+                      Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
-  const Axes<F> mid_axes = axes_of<plain>(in.scene_from_mid);
+  const Axes<F> mid_axes = axes_of<usual>(in.scene_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
   const F sine = sqrt(dot(normal, normal)), inverse = one / sine, cosine = dot(upper, lower);
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
   bend = {normal * inverse, upper * (triangle.along - side * cosine) + lower * side,
-          quaternion_of(local * (s * w * inverse - c), c * w + s * sine), dot(local, in_registers(in.bend_axis))};
+          quaternion(local * (s * w * inverse - c), c * w + s * sine), dot(local, in.bend_axis)};
   if (!all(straight < bend.agreed)) {
-    const Vector<F> bend_axis = without_w(in_registers(in.bend_axis));
+    const Vector<F> bend_axis = without_w(in.bend_axis);
     set_where(dot(bend_axis, bend_axis) < number<F>(kNumbers.tiny), bend.agreed, sine);
     if (const auto bent = straight < bend.agreed; !all(bent)) {
-      if constexpr (plain) return false;
+      if constexpr (usual) return false;
       Bend<F> other = bend_preferred(in, mid_axes, upper, normal, sine, cosine, triangle);
       set_where(bent, other.normal, bend.normal);
       set_where(bent, other.to_end, bend.to_end);
@@ -199,59 +164,67 @@ MARROW_OWN_WHERE_SMALL inline bool bend_limb(const LimbProblem<F>& in, Vector<F>
   return true;
 }
 
-// Bones of no length, and a target at the start joint: something that has directions in their place. Returns what the
-// way to the target is to be multiplied by: 0 at the start joint.
+// Gives bones of no length, and the way to a target at the start joint, a direction and next to no length. turns: 0
+// where the whole limb has no length, so that nothing is to be turned; else 1.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline F give_lengths(LimbProblem<F>& in) {
-  const F tiny = number<F>(kNumbers.tiny);
+inline LimbWays<F> with_lengths(LimbWays<F> in, F& turns) {
+  const F tiny = number<F>(kNumbers.tiny), least = all_lanes<F>(0x1p-49f);
   const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
   set_where(no_upper, in.upper, in.lower);
   set_where(no_upper, in.lower, Vector<F>{});
-  const auto no_limb = dot(in.upper, in.upper) < tiny;  // nothing to turn
-  if (any(no_limb)) {
-    if (!in.partial) in.weight = number<F>(kNumbers.one);
-    in.partial = true;
-    set_where(no_limb, in.upper, any_across(Vector<F>{}) * all_lanes<F>(0x1p-40f));
-    set_where(no_limb, in.weight, all_lanes<F>(0));
-  }
-  Vector<F> now = in.upper + in.lower;
-  set_where(dot(now, now) < tiny, now, in.upper);
-  const auto at_start = dot(in.way, in.way) < tiny;
-  set_where(at_start, in.way, now);
-  return select(at_start, all_lanes<F>(0), number<F>(kNumbers.one));
+  const auto no_limb = dot(in.upper, in.upper) < tiny;
+  set_where(no_limb, in.upper, any_across(Vector<F>{}) * all_lanes<F>(0x1p-40f));
+  turns = select(no_limb, all_lanes<F>(0), number<F>(kNumbers.one));
+  const Vector<F> along_upper = in.upper * (least * inverse_root(dot(in.upper, in.upper)));
+  set_where(dot(in.lower, in.lower) < tiny, in.lower, along_upper);
+  const Vector<F> now = in.upper + in.lower;
+  const F squared = dot(now, now);
+  Vector<F> along_limb = now * (least * inverse_root(squared));
+  set_where(squared < tiny, along_limb, along_upper);
+  set_where(dot(in.way, in.way) < tiny, in.way, along_limb);
+  return in;
 }
 
-// False if the numbers are not finite. If `plain`, what only few limbs need is left out; false also if this one needs
-// it.
-template <bool plain, class F>
+// False if the numbers are not finite, or if `usual` and the limb is not.
+template <bool usual, class F>
 inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
-  Vector<F> squares = squared_lengths(in.upper, in.lower, in.way);
-  [[maybe_unused]] F far = one;
-  if (plain && in.twisted) return false;
+  LimbWays<F>& ways = in.ways;
+  Vector<F> squares = squared_lengths(ways.upper, ways.lower, ways.way);
   if (any_below(squares, tiny)) {
-    if constexpr (plain) return false;
-    far = give_lengths(in);
-    squares = squared_lengths(in.upper, in.lower, in.way);
+    if constexpr (usual) return false;
+    F turns;
+    ways = with_lengths(ways, turns);
+    in.weight = in.partial ? in.weight * turns : turns;
+    in.partial = true;
+    squares = squared_lengths(ways.upper, ways.lower, ways.way);
   }
+  const Vector<F> lengths = roots(squares), inverses = reciprocals<true>(lengths);
   Triangle<F> t;
-  const Vector<F> lengths = roots(squares);
-  const auto inverses = inverses_of(lengths);
   t.upper = x_of(lengths), t.lower = y_of(lengths), t.way = z_of(lengths);
-  if constexpr (!plain) t.way = t.way * far;
-  const F inverse_upper = x_of(inverses), inverse_lower = plain ? y_of(inverses) : inverse_root(y_of(squares));
-  shape_triangle(in, inverse_upper, t);
+  shape_triangle(in, x_of(inverses), t);
   Bend<F> bend;
-  if (!bend_limb<plain>(in, in.upper * inverse_upper, in.lower * inverse_lower, t, bend)) return false;
+  if (!bend_limb<usual>(in, ways.upper * x_of(inverses), ways.lower * y_of(inverses), t, bend)) return false;
+  const About<F> about = {in.pole, in.twisted, in.twist_rad};
   AnyTurn<F> whole;
-  if (!turn_onto<plain>(bend.to_end, bend.normal, in.way * z_of(inverses), about<plain>(in), whole)) return false;
-  const Quaternion<F> start = quaternion(axis_to_local(axes_of<plain>(in.scene_from_start), whole.axis), whole.w);
-  const F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
+  if (!turn_onto<usual>(bend.to_end, bend.normal, ways.way * z_of(inverses), about, whole)) return false;
+  Quaternion<F> start = quaternion(axis_to_local(Axes<F>(axes_of<usual>(in.scene_from_start)), whole.axis), whole.w);
+  F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
   if (!all(start_squared + mid_squared + (t.miss_squared + bend.agreed) < number<F>(kNumbers.huge))) return false;
-  if (plain && any(lesser(start_squared, mid_squared) < tiny)) return false;
-  out = {weighted_turn<plain>(start, start_squared, in.partial, in.weight),
-         weighted_turn<plain>(bend.mid, mid_squared, in.partial, in.weight), t.stretch, t.miss_squared, t.limb};
-  if (in.partial) out.stretch = one + (t.stretch - one) * in.weight;
+  if (any(lesser(start_squared, mid_squared) < tiny)) {
+    if constexpr (usual) return false;
+    const auto no_start = start_squared < tiny, no_mid = mid_squared < tiny;
+    set_where(no_start, start, unturned<F>());
+    set_where(no_start, start_squared, one);
+    set_where(no_mid, bend.mid, unturned<F>());
+    set_where(no_mid, mid_squared, one);
+  }
+  out = {start * (one / sqrt(start_squared)), bend.mid * (one / sqrt(mid_squared)), t.stretch, t.miss_squared, t.limb};
+  if (in.partial) {
+    out.start = weighted_turn(out.start, in.weight);
+    out.mid = weighted_turn(out.mid, in.weight);
+    out.stretch = one + (t.stretch - one) * in.weight;
+  }
   return true;
 }
 
