@@ -9,7 +9,7 @@ namespace {
 constexpr float kNearlyStraight = 5e-4f;  // of its length, by which a chain is short of straight
 constexpr float kNearlyALine = 0.1f;      // of its length, by which a chain's joints are off a line
 
-MARROW_CALLED_WHERE_SMALL float smooth_step(float x) {
+float smooth_step(float x) {
   const float u = x <= 0 ? 0.0f : x < 1 ? x : 1.0f;
   return u * u * (3.0f - 2.0f * u);
 }
@@ -49,7 +49,10 @@ void stretch(IkHeuristic& h, float distance, float least, float most, float limi
   if (factor == 1 || tree.stretch != 1) return;
   tree.stretch = factor;
   for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
-  tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);
+  IkNode& tip = tree.tips[0];
+  const f32x4 bone = tip.above.origin - turn(tip.above, load_wide(tip.goal->offset));  // without the offset
+  tip.above.origin = tip.above.origin + bone * (factor - 1.0f);
+  tip.parent_from_frame.origin = tip.above.origin;
   update(h);
 }
 
@@ -69,7 +72,7 @@ f32x4 up() {
 // A side of the chain that is fixed to its first joint, across the first bone: the same as it moves.
 f32x4 own_side(const IkHeuristic& h) {
   const IkTree& tree = *h.tree;
-  const f32x4 bone = tree.nodes.size > 1 ? tree.nodes[1].above.origin : tree.ends[0].point;
+  const f32x4 bone = *h.parts[1].bone;
   return rotate(h.turned, turn(tree.nodes[0].frame, any_across3(unit3_or(bone, up()))));
 }
 
@@ -90,7 +93,7 @@ f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest
 // From the root to the goal; if that is there, to where the end is.
 f32x4 line_to_goal(const IkHeuristic& h) {
   const f32x4 root = h.parts[0].at;
-  return unit3_or(h.aims[0].goal - root, unit3_or(h.ends[0].at - root, up()));
+  return unit3_or(h.aims[0].goal - root, unit3_or(h.tips[0].at - root, up()));
 }
 
 // Joints of a chain that is all on the line to its goal have no side to go to, and those of one that is nearly so move
@@ -117,7 +120,7 @@ void bow(IkHeuristic& h) {
 // Turns the chain about the line from its top to its end until its joints are on the side of that line that is wanted;
 // of less weight, to a side between. Within 6 degrees of the line what is wanted has less and less to say.
 void face(IkHeuristic& h, f32x4 wanted, bool own, float weight) {
-  const f32x4 none = splat(0.0f), line = unit3_or(h.ends[0].at - h.parts[0].at, none), to = across3(wanted, line);
+  const f32x4 none = splat(0.0f), line = unit3_or(h.tips[0].at - h.parts[0].at, none), to = across3(wanted, line);
   float off;
   const f32x4 side = side_of_joints(h, line, own, off);
   if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
@@ -133,7 +136,7 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   const float distance = length3(aim.goal - root);
   const float beyond = h.free ? smooth_step(0.5f + (distance * h.per_size - 1.0f) * (0.5f / kNearlyStraight)) : 0.0f;
   float longest = 0;
-  for (const IkPart& part : h.all()) longest = std::max(longest, part.length);
+  for (const IkPart& part : h.parts) longest = std::max(longest, part.length);
   const float folded = std::max(2.0f * longest * h.per_size - 1.0f, 0.0f);  // of the size: as near as the end can come
   stretch(h, distance, folded * h.size_m, h.size_m, options.stretch);
   h.size_m = total_length(h);
@@ -149,7 +152,7 @@ float approach(IkHeuristic& h, const IkOptions& options) {
 // in the chain's own plane takes it. It has to change sides at once for goals in two directions. Neither is in that
 // plane or straight across it.
 void set_out(IkHeuristic& h) {
-  const f32x4 root = h.parts[0].at, from = h.ends[0].at - root, to = h.aims[0].goal - root;
+  const f32x4 root = h.parts[0].at, from = h.tips[0].at - root, to = h.aims[0].goal - root;
   const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // of the goal, from the opposite
   const float opposite = smooth_step(1.0f - 4.0f * squared3(apart)), keeps = h.free ? opposite : 0.0f;
   const float near = (4.0f + 4.0f * keeps) * (length3(from) * h.per_size) * (length3(to) * h.per_size);

@@ -20,7 +20,7 @@ class Chance {
   float unit() { return static_cast<float>(bits() >> 8) * (1.0f / 16777216.0f); }
   std::size_t below(std::size_t n) { return bits() % n; }
   // About any axis; size 1 is up to 90°, more is farther.
-  MARROW_CALLED_WHERE_SMALL WideRotation turn(float size) {
+  WideRotation turn(float size) {
     float v[3];
     for (float& x : v) x = unit() * 2.0f - 1.0f;
     return normalised(quaternion(to_f32x4(vector3(v)) * size, 1.0f));

@@ -5,11 +5,11 @@ namespace marrow {
 namespace {
 
 // From an end back to its node: as the end lies, and, as far as the goal's rotation counts, as it shall be turned.
-f32x4 back_from_end(const IkHeuristic& h, const IkPart& end, f32x4 as_it_lies) {
-  const IkAim& aim = *end.aim;
+f32x4 back_from_tip(const IkHeuristic& h, const IkPart& tip, f32x4 as_it_lies) {
+  const IkAim& aim = *tip.aim;
   if (aim.turn == 0) return as_it_lies;
-  const float length = end.length, lever = length * h.per_size;
-  const f32x4 turned = unit3_or(rotate(aim.rotation, *end.bone), splat(0.0f)) * -length;
+  const float length = tip.length, lever = length * h.per_size;
+  const f32x4 turned = unit3_or(rotate(aim.rotation, *tip.bone), splat(0.0f)) * -length;
   return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
 }
 
@@ -43,10 +43,10 @@ void reach_forward_by_points(IkHeuristic& h) {
 void turn_to_points(IkHeuristic& h) {
   IkTree& tree = *h.tree;
   WideRotation turned = h.turned;
-  const IkPart* part = h.parts;
+  const IkPart* part = h.parts.data;
   for (IkNode& node : tree.nodes) {
     const f32x4 at = part->at;
-    const bool top = part++ == h.parts;
+    const bool top = part++ == h.parts.data;
     TurnSum arc;
     arc.add_arc(turn(node.frame, *part->bone), rotate(conjugate(turned), part->at - at), 1.0f);
     const WideRotation by = normalised(arc.turn()), in_scene = top ? turned * by : by;
@@ -88,12 +88,12 @@ void pull(IkHeuristic& h) {
 }
 
 void reach_backward(IkHeuristic& h) {
-  for (IkPart* node = h.ends; node-- != h.parts;) {
+  for (IkPart* node = h.tips; node-- != h.parts.data;) {
     if (node->on == nullptr || node->weight == 0) continue;
     f32x4 wanted = splat(0.0f);
     for (const IkPart* part = node->first; part != nullptr; part = part->next) {
       f32x4 back = along(node->at - part->at, part->length);
-      if (part->aim != nullptr) back = back_from_end(h, *part, back);
+      if (part->aim != nullptr) back = back_from_tip(h, *part, back);
       wanted = wanted + (part->at + back) * part->share;
     }
     node->at = wanted;
@@ -102,7 +102,7 @@ void reach_backward(IkHeuristic& h) {
 
 void reach_forward(IkHeuristic& h) {
   IkTree& tree = *h.tree;
-  const IkPart* part = h.parts;
+  const IkPart* part = h.parts.data;
   for (IkNode& node : tree.nodes) {
     Columns above = node.above;
     if (node.parent != kNoParent) multiply(tree.nodes[node.parent].frame, above, above);
@@ -113,6 +113,7 @@ void reach_forward(IkHeuristic& h) {
     node.frame.origin = above.origin;
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }
+  update_tips(tree);
   update_parts(h);
 }
 

@@ -1,57 +1,49 @@
-// What FABRIK and CCD keep beside the tree: where joints are to go, and what goals count in moving them.
+// What FABRIK and CCD keep beside the tree: where points are to go, and what goals count in moving them.
 #pragma once
 
 #include "ik/tree.h"
 
 namespace marrow {
 
+// What a goal asks for.
 struct IkAim {
-  const IkEnd* end;
-  f32x4 goal;             // the position to reach; where that is out of reach, the nearest that is not
-  WideRotation rotation;  // the goal's, for the node: in the scene
+  const IkNode* tip;
+  f32x4 goal;             // the position to come to; out of reach: the nearest that is not
+  WideRotation rotation;  // the one in the scene for the node that the tip hangs on
   float position;         // the weights, squared, relative to the greatest; a radian is as long as the tree
   float turn;
 };
 
-// One a node and, after those, one an end. What hangs on a node is a list of parts.
+// The points of the tree: one for each node, and behind those one for each tip. What hangs on a node is a list.
 struct IkPart {
-  f32x4 at;                 // where its point is, or where it is wanted: scene space
-  f32x4 before;             // what an iteration changes, before it; CCD: of an end its node's rotation in the scene
-  float length = 0;         // from the node that it hangs on to there
+  f32x4 at;                 // where the point is, or where it is wanted; scene
+  f32x4 before;             // what an iteration changes, before it; CCD: of a tip its node's rotation in the scene
+  float length = 0;         // from the node that it hangs on
   float weight = 0;         // of the positions to be reached by it and what hangs on it
   float share = 0;          // of all weight that hangs on the same node
-  IkAim* aim = nullptr;     // of an end
+  IkAim* aim = nullptr;     // of a tip
   const f32x4* bone;        // from the node that it hangs on to there, in that node's axes
-  IkPart* on = nullptr;     // that node, if there is one
-  IkPart* next = nullptr;   // what hangs on the same node
-  IkPart* first = nullptr;  // what hangs on it; CCD: of an end the node that moves it now
-};
-
-struct IkParts {
-  IkPart* first;
-  IkPart* behind;
-  IkPart* begin() const { return first; }
-  IkPart* end() const { return behind; }
+  IkPart* on = nullptr;     // the node that it hangs on, if any
+  IkPart* next = nullptr;   // the next that hangs on the same node
+  IkPart* first = nullptr;  // the first that hangs on it; CCD: the node that moves a tip now
 };
 
 struct IkHeuristic {
   IkTree* tree;
-  IkPart* parts;
-  IkPart* ends;  // the parts behind the nodes'
-  IkPart* behind;
+  Span<IkPart> parts;  // of the nodes, and behind them of the tips
+  IkPart* tips;        // the parts behind the nodes'
   IkAim* aims;
   float size_m = 0;                 // sum of all lengths
   float per_size = 0;               // 1 / size_m; 0 for no size
   bool free = true;                 // neither limits nor stiffness
-  bool chain = false;               // one end, with a position to reach
+  bool chain = false;               // one tip, with a position to reach
   bool plain = false;               // nothing but that: points move alone, and joints turn when they are there
-  WideRotation turned = no_turn();  // of a plain chain, as a whole, in the scene
+  WideRotation turned = no_turn();  // how a plain chain has turned as a whole; scene
 
-  IkParts all() const { return {parts, behind}; }
-  IkParts of_ends() const { return {ends, behind}; }
-  // Of a chain, which goes on from one part to the next: without the root; and without root and end.
-  IkParts below_root() const { return {parts + 1, behind}; }
-  IkParts between() const { return {parts + 1, ends}; }
+  Span<IkPart> of_tips() const { return {tips, tree->tips.size}; }
+  // Of a chain, which goes on from one part to the next: without the root; and without root and tip.
+  Span<IkPart> below_root() const { return {parts.data + 1, parts.size - 1}; }
+  Span<IkPart> between() const { return {parts.data + 1, parts.size - 2}; }
 };
 
 // The direction of v, so long; 0 if it has none. Root and quotient do not wait for each other.
@@ -81,7 +73,7 @@ struct TurnSum {
 struct InverseAxes {
   explicit InverseAxes(const f32x4 (&axis)[3]);
   // Of the length that it has, but for a factor above 0: not to wait for a division.
-  MARROW_CALLED_WHERE_SMALL f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
+  f32x4 direction(f32x4 v) const { return products(cofactor, v) * sign; }
   f32x4 operator*(f32x4 v) const { return direction(v) * scale; }
   f32x4 cofactor[3];
   float sign, scale;

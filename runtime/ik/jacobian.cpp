@@ -8,7 +8,6 @@
 // Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
 // 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "ik/dense.h"
 #include "ik/system.h"
@@ -80,8 +79,8 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     if (task.turn || !(felt < all * squared)) continue;
     const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
     const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
-    const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
-    for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
+    const f32x4 end = task.tip->frame.origin;
+    for (std::uint16_t n = task.tip->parent; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
       const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
       const float inward = -dot3(arm, e), size = l * sqrt(squared3(arm) * squared3(about));
@@ -171,8 +170,7 @@ void set_promise(const IkSystem& s, float factor, Progress& p) {
 }
 
 // One step. False, and nothing is changed, if it is not finite.
-MARROW_CALLED_WHERE_SMALL bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axis,
-                                         Progress& p) {
+bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axis, Progress& p) {
   IkTree& tree = *s.tree;
   set_entries(s);
   for (std::size_t i = 0; i < s.rows; ++i) s.rest[i] = s.error[i];

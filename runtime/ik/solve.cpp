@@ -23,7 +23,7 @@ BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
   return {};
 }
 
-MARROW_CALLED_WHERE_SMALL BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
+BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
   MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
   MARROW_CHECK(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number

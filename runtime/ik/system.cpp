@@ -13,21 +13,21 @@ std::size_t tasks_of(const IkGoal& goal) {
   return (goal.position_weight > 0 ? 1u : 0u) + (goal.rotation_weight > 0 ? 1u : 0u);
 }
 
-void add_task(const IkEnd& end, bool turn, float weight, IkEntry*& entries, IkSystem& s) {
+void add_task(const IkNode& tip, bool turn, float weight, IkEntry*& entries, IkSystem& s) {
   const IkTree& tree = *s.tree;
   const bool travels = s.travel_ease > 0;
   std::uint32_t length = 0;
-  float reach = 0;
-  f32x4 from = transform(tree.nodes[end.node].frame, end.point);
-  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) {
+  float bones = 0;  // their length from the tip to the top
+  f32x4 from = tip.frame.origin;
+  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) {
     const f32x4 to = tree.nodes[n].frame.origin;
-    reach += sqrt(dot3(from - to, from - to));
+    bones += sqrt(dot3(from - to, from - to));
     from = to;
     length += n == 0 && travels ? 2 : 1;
   }
-  s.tasks.data[s.tasks.size++] = {&end, entries, length, turn, weight, weight * (turn ? kLongestTurn : reach), 0, 1};
+  s.tasks.data[s.tasks.size++] = {&tip, entries, length, turn, weight, weight * (turn ? kLongestTurn : bones), 0, 1};
   IkEntry* entry = entries + length;
-  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
+  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
   if (entry != entries) entries->node = static_cast<std::uint16_t>(tree.nodes.size);
   entries += length;
 }
@@ -43,9 +43,9 @@ float travel_ease(const IkTree& tree, float root_travel_m) {
 
 void set_entries(const IkSystem& s, const IkTask& task) {
   const IkTree& tree = *s.tree;
-  f32x4 point = task.end->point;
+  f32x4 point = task.tip->above.origin;
   IkEntry* entry = task.path + task.length;
-  for (std::uint16_t n = task.end->node; n != kNoParent;) {
+  for (std::uint16_t n = task.tip->parent; n != kNoParent;) {
     const IkNode& node = tree.nodes[n];
     const f32x4 factor = splat(task.weight * node.ease_root);
     --entry;
@@ -129,12 +129,12 @@ void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
   IkEntry* entries = s.entries;
   for (int priority = 0, next = 0; next < 256; priority = next) {
     next = 256;
-    for (const IkEnd& end : tree.ends) {
-      const IkGoal& goal = *end.goal;
+    for (const IkNode& tip : tree.tips) {
+      const IkGoal& goal = *tip.goal;
       if (goal.priority > priority && goal.priority < next) next = goal.priority;
       if (goal.priority != priority) continue;
-      if (goal.position_weight > 0) add_task(end, false, goal.position_weight, entries, s);
-      if (goal.rotation_weight > 0) add_task(end, true, goal.rotation_weight, entries, s);
+      if (goal.position_weight > 0) add_task(tip, false, goal.position_weight, entries, s);
+      if (goal.rotation_weight > 0) add_task(tip, true, goal.rotation_weight, entries, s);
     }
   }
   for (std::size_t i = 0; i < s.rows * dense_stride(s.rows); ++i) s.a[i] = 0;
@@ -144,7 +144,7 @@ void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
 float set_errors(IkSystem& s) {
   float total = 0, *to = s.error;
   for (IkTask& task : s.tasks) {
-    f32x4 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
+    f32x4 e = task.turn ? rotation_error(*task.tip) : position_error(*task.tip);
     e = e * task.weight;
     const float squared = squared3(e), l = sqrt(squared);
     total += squared;
@@ -193,9 +193,9 @@ void solve_rows(IkSystem& s, float error_share, float size_share) {
   const float mean = trace / static_cast<float>(s.rows), least = mean * kLeastPivot + 1e-30f;
   const float size = mean * size_share + least;
   for (std::size_t first = 0, task = 0; task < s.tasks.size; first = 3 * task) {
-    const int priority = s.tasks[task].end->goal->priority;
+    const int priority = s.tasks[task].tip->goal->priority;
     float damping = size;
-    for (; task < s.tasks.size && s.tasks[task].end->goal->priority == priority; ++task)
+    for (; task < s.tasks.size && s.tasks[task].tip->goal->priority == priority; ++task)
       damping += s.tasks[task].size * error_share;
     solve_level(s, first, 3 * task, damping, least);
   }

@@ -17,15 +17,15 @@ struct IkEntry {
 // Of the columns, one of that direction.
 f32x4 times(const IkEntry& entry, f32x4 v);
 
-// Three rows of the Jacobian: where an end is, or how it is turned.
+// Three rows of the Jacobian: where a tip is, or how it is turned.
 struct IkTask {
-  const IkEnd* end;
+  const IkNode* tip;
   IkEntry* path;  // from the top down, so that what tasks have in common is the front of their paths
   std::uint32_t length;
   bool turn;
   float weight;
   float longest;  // the most of the error that one step is to mend, weighted
-  float size;     // |error| · reach: what damping is measured by
+  float size;     // |error| · the length of its bones: what damping is measured by
   float cut;      // how many times longer the error is: 1 or more
 };
 
