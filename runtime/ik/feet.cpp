@@ -1,7 +1,6 @@
 #include "marrow/feet.h"
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "ik/turn_joint.h"
 #include "ik/two_bone.h"
@@ -31,13 +30,13 @@ struct FeetCall {
 };
 
 // All numbers, with or without sign; false for what is not a number.
-MARROW_CALLED_WHERE_SMALL bool is_smaller(f32x4 v, float limit) {
+bool is_smaller(f32x4 v, float limit) {
   return all(absolute(v) < splat(limit));
 }
 bool near(f32x4 v) {
   return is_smaller(v, kTooFar);
 }
-MARROW_CALLED_WHERE_SMALL bool near(const float (&v)[3]) {  // with something behind it
+bool near(const float (&v)[3]) {  // with something behind it
   return near(load_wide(v));
 }
 bool near(const Affine& a) {
@@ -45,10 +44,10 @@ bool near(const Affine& a) {
 }
 
 // What a matrix makes of a direction, and of a point.
-MARROW_CALLED_WHERE_SMALL f32x4 turned_by(const Affine& a, f32x4 v) {
+f32x4 turned_by(const Affine& a, f32x4 v) {
   return turn(columns(a), v);
 }
-MARROW_CALLED_WHERE_SMALL f32x4 at(const Columns& world, const Affine& a, const float (&point)[3]) {
+f32x4 at(const Columns& world, const Affine& a, const float (&point)[3]) {
   return transform(world, transform(columns(a), load_three(point)));
 }
 
@@ -67,7 +66,7 @@ Inverse inverse_of_linear(const Affine& m) {
   return {{{yz, cross3(z, x), cross3(x, y)}, splat(0.0f)}, dot3(x, yz)};
 }
 
-MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
+BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
   const Skeleton& skeleton = call.pose.skeleton;
   MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
@@ -87,8 +86,7 @@ MARROW_CALLED_WHERE_SMALL BadCall check_foot(const FeetCall& call, const Foot& f
   return {};
 }
 
-MARROW_CALLED_WHERE_SMALL BadCall check_feet(const FeetCall& call, Span<const FootGround> ground,
-                                             Span<const FootMotion> motion) {
+BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
   const Skeleton& skeleton = call.pose.skeleton;
   const FeetFrame& frame = call.frame;
   if (const BadCall bad = check_pose(call.pose)) return bad;
@@ -120,14 +118,14 @@ void die_away(const FeetCall& call, F& x, F& speed) {
   x = (x + both * call.frame.dt_s) * call.decay;
   speed = (speed - both * call.rate * call.frame.dt_s) * call.decay;
 }
-MARROW_CALLED_WHERE_SMALL void die_away(const FeetCall& call, float (&x)[3], float (&speed)[3]) {
+void die_away(const FeetCall& call, float (&x)[3], float (&speed)[3]) {
   f32x4 wide_x = load_three(x), wide_speed = load_three(speed);
   die_away(call, wide_x, wide_speed);
   store_wide(x, wide_x);
   store_wide(speed, wide_speed);
 }
 
-MARROW_CALLED_WHERE_SMALL f32x4 level(const FeetCall& call, f32x4 v) {
+f32x4 level(const FeetCall& call, f32x4 v) {
   return unit3_or(across3(v, call.up), splat(0.0f));
 }
 
@@ -142,7 +140,7 @@ WideRotation level_turn(const FeetCall& call, f32x4 from, f32x4 to) {
 }
 
 // The ground's normal, not steeper than the foot leans.
-MARROW_CALLED_WHERE_SMALL f32x4 lean_of(const FeetCall& call, f32x4 normal) {
+f32x4 lean_of(const FeetCall& call, f32x4 normal) {
   const float c = dot3(normal, call.up);
   if (c >= call.slope.cos) return normal;
   return call.up * call.slope.cos + level(call, normal) * call.slope.sin;
@@ -159,7 +157,7 @@ Ground ground_of(const FeetCall& call, const FootGround& given) {
   return {call.world.origin, call.up, false};
 }
 // By how much the animated sole is lifted to be as high above the plane as it is above the animation's level ground.
-MARROW_CALLED_WHERE_SMALL float lift_to(const FeetCall& call, const Ground& ground, f32x4 sole) {
+float lift_to(const FeetCall& call, const Ground& ground, f32x4 sole) {
   const float above = dot3(sole - call.world.origin, call.up);
   return above + dot3(ground.point - sole, ground.normal) / dot3(ground.normal, call.up);
 }
@@ -275,7 +273,7 @@ float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, floa
 }
 
 // The pelvis goes by the lowest sole, and further down as legs need it.
-MARROW_CALLED_WHERE_SMALL float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
+float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
   const float most = call.feet.lower_m;
   float lift = 0, excess = 0;
   bool first = true;
@@ -302,7 +300,7 @@ f32x4 into(const Affine& m, f32x4 way) {
   return turn(inverse.columns, way) * (1.0f / inverse.determinant);
 }
 
-MARROW_CALLED_WHERE_SMALL void move_pelvis(const FeetCall& call, float lift) {
+void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
   if (joint == kNoJoint || lift == 0) return;
   const f32x4 wide_way = into(map_above(call.pose, joint), into(call.frame.world_from_scene, call.up * lift));
@@ -326,7 +324,7 @@ void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const
   update_below(call.pose, foot.ankle);
 }
 
-MARROW_CALLED_WHERE_SMALL void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
+void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   TwoBone goal;
   goal.weight = call.frame.weight * foot.weight;
   if (goal.weight == 0) return;

@@ -16,14 +16,14 @@
 
 namespace marrow {
 
-// Below this sine of the angle between the target and the pole, the pole says less and less.
+// Sine of the angle between target and pole below which the pole counts less and less.
 inline constexpr float kPoleCone = 0.1f;
 // At the pole itself the limb is turned 37° from the side that the shortest arc gives it, cosine and sine: a target
 // that passes over the pole swings the limb round instead of flipping it.
 inline constexpr float kPullAlong = 0.8f, kPullAside = 0.6f;
-// A pole whose part across the target's direction has no more than this square says nothing.
+// Square of a pole's part across the target's direction that counts as none.
 inline constexpr float kNoSide = 8 * kTinySquare;
-// Directions whose sum has no more than this square are opposite.
+// Square of the sum of two unit vectors that count as opposite.
 inline constexpr float kOpposite = 1e-13f;
 
 alignas(16) inline constexpr float kUnitAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
@@ -42,7 +42,7 @@ template <class F>
 inline Quaternion<F> unturned() {
   return quaternion(Vector<F>{}, number<F>(kNumbers.one));
 }
-// Of a quaternion of length 1, the part `weight` of its turn.
+// The part `weight` of the turn of a unit quaternion.
 template <class F>
 inline Quaternion<F> weighted_turn(Quaternion<F> q, F weight) {
   const F one = number<F>(kNumbers.one);
@@ -51,12 +51,12 @@ inline Quaternion<F> weighted_turn(Quaternion<F> q, F weight) {
   return q;
 }
 
-// How things turn about the target's direction.
+// What fixes the turn about the target's direction.
 template <class F>
 struct About {
-  std::conditional_t<std::is_same_v<F, One>, Vector<F>, const Vector<F>&> pole;  // zero: the shortest arc alone
+  std::conditional_t<std::is_same_v<F, One>, Vector<F>, const Vector<F>&> pole;  // 0: none, the shortest arc alone
   bool twisted;
-  F twist_rad;  // if twisted: on top
+  F twist_rad;  // read if twisted; on top of the pole
 };
 
 // An angle by its cosine and sine, both times `length`.
@@ -87,8 +87,8 @@ inline Angle<F> untwisted(Angle<F> a, F twist_rad) {
   return {a.cos * cos + a.sin * sin, a.sin * cos - a.cos * sin, a.length};
 }
 
-// The angle to the pole's side where that is shorter than √cone, because target and pole are near each other: mixed
-// with the side of kPullAlong and kPullAside, the more the nearer they are. Without a pole the angle is 0.
+// The angle to the pole's side, where its length is below √cone as target and pole are near each other: mixed with the
+// angle of kPullAlong and kPullAside, the more the nearer they are. 0 where there is no pole.
 template <class F>
 inline Angle<F> pulled(Angle<F> a, F cone) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), pull = greater(sqrt(cone) - a.length, zero);
@@ -102,14 +102,15 @@ inline Angle<F> pulled(Angle<F> a, F cone) {
   return to;
 }
 
-// The direction half way between two, of any length.
+// A direction half way between two others.
 template <class F>
 struct Halfway {
-  Vector<F> h;
-  F half, along;  // half of its squared length, and its part along the first direction
+  Vector<F> h;  // of any length
+  F half;       // half of its squared length
+  F along;      // its part along the first direction
 };
-// The same of directions that are far apart. Their sum `way.h` is all rounding there, so what it has along their
-// difference is taken off; opposite ones take the direction across the normal.
+// The same for directions that are far apart. Their sum way.h is short, and rounding may leave it off the middle: its
+// part along their difference is taken off. Opposite directions get one across the normal.
 template <class F>
 inline Halfway<F> halfway_round(Vector<F> from, Vector<F> normal, Vector<F> to, Halfway<F> way) {
   const F half = number<F>(kNumbers.half);
@@ -130,13 +131,14 @@ struct AnyTurn {
   F w;  // ≥ 0
 };
 
-// Turns the unit vector `from` onto the unit vector `to`, and then about it: until `normal`, a unit vector across
-// `from`, is pole × to; then by the twist.
+// Turns the unit vector `from` onto the unit vector `to`; then about `to`, until `normal`, a unit vector across `from`,
+// is along pole × to; then by the twist.
 //
-// The shortest arc is half a turn about `from` and one about h, half way between: q = (from × h, from · h). It takes
-// the normal to n - 2 (n · h) h. Both hold for any unit vector h, so opposite directions are no exception: their h lies
-// in the plane of the limb. With C and S the cosine and sine of half the angle that is left, the product is
-// ((from × h) C + h S, (from · h) C), with S negative; here h is from + to.
+// The shortest arc is half a turn about `from` and another about h, half way between them: q = (from × h, from · h). It
+// takes the normal n to n - 2 (n · h) h. Both are true for every unit vector h half way between opposite directions, so
+// these are no exception; their h lies in the plane of the limb. With C and S the cosine and sine of half the angle
+// that is left, the whole turn is ((from × h) C + h S, (from · h) C), with S negative. h is from + to here, not a unit
+// vector.
 template <bool usual, class F>
 inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const About<F>& about, AnyTurn<F>& out) {
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one);
@@ -173,15 +175,15 @@ inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const Abou
   return true;
 }
 
-// A joint's axes in the scene: the columns of a matrix, which are to be made unit vectors.
+// A joint's axes in the scene, the columns of its matrix, with what makes them unit vectors.
 template <class F>
 struct Axes {
   Linear<F> rows;
-  Vector<F> lengths, inverse_lengths;  // inverse of none: 0. Their w may be anything
-  F handed;                            // its sign: negative of a left-handed triple
+  Vector<F> lengths, inverse_lengths;  // the inverse of 0 is 0, or infinite if `usual`. Ignore their w
+  F handed;                            // negative if the axes are a left-handed triple
 };
 
-// The rows of four matrices' linear parts, or one matrix.
+// The linear parts of four matrices, by rows; or one matrix.
 template <class F>
 using RowsOf = std::conditional_t<std::is_same_v<F, One>, const Affine&, Linear<F>>;
 
@@ -211,17 +213,17 @@ inline Axes<One> axes_of(const Affine& joint) {
   return axes_of<usual>(wide_rows(joint));
 }
 
-// A direction of the scene in the joint's space without its scale; its w may be anything.
+// A direction of the scene in the joint's space without its scale. Ignore its w.
 template <class F>
 inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
   return by_component(axes.rows * v, axes.inverse_lengths);
 }
-// The same of the axis of a turn, which a mirroring joint turns the other way.
+// The axis of a turn likewise: where the axes are left-handed, the turn goes the other way round.
 template <class F>
 inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
-// And back.
+// The axis of a turn, from the joint's space to the scene.
 template <class F>
 inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));

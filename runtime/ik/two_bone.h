@@ -1,4 +1,4 @@
-// The kernel of a limb of two bones, for one limb or four: the same operations in the same order, so the same bits.
+// The kernel for a limb of two bones: one limb or four at once, with the same bits.
 #pragma once
 
 #include "core/check.h"
@@ -8,39 +8,41 @@
 
 namespace marrow {
 
-// solve_two_bone() without its refusal: what is wrong with the call, or nothing.
+// solve_two_bone() for callers that refuse in its place: returns what is wrong with the call, or nothing.
 BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
-// Of a limb in the scene: from the start joint to the middle joint, from there to the end joint; from the start joint
-// to the target.
+// The bones of a limb and the way to its target, in the scene.
 template <class F>
 struct LimbWays {
-  Vector<F> upper, lower, way;
+  Vector<F> upper;  // from the start joint to the middle joint
+  Vector<F> lower;  // from the middle joint to the end joint
+  Vector<F> way;    // from the start joint to the target
 };
 
 template <class F>
 struct LimbProblem {
   LimbWays<F> ways;
   RowsOf<F> scene_from_start, scene_from_mid;
-  Vector<F> bend_axis, pole;
-  bool twisted;
-  F twist_rad;  // if twisted
+  Vector<F> bend_axis;  // One: w holds something finite
+  Vector<F> pole;
+  bool twisted;  // some twist is not 0
+  F twist_rad;   // read if twisted
   F soft;
-  bool stretched;  // some may be longer
-  F max_stretch;   // if stretched
+  bool stretched;  // some limb may become longer
+  F max_stretch;   // read if stretched
   bool partial;    // some weight is below 1
-  F weight;        // if partial
+  F weight;        // read if partial
 };
 
 template <class F>
 struct LimbSolution {
   Quaternion<F> start, mid;
   F stretch;
-  F miss_squared;
-  F limb;  // its length
+  F miss_squared;  // squared distance that is left to the target, as at weight 1
+  F limb;          // length of the limb
 };
 
-// The squared lengths of three vectors, as a vector; its w is the third again.
+// The squared lengths of three vectors. In one register w repeats the third.
 inline Vector<f32x4> squared_lengths(const Vector<f32x4>& a, const Vector<f32x4>& b, const Vector<f32x4>& c) {
   return {dot(a, a), dot(b, b), dot(c, c)};
 }
@@ -54,49 +56,51 @@ inline bool any_below(Vector<One> v, One limit) {
   return any(v.v < limit.v);
 }
 
-// The three lengths, and what the triangle of the bones and the way to the target is to be.
+// The triangle of the two bones and the line between their ends: its lengths now, and its angles as they shall be.
 template <class F>
 struct Triangle {
-  F upper, lower, way;
-  F half_cos, half_sin;  // of half the bend at the middle joint, both times any length; 0 is straight
+  F upper, lower, way;   // lengths; way: to the target
+  F half_cos, half_sin;  // of half the bend at the middle joint, both times one length; a straight limb is bent by 0
   F along, across;       // cosine and sine of the angle at the start joint
-  F stretch, limb, miss_squared;
+  F stretch, limb, miss_squared;  // see LimbSolution
 };
 
+// Sets the angles by the law of cosines, from the three lengths.
 template <class F>
 inline void shape_triangle(const LimbProblem<F>& in, F inverse_upper, Triangle<F>& t) {
   const F one = number<F>(kNumbers.one), half = number<F>(kNumbers.half);
   const F sum = t.upper + t.lower, difference = t.upper - t.lower;
-  F reach = t.way;
+  F distance = t.way;  // from the start joint to the end joint, as it shall be
   t.stretch = one;
-  if (const F firm = in.soft * sum; any(firm < reach)) {
-    // sum - e (1 + z / 4)⁻⁴ with e = sum - firm, z = (reach - firm) / e: slope 1, then ever less.
-    const F four = number<F>(kNumbers.four), e = sum - firm, over = greater(reach - firm, all_lanes<F>(0));
+  if (const F firm = in.soft * sum; any(firm < distance)) {
+    // sum - e (1 + z / 4)⁻⁴ with e = sum - firm, z = (distance - firm) / e: slope 1, then ever less.
+    const F four = number<F>(kNumbers.four), e = sum - firm, over = greater(distance - firm, all_lanes<F>(0));
     const F g = four * e / (four * e + over), g2 = g * g;
-    reach = select(firm < reach, sum - e * g2 * g2, reach);
-    if (in.stretched) t.stretch = select(firm < t.way, greater(one, lesser(in.max_stretch, t.way / reach)), one);
+    distance = select(firm < distance, sum - e * g2 * g2, distance);
+    if (in.stretched) t.stretch = select(firm < t.way, greater(one, lesser(in.max_stretch, t.way / distance)), one);
   }
-  const F least = greater(difference, t.lower - t.upper);
-  reach = lesser(greater(reach, greater(least, number<F>(kNumbers.least_reach) * sum)), sum);
-  t.half_cos = sqrt((reach - difference) * (reach + difference));
-  t.half_sin = sqrt((sum - reach) * (sum + reach));
-  const F inverse = one / reach, scale = half * inverse_upper;
-  t.along = scale * (reach + difference * sum * inverse);
+  const F folded = greater(difference, t.lower - t.upper);
+  distance = lesser(greater(distance, greater(folded, number<F>(kNumbers.least_distance) * sum)), sum);
+  t.half_cos = sqrt((distance - difference) * (distance + difference));
+  t.half_sin = sqrt((sum - distance) * (sum + distance));
+  const F inverse = one / distance, scale = half * inverse_upper;
+  t.along = scale * (distance + difference * sum * inverse);
   t.across = scale * (t.half_cos * t.half_sin * inverse);
   t.limb = sum;
-  const F miss = (in.stretched ? reach * t.stretch : reach) - t.way;
+  const F miss = (in.stretched ? distance * t.stretch : distance) - t.way;
   t.miss_squared = miss * miss;
 }
 
-// The plane of the bones, and the middle joint's turn that bends them as the triangle says.
+// The middle joint's turn that gives the bones the triangle's angles.
 template <class F>
 struct Bend {
-  Vector<F> normal, to_end;  // unit; to_end: from start to end, once bent
-  Quaternion<F> mid;         // of any length; its axis in the middle joint's space
-  F agreed;  // cosine-like measure of how far the bend has the preferred sense; infinite or NaN: bad goal
+  Vector<F> normal;   // unit, across the plane of the bones
+  Vector<F> to_end;   // unit, from the start joint to the end joint once bent
+  Quaternion<F> mid;  // in the middle joint's space, of any length
+  F agreed;           // sine of the bend's part about the preferred axis; not finite: nor is the axis
 };
 
-// A unit vector across `unit`, next to v; `otherwise` where v's part across has a square below `enough`.
+// v's part across `unit`, made a unit vector; `otherwise` where the square of that part is below `enough`.
 template <class F>
 inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> otherwise) {
   const Vector<F> part = across(v, unit);
@@ -106,9 +110,9 @@ inline Vector<F> unit_across(Vector<F> v, Vector<F> unit, F enough, Vector<F> ot
   return unit_part;
 }
 
-// Bends a limb that is all but straight, or bent the other way than preferred. Its normal is mixed with the preferred
-// axis until it has kStraight of that: so it always has a direction, and moves steadily. The lower bone is first turned
-// straight about the normal that it has, then bent about the new one; a folded limb is folded shut, then opened.
+// Bends a limb that is nearly straight, or bent the wrong way. The preferred axis is mixed into the limb's normal until
+// kNumbers.straight of the normal is along it: so the normal always has a direction, and moves steadily. The lower bone
+// is first turned straight about the old normal, then bent about the new one. A folded limb is first folded shut.
 template <class F>
 inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes, Vector<F> upper, Vector<F> now, F sine,
                               F cosine, const Triangle<F>& triangle) {
@@ -119,9 +123,9 @@ inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
   set_where(free, wanted, cross(in.pole, upper));
   const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
   Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
-  axis = across(axis, upper);  // again: if nearly all of it was along, much of what is left is rounding
-  // The normal now is 2 sin(bend / 2) cos(bend / 2) long, which is `sine`; w is 2 cos²(bend / 2), or of a folded limb
-  // -2 sin²(bend / 2).
+  axis = across(axis, upper);  // again: the first part across may be mostly rounding
+  // `now`, the normal, is as long as `sine`, 2 sin(bend / 2) cos(bend / 2). w is 2 cos²(bend / 2); -2 sin²(bend / 2) of
+  // a folded limb.
   F agreed = dot(now, axis);
   set_where(free, agreed, sine);
   const F pull = greater(number<F>(kNumbers.straight) * number<F>(kNumbers.half) * (one + cosine) - agreed, zero);
@@ -138,6 +142,7 @@ inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
           quaternion(axis_to_local(mid_axes, axis_part(turn)), w_of(turn)) * sign, agreed};
 }
 
+// Finds the turn of the middle joint. False if `usual` and the limb is nearly straight or bent the wrong way.
 template <bool usual, class F>
 inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
                       Bend<F>& bend) {
@@ -164,12 +169,12 @@ inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower
   return true;
 }
 
-// Gives bones of no length, and the way to a target at the start joint, a direction and next to no length. turns: 0
-// where the whole limb has no length, so that nothing is to be turned; else 1.
+// Gives bones without length a direction and next to no length; so too the way to a target at the start joint.
+// turns: 0 where the whole limb has no length and nothing is to be turned, else 1.
 template <class F>
 inline LimbWays<F> with_lengths(LimbWays<F> in, F& turns) {
   const F tiny = number<F>(kNumbers.tiny), least = all_lanes<F>(0x1p-49f);
-  const auto no_upper = dot(in.upper, in.upper) < tiny;  // one bone, from the start to the end
+  const auto no_upper = dot(in.upper, in.upper) < tiny;  // the lower bone is all there is
   set_where(no_upper, in.upper, in.lower);
   set_where(no_upper, in.lower, Vector<F>{});
   const auto no_limb = dot(in.upper, in.upper) < tiny;
@@ -185,7 +190,7 @@ inline LimbWays<F> with_lengths(LimbWays<F> in, F& turns) {
   return in;
 }
 
-// False if the numbers are not finite, or if `usual` and the limb is not.
+// Solves one limb or four. False if the numbers are not finite, or if `usual` and some limb needs what is left out.
 template <bool usual, class F>
 inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const F one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);

@@ -1,6 +1,5 @@
-// Four limbs at once, a limb a lane.
+// two_bone_x4(): four limbs at once, a limb a lane.
 #include "core/check.h"
-#include "core/fixed.h"
 #include "ik/goals.h"
 #include "ik/two_bone.h"
 #include "marrow/ik.h"
