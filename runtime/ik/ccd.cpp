@@ -4,7 +4,7 @@
 namespace marrow {
 namespace {
 
-// What turns a node, of its own axes, so that the ends that it moves come nearest to their goals.
+// The turn of a node, in its own axes, that brings the tips it moves nearest to their goals.
 WideRotation best_turn(const IkHeuristic& h, const IkNode& node, const IkPart& part, const InverseAxes& inverse) {
   const f32x4 origin = part.at;
   TurnSum turns;
@@ -20,7 +20,7 @@ WideRotation best_turn(const IkHeuristic& h, const IkNode& node, const IkPart& p
   return turns.turn();
 }
 
-// Takes the ends that a node moves along as it turns by `by`; then they hang on the node above.
+// Moves the tips of a node that turns by `by`. From then on the node above moves them.
 void carry_tips(IkHeuristic& h, const IkNode& node, const IkPart& part, const InverseAxes& inverse, WideRotation by) {
   const f32x4 origin = part.at;
   for (IkPart& tip : h.of_tips()) {

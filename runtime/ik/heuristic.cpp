@@ -1,4 +1,4 @@
-// The iteration that FABRIK and CCD share, and the sums of turns that joints make in both.
+// The iteration that FABRIK and CCD share, and the sums of turns in both.
 #include "ik/heuristic.h"
 
 #include "core/mark.h"
@@ -14,7 +14,7 @@ void hang(IkPart& part) {
   part.on->weight += part.weight;
 }
 
-// Goals, and what hangs on what with what weight: from the ends inwards.
+// Sets goals and weights, and links what hangs on each node; from the tips inwards.
 void set_aims(IkHeuristic& h) {
   float greatest = 0;
   for (const IkNode& tip : h.tree->tips)
@@ -42,7 +42,7 @@ float error_of(const IkHeuristic& h) {
   return sqrt(sum);
 }
 
-// What iterations change: of a plain chain where its parts are, else how nodes are turned.
+// The parts whose state an iteration changes: in a plain chain the points, else the rotations of the nodes.
 Span<IkPart> changing(const IkHeuristic& h) {
   return {h.parts.data, h.plain ? h.parts.size : h.tree->nodes.size};
 }
@@ -56,7 +56,7 @@ void keep_pose(IkHeuristic& h) {
   for (IkPart& part : changing(h)) part.before = next_state(part, plain, node);
 }
 
-// Whether the last iteration moved nothing.
+// Whether the last iteration changed next to nothing.
 bool at_rest(const IkHeuristic& h) {
   const bool plain = h.plain;
   const float scale = plain ? h.per_size : 1.0f;
@@ -88,7 +88,7 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
   if (h.chain && !h.free && problem.pole_weight > 0) face_pole(h, problem);
 }
 
-// Of the last iteration only a share.
+// Takes back all but a share of the last iteration.
 void take_share_of_points(IkHeuristic& h, float share) {
   for (IkPart& part : h.parts) part.at = part.before + (part.at - part.before) * share;
 }
@@ -101,8 +101,8 @@ void take_share_of_turns(IkHeuristic& h, float share) {
   update(h);
 }
 
-// The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
-// is enough: all of it if the error is just within the tolerance, nothing if it was before.
+// Takes only the share of the last iteration that was needed, so that the result does not jump where one iteration more
+// or less is enough: all of it if the error is just within the tolerance, none if it was before.
 void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool first) {
   const float before = was - tolerance, after = 0.25f * (tolerance - error);
   if (!(before > 0 && after > 0)) return;
@@ -115,7 +115,7 @@ void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool
   }
 }
 
-// Until the goals as they are in reach are reached, nothing moves, or iterations are over.
+// Iterates until the aims are reached, nothing moves, or iterations are over.
 void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options, IkReport& report) {
   float error = error_of(h);
   report.why = IkStop::reached;
@@ -179,8 +179,8 @@ void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport
     if (h.plain) {
       h.plain = false;
       if (report.iterations > 0) turn_to_points(h);
-      h.turned = no_turn();  // the frames have it
-      // Lengths that depend on how joints are turned, by scales that are not the same in all directions.
+      h.turned = no_turn();  // from now on the frames have it
+      // Under uneven scale the lengths of bones depend on how joints are turned; iterate on with the new ones.
       if (report.why == IkStop::reached && error_of(h) > 1.1f * options.tolerance_m)
         iterate(h, problem, options, report);
     }

@@ -6,8 +6,8 @@
 namespace marrow {
 namespace {
 
-constexpr float kLongestTurn = 2;     // of an error, in radians, that one step is to mend
-constexpr float kLeastPivot = 1e-5f;  // of the mean of J Jᵀ's diagonal: above what float's rounding leaves of a zero
+constexpr float kLongestTurn = 2;     // radians of an error that one step is to mend at most
+constexpr float kLeastPivot = 1e-5f;  // as a share of the mean of J Jᵀ's diagonal; rounding leaves less of a zero
 
 std::size_t tasks_of(const IkGoal& goal) {
   return (goal.position_weight > 0 ? 1u : 0u) + (goal.rotation_weight > 0 ? 1u : 0u);
@@ -32,7 +32,7 @@ void add_task(const IkNode& tip, bool turn, float weight, IkEntry*& entries, IkS
   entries += length;
 }
 
-// Metres of the root's own space that it travels as easily as a joint turns by a radian.
+// How far the root travels, in metres of its parent's space, as easily as a joint turns by a radian. 0: not at all.
 float travel_ease(const IkTree& tree, float root_travel_m) {
   if (!(root_travel_m > 0) || tree.nodes[0].place != 0) return 0;
   const f32x4(&axis)[3] = tree.nodes[0].above.axis;
@@ -52,7 +52,7 @@ void set_entries(const IkSystem& s, const IkTask& task) {
     if (task.turn) {
       set_axes(node.turned, entry->column);
       for (f32x4& c : entry->column) c = c * factor;
-    } else {  // axis × point, through the frame
+    } else {  // axis × point, taken to the scene
       const f32x4 at = point * factor;
       const f32x4 x = splat_lane<0>(at), y = splat_lane<1>(at), z = splat_lane<2>(at);
       const f32x4(&axis)[3] = node.frame.axis;
@@ -74,7 +74,7 @@ void set_entries(const IkSystem& s, const IkTask& task) {
   for (int i = 0; i < 3; ++i) task.path->column[i] = tree.nodes[0].above.axis[i] * factor;
 }
 
-// Rows `first` … `end` - 1 of those before `end`: what they still lack, damped; the rows before them shall stay.
+// Adds to `sum` what rows `first` … `end` - 1 still lack, damped, and keeps the rows before them as they are.
 void solve_level(IkSystem& s, std::size_t first, std::size_t end, float damping, float least) {
   const std::size_t from = dense_stride(s.rows), to = dense_stride(end);
   for (std::size_t i = 0; i < end; ++i) {
@@ -150,8 +150,9 @@ float set_errors(IkSystem& s) {
     total += squared;
     task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
     if (l > task.longest) e = e * (task.longest / l);
-    task.size = length3(e) * (task.turn ? length3(e) : task.longest);  // how a turn's error bends depends on its size
-    store(to, e);                                                      // the fourth lane is the next one's, or padding
+    task.size =
+        length3(e) * (task.turn ? length3(e) : task.longest);  // the curvature of a turn's error grows with its size
+    store(to, e);                                              // lane w falls on the next task's row, or on padding
     to += 3;
   }
   return sqrt(total);
@@ -178,7 +179,7 @@ void set_products(IkSystem& s) {
         }
       }
       float* const to = s.a + 3 * i * stride + 3 * j;
-      store(to, row0);  // the fourth lane is 0, and the next block's
+      store(to, row0);  // lane w is 0 and falls on the next block, which comes later
       store(to + stride, row1);
       store(to + 2 * stride, row2);
     }

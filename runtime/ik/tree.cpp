@@ -20,7 +20,7 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
-// As rotation_of() of a map.
+// The rotation in a map: x along its first axis, y as near to its second as it can be.
 WideRotation rotation_in(const Affine& a) {
   const Columns map = columns(a);
   const f32x4 x = unit3_or(map.axis[0], lanes(1.0f, 0.0f, 0.0f, 0.0f));
@@ -90,7 +90,7 @@ void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
   set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
-// Translations of all joints from the goal's up to, and not with, the first that turns.
+// Scales the translations of all joints from the goal's up to the one below the first that turns.
 void stretch_bones(const PosedJoints& pose, const IkTree& tree, float factor) {
   for (std::uint16_t j = tree.tips[0].joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
     set_translation(pose.local, j, wide_translation_of(pose.local, j) * factor);
@@ -107,7 +107,7 @@ IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& sc
 BadCall build_tree(const IkCall& call, IkTree& tree) {
   const Skeleton& skeleton = call.pose.skeleton;
   const IkProblem& problem = call.problem;
-  constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
+  constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // kMoves: may turn, and moves a goal
   std::uint16_t* const node_of = tree.node_of;
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
   for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;

@@ -1,9 +1,10 @@
 // What limbs and aims share: one direction turned onto another, and turns of the scene brought into a joint's space.
 //
-// Everything is written once, for F: One solves one problem, f32x4 four of them, a lane each, to the same bits. And it
-// is compiled twice: where `usual`, a function leaves out what few problems need, and returns false for one that needs
-// it. That one is solved again by the whole of it. Calls on the way would cost the usual ones their registers, a fifth
-// of the time.
+// F is One for one problem and f32x4 for four of them, a lane each, with the same bits.
+//
+// A function with `usual` leaves out what few problems need, and returns false for a problem that needs it; callers
+// then solve that problem anew without `usual`. Solving it on the way would keep other numbers out of registers: a
+// fifth more instructions for everybody.
 #pragma once
 
 #include <type_traits>
@@ -18,8 +19,8 @@ namespace marrow {
 
 // Sine of the angle between target and pole below which the pole counts less and less.
 inline constexpr float kPoleCone = 0.1f;
-// At the pole itself the limb is turned 37° from the side that the shortest arc gives it, cosine and sine: a target
-// that passes over the pole swings the limb round instead of flipping it.
+// The bend direction that is mixed in there: cosine and sine of 37°, from the side that the shortest arc gives. So a
+// target that passes over the pole swings the elbow round and does not flip it.
 inline constexpr float kPullAlong = 0.8f, kPullAside = 0.6f;
 // Square of a pole's part across the target's direction that counts as none.
 inline constexpr float kNoSide = 8 * kTinySquare;
