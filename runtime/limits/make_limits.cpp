@@ -6,10 +6,10 @@ namespace marrow {
 namespace {
 
 constexpr float kTurn = 6.2831853f, kHalfTurn = 3.14159265f, kQuarterTurn = 1.57079633f;
-// Angles are given as floats: a range that is a turn but for rounding is one, and an angle at a bound is inside.
+// How far rounding may put an angle beyond a bound, or a range short of a turn.
 constexpr float kRounding = 1e-6f;
 
-// For angles of at most half a turn: tan(angle / 4).
+// tan(angle / 4), for angles of at most half a turn.
 float quarter_tangent(float angle_rad) {
   const float a = 0.25f * angle_rad;
   return a * sinc_of_root(a * a) / cos_of_root(a * a);
@@ -24,14 +24,14 @@ bool is_rate(const RateLimit& rate) {
   return rate.speed >= 0 && rate.speed < 1e18f && rate.acceleration >= 0 && rate.acceleration < 1e18f;
 }
 
-// x along `axis`, y along `across` as far as it is perpendicular.
+// Sets the limit's axes: x along `axis`, y along the part of `across` that is perpendicular to it.
 bool limit_axes(const LimitDescription& d, Rotation& joint_from_limit) {
   if (!is_direction(d.axis) || !is_direction(d.across)) return false;
   const Vector3 x = normalised_or(vector3(d.axis), {}), a = normalised_or(vector3(d.across), {});
   const Vector3 part = across(a, x);
   if (!(dot(part, part) > 1e-6f)) return false;
   const Vector3 y = normalised_or(part, {});
-  // First x is brought there, then the rest is a turn about it.
+  // First x is turned to its place; the rest is a turn about x.
   const Rotation to_x = shortest_arc({1, 0, 0}, x);
   const Vector3 y_now = rotate(conjugate(to_x), y);  // in the y-z plane
   const float cos = y_now.y, sin = y_now.z;

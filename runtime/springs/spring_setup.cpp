@@ -1,4 +1,4 @@
-// Spring bones: from chains to groups of four.
+// Makes spring bones: from chains to groups of four.
 #include <cmath>
 #include <cstring>
 
@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/mark.h"
 #include "core/off_boundary.h"
+#include "ik/turn_joint.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
 
@@ -24,14 +25,6 @@ std::size_t groups_of(Span<const SpringChain> chains) {
   return (bones + 3) / 4;
 }
 
-bool is_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
-  while (joint > above) {  // a parent has the lower number
-    if (joint < skeleton.root_count) return false;
-    joint = skeleton.parents[joint];
-  }
-  return joint == above;
-}
-
 BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
   MARROW_CHECK(holds(chains) && chains.size <= skeleton.joint_count);
   std::size_t joints = 0;
@@ -44,7 +37,7 @@ BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
       const SpringJoint& j = chain.joints[i];
       MARROW_CHECK(j.joint < skeleton.joint_count);
       MARROW_CHECK(i == 0 ||
-                   (j.joint != chain.joints[i - 1].joint && is_below(skeleton, j.joint, chain.joints[i - 1].joint)));
+                   (j.joint != chain.joints[i - 1].joint && hangs_below(skeleton, j.joint, chain.joints[i - 1].joint)));
       MARROW_CHECK(good_settings(j));
     }
   }
@@ -85,6 +78,7 @@ void set_roots(Span<const SpringChain> chains, SpringRoot* roots) {
   });
 }
 
+// Whether springs change the joint's matrix.
 bool among(const Springs& springs, std::uint32_t joint) {
   std::uint32_t low = 0, high = springs.below_count;
   while (low < high) {
@@ -98,7 +92,7 @@ bool among(const Springs& springs, std::uint32_t joint) {
   return low < springs.below_count && springs.below[low].first <= joint;
 }
 
-// Every joint that hangs below a chain of which something is shown; a chain's first joint, too.
+// Finds every joint in or below a chain that shows something.
 void find_below(const Skeleton& skeleton, Springs& springs) {
   springs.below_count = 0;
   for (std::uint32_t joint = 0; joint < skeleton.joint_count; ++joint) {
