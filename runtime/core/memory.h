@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/fixed.h"
 #include "marrow/span.h"
 
 namespace marrow {
@@ -19,7 +18,7 @@ struct Memory {
   // What is used, and what aligns the next piece.
   std::size_t whole() const { return (used + 15) / 16 * 16; }
   // Null if that is more than there is, or without any memory.
-  MARROW_CALLED_WHERE_SMALL std::byte* take_bytes(std::uint64_t bytes) {
+  std::byte* take_bytes(std::uint64_t bytes) {
     const std::size_t at = whole();
     if (at > most || bytes > most - at) {
       failed = true;

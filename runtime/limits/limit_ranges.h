@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "core/fixed.h"
 #include "marrow/limits.h"
 #include "math/wide.h"
 
@@ -26,7 +25,7 @@ inline HalfAngle operator-(const HalfAngle& a) {
 }
 
 // 1 up to three quarters of the way from `edge` to `end`; from there it falls to 0 at `end`.
-MARROW_CALLED_WHERE_SMALL inline float fade_out(float at, float edge, float end) {
+inline float fade_out(float at, float edge, float end) {
   const float left = 4.0f * (end - at), room = end - edge;
   return left >= room ? 1.0f : left > 0 ? left / room : 0.0f;
 }

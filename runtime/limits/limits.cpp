@@ -1,7 +1,6 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
@@ -12,12 +11,12 @@ namespace {
 
 enum Axis : std::uint8_t { kX, kY, kZ };
 
-MARROW_CALLED_WHERE_SMALL WideRotation about(Axis axis, const HalfAngle& a) {
+WideRotation about(Axis axis, const HalfAngle& a) {
   return {lanes(axis == kX ? a.sin : 0, axis == kY ? a.sin : 0, axis == kZ ? a.sin : 0, a.cos)};
 }
 
 // The turn about an axis, within the range, that is nearest to the rotation's own twist.
-MARROW_CALLED_WHERE_SMALL WideRotation nearest_about(Axis axis, const AngleRange& range, WideRotation t) {
+WideRotation nearest_about(Axis axis, const AngleRange& range, WideRotation t) {
   float q[4];
   store(q, t.v);
   const Twist twist = twist_of(q[axis], q[3]);
@@ -36,7 +35,7 @@ bool is_in_cone(float ry, float rz, const AngleRange& twist, WideRotation t) {
 WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   constexpr float kLeast = 1e-6f;  // a cone may be flat
   const float ry = greater(limit.angles[1].half_width, kLeast), rz = greater(limit.angles[2].half_width, kLeast);
-  if (!kSmall && is_in_cone(ry, rz, limit.angles[0], t)) return t;
+  if (is_in_cone(ry, rz, limit.angles[0], t)) return t;
   float swing[4];
   store(swing, (t * conjugate(about(kX, twist_of(first_lane(t.v), w_lane(t)).angle))).v);
   const float k = 1.0f / (1.0f + (swing[3] > 0 ? swing[3] : 0.0f));
@@ -75,7 +74,7 @@ WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   const float cos_y = sqrt(sin_z * sin_z + cos_z * cos_z);
   const HalfAngle second = half_of(2.0f * (w * y + x * z), cos_y), third = half_of(sin_z, cos_z);
   // Away from 90° the first angle is read off too; a rotation that is inside stays as it is.
-  if (!kSmall && cos_y > 0.1f && contains(angles[1], second, 1.0f) && contains(angles[2], third, 1.0f) &&
+  if (cos_y > 0.1f && contains(angles[1], second, 1.0f) && contains(angles[2], third, 1.0f) &&
       contains(angles[0], half_of(2.0f * (w * x - y * z), w * w - x * x - y * y + z * z), 1.0f))
     return t;
   constexpr float kQuarterTurn = 0.41421356f;  // 90°, as the tangent of a quarter

@@ -45,7 +45,7 @@ inline Vector3 origin(const Affine& a) {
   return column(a, 3);
 }
 // The same in one register.
-MARROW_OWN_WHERE_SMALL inline Vector<One> wide_origin(const Affine& a) {
+inline Vector<One> wide_origin(const Affine& a) {
   return {fourths(load_aligned(a.rows[0]), load_aligned(a.rows[1]), load_aligned(a.rows[2]))};
 }
 inline Linear<float> linear(const Affine& a) {

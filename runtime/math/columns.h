@@ -1,7 +1,6 @@
 // Affine maps by their columns, each in a register: quick to multiply in chains, for one joint at a time.
 #pragma once
 
-#include "core/fixed.h"
 #include "math/affine.h"
 #include "math/wide.h"
 
@@ -13,14 +12,14 @@ struct Columns {
   f32x4 origin;
 };
 
-MARROW_CALLED_WHERE_SMALL inline f32x4 turn(const Columns& m, f32x4 v) {
+inline f32x4 turn(const Columns& m, f32x4 v) {
   return m.axis[0] * splat_lane<0>(v) + m.axis[1] * splat_lane<1>(v) + m.axis[2] * splat_lane<2>(v);
 }
-MARROW_CALLED_WHERE_SMALL inline f32x4 transform(const Columns& m, f32x4 point) {
+inline f32x4 transform(const Columns& m, f32x4 point) {
   return turn(m, point) + m.origin;
 }
 // First b, then a: in `out`, which may be b.
-MARROW_CALLED_WHERE_SMALL inline void multiply(const Columns& a, const Columns& b, Columns& out) {
+inline void multiply(const Columns& a, const Columns& b, Columns& out) {
   const f32x4 x = turn(a, b.axis[0]), y = turn(a, b.axis[1]), z = turn(a, b.axis[2]), origin = transform(a, b.origin);
   out = {{x, y, z}, origin};
 }
@@ -32,7 +31,7 @@ inline Columns columns(const Affine& a) {
 }
 // The axes of a rotation, the bits of columns_of(): sums and differences of products, of which each axis has one of
 // either and one of the diagonal.
-MARROW_CALLED_WHERE_SMALL inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
+inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
   const f32x4 v = q.v, twice = v + v, squares = v * twice, products = v * rotated_xyz(twice);
   const f32x4 with_w = reordered<2, 0, 1, 3>(splat_lane<3>(v) * twice);
   f32x4 x = splat(1.0f) - (rotated_xyz(squares) + reordered<2, 0, 1, 3>(squares)), y = products + with_w,

@@ -8,14 +8,13 @@
 #include <cstddef>
 
 #include "core/builtins.h"
-#include "core/fixed.h"
 #include "math/lane.h"
 
 namespace marrow {
 
 // c[0] + y (c[1] + y (…)).
 template <class F>
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline F horner(const float* c, std::size_t count, F y) {
+inline F horner(const float* c, std::size_t count, F y) {
   F sum = all_lanes<F>(c[count - 1]);
   for (std::size_t i = count - 1; i-- > 0;) sum = all_lanes<F>(c[i]) + y * sum;
   return sum;
@@ -135,7 +134,7 @@ inline float power_of_two(float x) {
 //
 // e^x = 2^n e^f with n the whole number next to x log₂ e, f at most half of ln 2 either way; a minimax fit of degree 6
 // there, within 4.4e-9.
-MARROW_CALLED_WHERE_SMALL inline f32x4 exp_negative(f32x4 x) {
+inline f32x4 exp_negative(f32x4 x) {
   const f32x4 least = splat(-87.0f);
   x = select(x < least, least, x);
   constexpr float kLog2e = 1.44269504f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;

@@ -9,8 +9,6 @@
 #error "-ffast-math changes the bits of poses and takes NaN for a number: compile Marrow without it"
 #endif
 
-#include "core/fixed.h"
-
 #if !defined(MARROW_SCALAR) && (defined(__SSE2__) || defined(_M_X64))
 #include "math/f32x4_sse.h"
 #elif !defined(MARROW_SCALAR) && defined(__aarch64__)
@@ -41,7 +39,7 @@ inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
 
 #if !defined(MARROW_F32X4_SUMS)
 // Of each of three vectors the first three lanes, from left to right; then 0.
-MARROW_CALLED_WHERE_SMALL inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
+inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
   f32x4 none = splat(0.0f);
   transpose(x, y, z, none);
   return x + y + z;

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/fixed.h"
-
 namespace marrow {
 
 // Operands come from registers only.
@@ -147,7 +145,7 @@ inline f32x4 reordered(f32x4 a) {
   return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
 }
 // (x + y) + (z + w), in all lanes.
-MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
+inline f32x4 sum_of_lanes(f32x4 a) {
   const float32x4_t pairs = vpaddq_f32(a.v, a.v);
   return {vpaddq_f32(pairs, pairs)};
 }

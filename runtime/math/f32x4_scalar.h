@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "core/builtins.h"
-#include "core/fixed.h"
 
 namespace marrow {
 
@@ -137,7 +136,7 @@ inline f32x4 reordered(f32x4 a) {
   return {{a.v[X], a.v[Y], a.v[Z], a.v[W]}};
 }
 // (x + y) + (z + w), in all lanes.
-MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
+inline f32x4 sum_of_lanes(f32x4 a) {
   return splat((a.v[0] + a.v[1]) + (a.v[2] + a.v[3]));
 }
 // a.w, b.w, c.w, 0

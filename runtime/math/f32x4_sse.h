@@ -7,8 +7,6 @@
 #include <cstdint>
 #include <cstring>
 
-#include "core/fixed.h"
-
 namespace marrow {
 
 // Instructions take an operand from memory: what is used once need not be loaded first.
@@ -143,13 +141,13 @@ inline f32x4 reordered(f32x4 a) {
   return shuffled<_MM_SHUFFLE(W, Z, Y, X)>(a);
 }
 // (x + y) + (z + w), in all lanes.
-MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
+inline f32x4 sum_of_lanes(f32x4 a) {
   const f32x4 pairs = a + shuffled<_MM_SHUFFLE(2, 3, 0, 1)>(a);
   return pairs + shuffled<_MM_SHUFFLE(1, 0, 3, 2)>(pairs);
 }
 #define MARROW_F32X4_SUMS_THREE 1  // else f32x4.h does
 // As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
+inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
   const __m128 low = _mm_unpacklo_ps(a.v, b.v), high = _mm_unpackhi_ps(a.v, b.v);  // x, x, y, y; z, z, w, w
   const f32x4 x = {_mm_shuffle_ps(low, c.v, _MM_SHUFFLE(0, 0, 1, 0))},
               y = {_mm_shuffle_ps(low, c.v, _MM_SHUFFLE(1, 1, 3, 2))},
@@ -158,7 +156,7 @@ MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline f32x4 three_sums(f32x4 a
 }
 #define MARROW_F32X4_SUMS 1  // else f32x4.h does
 // Of each of three vectors the first three lanes, from left to right; then 0.
-MARROW_CALLED_WHERE_SMALL inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
+inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
   return without_w(three_sums(x, y, z));
 }
 // a.w, b.w, c.w, 0

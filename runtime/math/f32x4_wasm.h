@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/fixed.h"
-
 namespace marrow {
 
 // As on NEON.
@@ -133,7 +131,7 @@ inline f32x4 reordered(f32x4 a) {
   return {wasm_i32x4_shuffle(a.v, a.v, X, Y, Z, W)};
 }
 // (x + y) + (z + w), in all lanes.
-MARROW_OWN_WHERE_SMALL inline f32x4 sum_of_lanes(f32x4 a) {
+inline f32x4 sum_of_lanes(f32x4 a) {
   const f32x4 pairs = a + f32x4{wasm_i32x4_shuffle(a.v, a.v, 1, 0, 3, 2)};
   return pairs + f32x4{wasm_i32x4_shuffle(pairs.v, pairs.v, 2, 3, 0, 1)};
 }

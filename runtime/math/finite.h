@@ -4,7 +4,6 @@
 #include <cstddef>
 
 #include "core/builtins.h"
-#include "core/fixed.h"
 #include "math/f32x4.h"
 
 namespace marrow {
@@ -23,7 +22,7 @@ inline bool is_finite(double x) {
   return x - x == 0.0;
 }
 // All lanes. Infinities that meet in a sum leave nothing finite, so that a sum can stand for what was added.
-MARROW_CALLED_WHERE_SMALL inline bool all_finite(f32x4 x) {
+inline bool all_finite(f32x4 x) {
   return all(absolute(x) < splat(kInfinity));
 }
 inline bool all_finite(const float* values, std::size_t count) {

@@ -1,7 +1,6 @@
 // One joint of a pose.
 #pragma once
 
-#include "core/fixed.h"
 #include "marrow/span.h"
 #include "math/wide.h"
 
@@ -28,10 +27,10 @@ inline void set_rotation(Span<SoaTransform> pose, std::size_t joint, WideRotatio
   set_four_of_lane(&pose[joint / 4].rotation[0][joint % 4], q.v);
 }
 
-MARROW_CALLED_WHERE_SMALL inline f32x4 wide_translation_of(Span<const SoaTransform> pose, std::size_t joint) {
+inline f32x4 wide_translation_of(Span<const SoaTransform> pose, std::size_t joint) {
   return three_of_lane(&pose[joint / 4].translation[0][joint % 4]);
 }
-MARROW_CALLED_WHERE_SMALL inline f32x4 wide_scale_of(Span<const SoaTransform> pose, std::size_t joint) {
+inline f32x4 wide_scale_of(Span<const SoaTransform> pose, std::size_t joint) {
   return three_of_lane(&pose[joint / 4].scale[0][joint % 4]);
 }
 

@@ -3,8 +3,6 @@
 
 #include <cstddef>
 
-#include "core/fixed.h"
-
 namespace marrow {
 
 // Of numbers that ascend: i with values[i] ≤ x < values[i + 1], for values[0] ≤ x < values[last], by halving. Whatever
@@ -29,7 +27,7 @@ struct Moment {
   float span_s;     // to the next key; 0 outside the list
 };
 
-MARROW_CALLED_WHERE_SMALL inline Moment find_moment(const float* times_s, std::size_t count, float time_s) {
+inline Moment find_moment(const float* times_s, std::size_t count, float time_s) {
   if (count == 1 || !(times_s[0] < time_s)) return {0, 0.0f, 0.0f};
   if (!(time_s < times_s[count - 1])) return {count - 2, 1.0f, 0.0f};
   const std::size_t key = find_interval(times_s, count - 1, time_s);

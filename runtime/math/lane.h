@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/builtins.h"
-#include "core/fixed.h"
 #include "math/f32x4.h"
 
 namespace marrow {

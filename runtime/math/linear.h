@@ -22,7 +22,7 @@ template <class F>
 inline Vector<F> operator*(const Linear<F>& m, const Vector<F>& v) {
   return m.x * x_of(v) + m.y * y_of(v) + m.z * z_of(v);
 }
-MARROW_OWN_WHERE_SMALL inline Vector<One> operator*(const Linear<One>& m, Vector<One> v) {
+inline Vector<One> operator*(const Linear<One>& m, Vector<One> v) {
   return m.x * x_of(v) + m.y * y_of(v) + m.z * z_of(v);
 }
 template <class F>
@@ -34,7 +34,7 @@ template <class F>
 inline Vector<F> transposed_times(const Linear<F>& m, const Vector<F>& v) {
   return vector_of(dot(m.x, v), dot(m.y, v), dot(m.z, v));
 }
-MARROW_OWN_WHERE_SMALL inline Vector<One> transposed_times(const Linear<One>& m, Vector<One> v) {
+inline Vector<One> transposed_times(const Linear<One>& m, Vector<One> v) {
   return {sums(m.x.v * v.v, m.y.v * v.v, m.z.v * v.v)};
 }
 // aᵀ b

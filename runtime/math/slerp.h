@@ -1,8 +1,6 @@
 // Weights of spherical linear interpolation.
 #pragma once
 
-#include <type_traits>
-
 #include "math/elementary.h"
 
 namespace marrow {
@@ -16,11 +14,7 @@ struct SlerpWeights {
 // arc): sin((1-u) θ) / sin θ and sin(u θ) / sin θ with sin(θ/2) = |b - a| / 2, all as even functions of θ, which leaves
 // nothing to divide by zero at θ = 0. The angle is off by at most 4e-7 of itself.
 template <class F>
-MARROW_CALLED_WHERE_SMALL inline SlerpWeights<F> slerp_weights(F chord_squared, F u) {
-  if constexpr (kSmall && std::is_same_v<F, float>) {  // the same bits by what is there for four
-    const SlerpWeights<f32x4> four = slerp_weights(splat(chord_squared), splat(u));
-    return {first_lane(four.a), first_lane(four.b)};
-  }
+inline SlerpWeights<F> slerp_weights(F chord_squared, F u) {
   const F half = asinc_for_slerp(all_lanes<F>(0.25f) * chord_squared);
   const F angle_squared = chord_squared * half * half;
   const F v = all_lanes<F>(1.0f) - u;
@@ -38,7 +32,7 @@ struct SlerpSeries {
 };
 inline constexpr float kSlerpSeriesLimit = 0.054f;
 
-MARROW_CALLED_WHERE_SMALL inline SlerpSeries slerp_series(float u) {
+inline SlerpSeries slerp_series(float u) {
   const float u2 = u * u;
   const float c1 = u * ((1.0f - u2) / 6.0f);  // (k² - u²) / (2k (2k + 1)) for k = 1, 2
   const float c2 = c1 * ((4.0f - u2) / 20.0f);

@@ -65,11 +65,11 @@ inline Vector<F> by_component(const Vector<F>& a, const Vector<F>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class F>
-MARROW_OWN_WHERE_SMALL inline F dot(const Vector<F>& a, const Vector<F>& b) {
+inline F dot(const Vector<F>& a, const Vector<F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class F>
-MARROW_OWN_WHERE_SMALL inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
+inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class F>
@@ -129,10 +129,10 @@ inline Vector<One> operator*(Vector<One> a, One s) {
 inline Vector<One> by_component(Vector<One> a, Vector<One> b) {
   return {a.v * b.v};
 }
-MARROW_OWN_WHERE_SMALL inline One dot(Vector<One> a, Vector<One> b) {
+inline One dot(Vector<One> a, Vector<One> b) {
   return {sum_of_lanes(a.v * b.v)};
 }
-MARROW_OWN_WHERE_SMALL inline Vector<One> cross(Vector<One> a, Vector<One> b) {
+inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
 }
 [[gnu::always_inline]] inline Vector<One> select(bool m, Vector<One> yes, Vector<One> no) {  // as of One
@@ -171,7 +171,7 @@ inline Vector<One> without_w(Vector<One> a) {
 }
 
 template <class F>
-MARROW_OWN_WHERE_SMALL inline F inverse_root(F squared) {
+inline F inverse_root(F squared) {
   return inverse_root<false>(squared);
 }
 

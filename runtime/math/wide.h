@@ -2,7 +2,6 @@
 // vector is an f32x4 whose fourth lane is 0.
 #pragma once
 
-#include "core/fixed.h"
 #include "math/quaternion.h"
 
 namespace marrow {
@@ -28,23 +27,23 @@ inline f32x4 load_wide(const float* p) {
 inline f32x4 load_three(const float* p) {
   return load(p);
 }
-MARROW_CALLED_WHERE_SMALL inline void store_wide(float* to, f32x4 v) {
+inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }
 
 // One joint's numbers of four joints'.
-MARROW_CALLED_WHERE_SMALL inline f32x4 three_of_lane(const float* p) {
+inline f32x4 three_of_lane(const float* p) {
   return lanes(p[0], p[4], p[8], 0.0f);
 }
-MARROW_CALLED_WHERE_SMALL inline f32x4 four_of_lane(const float* p) {
+inline f32x4 four_of_lane(const float* p) {
   return lanes(p[0], p[4], p[8], p[12]);
 }
-MARROW_CALLED_WHERE_SMALL inline void set_three_of_lane(float* to, f32x4 v) {
+inline void set_three_of_lane(float* to, f32x4 v) {
   float f[4];
   store(f, v);
   for (int i = 0; i < 3; ++i) to[4 * i] = f[i];
 }
-MARROW_CALLED_WHERE_SMALL inline void set_four_of_lane(float* to, f32x4 v) {
+inline void set_four_of_lane(float* to, f32x4 v) {
   float f[4];
   store(f, v);
   for (int i = 0; i < 4; ++i) to[4 * i] = f[i];
@@ -62,13 +61,13 @@ inline float dot3(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
 }
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float squared3(f32x4 v) {
+inline float squared3(f32x4 v) {
   return dot3(v, v);
 }
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float length3(f32x4 v) {
+inline float length3(f32x4 v) {
   return sqrt(squared3(v));
 }
-MARROW_OWN_WHERE_SMALL inline f32x4 cross3(f32x4 a, f32x4 b) {
+inline f32x4 cross3(f32x4 a, f32x4 b) {
   return rotated_xyz(a * rotated_xyz(b) - rotated_xyz(a) * b);
 }
 // dot3() of three vectors, each with v.
@@ -76,16 +75,16 @@ inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
   return sums(of[0] * v, of[1] * v, of[2] * v);
 }
 // The part of v across a unit vector.
-MARROW_CALLED_WHERE_SMALL inline f32x4 across3(f32x4 v, f32x4 unit) {
+inline f32x4 across3(f32x4 v, f32x4 unit) {
   return v - unit * dot3(v, unit);
 }
 // Of unit length; `otherwise` if it is too short to have a direction, or not finite.
-MARROW_CALLED_WHERE_SMALL inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
+inline f32x4 unit3_or(f32x4 v, f32x4 otherwise) {
   const float squared = squared3(v);
   return has_direction(squared) ? v * (1.0f / sqrt(squared)) : otherwise;
 }
 // As any_across().
-MARROW_CALLED_WHERE_SMALL inline f32x4 any_across3(f32x4 v) {
+inline f32x4 any_across3(f32x4 v) {
   alignas(16) static constexpr float kAxes[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
   float s[4];
   store(s, v * v);
@@ -104,7 +103,7 @@ inline WideRotation quaternion(f32x4 axis, float w) {
 inline float w_lane(WideRotation q) {
   return first_lane(splat_lane<3>(q.v));
 }
-MARROW_CALLED_WHERE_SMALL MARROW_OWN_WHERE_SMALL inline float dot4(f32x4 a, f32x4 b) {
+inline float dot4(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p) + splat_lane<3>(p));
 }
@@ -128,12 +127,12 @@ inline WideRotation operator*(WideRotation a, WideRotation b) {
   return {first + second + third - fourth};
 }
 // Of unit length; the identity if it is too short, or not finite.
-MARROW_CALLED_WHERE_SMALL inline WideRotation normalised(WideRotation q) {
+inline WideRotation normalised(WideRotation q) {
   const float squared = dot4(q.v, q.v);
   return has_direction(squared) ? WideRotation{q.v * (1.0f / sqrt(squared))} : no_turn();
 }
 // v, turned.
-MARROW_CALLED_WHERE_SMALL inline f32x4 rotate(WideRotation q, f32x4 v) {
+inline f32x4 rotate(WideRotation q, f32x4 v) {
   const f32x4 half = cross3(q.v, v), t = half + half;
   return v + t * splat_lane<3>(q.v) + cross3(q.v, t);
 }
@@ -158,7 +157,7 @@ inline f32x4 log_of_shorter(WideRotation q) {
   return without_w(v) * (2.0f * ((1.57079633f - w * asinc_of_root(w * w)) * inverse_length(sine_squared)));
 }
 // As of Vector3: the rotation by |v| about v.
-MARROW_CALLED_WHERE_SMALL inline WideRotation exp_rotation(f32x4 v) {
+inline WideRotation exp_rotation(f32x4 v) {
   const f32x4 half = v * 0.5f;
   const float y = squared3(half);
   return quaternion(half * sinc_of_root(y), cos_of_root(y));

@@ -159,77 +159,9 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
   }
 }
 
-// Translation, rotation and scale are one array of vectors: three, four, three.
-constexpr std::size_t kVectors = sizeof(SoaTransform) / sizeof(float[4]);
-[[maybe_unused]] inline f32x4 vector_of(const SoaTransform& t, std::size_t i) {
-  return load_aligned(reinterpret_cast<const float*>(&t) + 4 * i);
-}
-[[maybe_unused]] inline void set_vector(SoaTransform& t, std::size_t i, f32x4 v) {
-  store(reinterpret_cast<float*>(&t) + 4 * i, v);
-}
-[[maybe_unused]] inline bool turns(std::size_t i) {
-  return i - 3 < 4;
-}
-[[maybe_unused, gnu::noinline]] f32x4 dot_of_rotations(const SoaTransform& a, const SoaTransform& b) {
-  f32x4 sum = vector_of(a, 3) * vector_of(b, 3);
-  for (std::size_t i = 4; i < 7; ++i) sum = sum + vector_of(a, i) * vector_of(b, i);
-  return sum;
-}
-
 // Over itself, too.
 inline void copy_pose(const SoaTransform* from, std::size_t groups, SoaTransform* to) {
   if (groups > 0) std::memmove(to, from, groups * sizeof(SoaTransform));  // else either may be null
-}
-
-// What blend_group, blend_even and blend_two do, in one loop, the same operations in the same order. Layers of weights
-// up to `none` do not count. even: weights are as parts of `first`; the rest pose has `missing`, and all are to be
-// multiplied by `share`.
-enum class Blending { any, even, two };
-struct SmallBlend {
-  Blending how;
-  float threshold;
-  float none = 0.0f;
-  float first = 0.0f, missing = 0.0f, share = 0.0f;
-};
-[[maybe_unused]] void blend_small(const SmallBlend& b, Span<const BlendLayer> layers, const Skeleton& skeleton,
-                                  SoaTransform* out) {
-  const f32x4 zero = splat(0.0f), least = splat(b.threshold);
-  const bool even = b.how == Blending::even;
-  const SoaTransform* rest = skeleton.rest;
-  for (std::size_t g = 0; g < skeleton.soa_size(); ++g, ++rest, ++out) {
-    SoaTransform sum;
-    for (std::size_t i = 0; i < kVectors; ++i)  // -0 and what is added are that, -0 too
-      set_vector(sum, i, splat(b.how == Blending::any ? 0.0f : -0.0f));
-    f32x4 total = zero, weight[2] = {zero, zero};
-    const auto add = [&](const SoaTransform& x, f32x4 w, bool is_first) {
-      const f32x4 turned = is_first ? w : flip(w, dot_of_rotations(x, sum));
-      for (std::size_t i = 0; i < kVectors; ++i)
-        set_vector(sum, i, vector_of(sum, i) + vector_of(x, i) * (turns(i) ? turned : w));
-      total = total + w;
-    };
-    bool is_first = b.how != Blending::any;
-    for (const BlendLayer& layer : layers) {
-      if (!(b.none < layer.weight)) continue;
-      const f32x4 w = factors(layer.mask, g) * splat(even ? layer.weight / b.first : layer.weight);
-      weight[is_first ? 0 : 1] = w;
-      add(layer.pose[g], w, is_first);
-      is_first = false;
-    }
-    const mask4 short_of = total < least;
-    const bool misses = even ? 0.0f < b.missing : any(short_of);
-    if (misses) add(*rest, even ? splat(b.missing / b.first) : select(short_of, least - total, zero), false);
-    const f32x4 factor = even ? splat(b.share) : splat(1.0f) / total,
-                unit = splat(1.0f) / sqrt(dot_of_rotations(sum, sum));
-    const f32x4 u = weight[0] / total, v = weight[1] / total;
-    for (std::size_t i = 0; i < kVectors; ++i) {
-      f32x4 mixed = vector_of(sum, i) * (turns(i) ? unit : factor);
-      if (b.how == Blending::two && !turns(i)) {
-        const f32x4 x = vector_of(layers[0].pose[g], i), y = vector_of(layers[1].pose[g], i), r = vector_of(*rest, i);
-        mixed = misses ? r + (x - r) * u + (y - r) * v : x + (y - x) * v;
-      }
-      set_vector(*out, i, mixed);
-    }
-  }
 }
 
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
@@ -238,37 +170,6 @@ void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransfo
   if (layers.count == 3) return blend_even(Fixed<3u>(), layers, groups, out);
   if (layers.count == 4) return blend_even(Fixed<4u>(), layers, groups, out);
   blend_even(Fixed<5u>(), layers, groups, out);  // four and the rest pose
-}
-
-// Chooses among the three.
-[[maybe_unused]] inline void blend_as_needed(const Skeleton& skeleton, Span<const BlendLayer> layers, bool two,
-                                             bool masked, float total, float least, float threshold,
-                                             SoaTransform* out) {
-  SmallBlend b = {.how = two ? Blending::two : Blending::any, .threshold = threshold};
-  if (!masked) {
-    const SoaTransform* only = skeleton.rest;
-    std::size_t count = 0;
-    float sum = 0.0f;
-    for (const BlendLayer& layer : layers) {
-      if (!(layer.weight > least)) continue;
-      if (count++ == 0) {
-        b.first = layer.weight;
-        only = layer.pose.data;
-      }
-      sum += layer.weight / b.first;
-    }
-    if (count <= FewLayers::kMost) {
-      b.how = Blending::even;
-      b.none = least;
-      if (total < threshold) {
-        b.missing = threshold - total;
-        if (count++ > 0) sum += b.missing / b.first;
-      }
-      if (count == 1) return copy_pose(only, skeleton.soa_size(), out);
-      b.share = 1.0f / sum;
-    }
-  }
-  blend_small(b, layers, skeleton, out);
 }
 
 // Weights below this part of the whole do not show in a float, and would make ratios too large.
@@ -294,10 +195,6 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
   const bool two = masked && layers.size == 2 && layers[0].weight > 0.0f && layers[1].weight > 0.0f;
   // The rest pose makes up for what is missing.
   const float least = kNegligible * (total < threshold ? threshold : total);
-  if constexpr (kSmall) {
-    blend_as_needed(skeleton, layers, two, masked, total, least, threshold, out.data);
-    return Status::ok;
-  }
   if (two) {
     blend_two(MaskedLayer(layers[0]), MaskedLayer(layers[1]), skeleton.rest, threshold, groups, out.data);
     return Status::ok;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "asset/format.h"
-#include "core/fixed.h"
 #include "core/opaque.h"
 #include "math/f32x4.h"
 #include "math/slerp.h"
@@ -79,24 +78,15 @@ inline void widen(const LaneTables& t, i32x4 ab, i32x4 cd, i32x4 (&out)[4]) {
   out[3] = zw & high;
 }
 
-// Writes the lanes in `lanes` of `count` components.
-template <class Count>
-MARROW_CALLED_WHERE_SMALL inline void store_some(const LaneTables& t, const f32x4* value, Count count,
-                                                 std::uint32_t lanes, float (*to)[4]) {
+// Writes the lanes in `lanes`.
+template <std::size_t N>
+inline void store_lanes(const LaneTables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
   if (lanes == 15) {
-    for (std::size_t i = 0; i < count; ++i) store(to[i], value[i]);
+    for (std::size_t i = 0; i < N; ++i) store(to[i], value[i]);
     return;
   }
   const mask4 mask = load_mask(t.lanes[lanes]);
-  for (std::size_t i = 0; i < count; ++i) store(to[i], mask, value[i]);
-}
-template <std::size_t N>
-inline void store_lanes(const LaneTables& t, const f32x4 (&value)[N], std::uint32_t lanes, float (&to)[N][4]) {
-  if constexpr (kSmall) {
-    store_some(t, value, N, lanes, to);
-  } else {
-    store_some(t, value, Fixed<N>(), lanes, to);
-  }
+  for (std::size_t i = 0; i < N; ++i) store(to[i], mask, value[i]);
 }
 
 }  // namespace marrow

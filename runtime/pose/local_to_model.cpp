@@ -1,7 +1,6 @@
 #include "marrow/local_to_model.h"
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
@@ -46,12 +45,11 @@ void transform_some(const Skeleton& skeleton, const SoaTransform* local, std::ui
 void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
                       Affine* out) {
   std::uint32_t joint = first;
-  while (joint < end && (kSmall || joint % 4 != 0 || joint < skeleton.root_count)) {
+  while (joint < end && (joint % 4 != 0 || joint < skeleton.root_count)) {
     const std::uint32_t group_end = joint / 4 * 4 + 4, stop = group_end < end ? group_end : end;
     transform_some(skeleton, local, joint, stop, out);
     joint = stop;
   }
-  if constexpr (kSmall) return;
   const std::uint16_t* above = skeleton.parents + joint;
   const SoaTransform* group = local + joint / 4;
   for (; joint + 4 <= end; joint += 4, above += 4, ++group) {

@@ -64,9 +64,7 @@ void sample_track(const Clip& clip, const Track& track, const Moment& m, SoaTran
   const bool turns = track.path == TrackPath::rotation;
   const std::size_t n = turns ? 4 : 3;
   float value[4];
-  if constexpr (kSmall) {
-    mix_keys(track.interpolation, turns, m, keys, track.key_count, n, value);
-  } else if (turns) {
+  if (turns) {
     mix_keys(track.interpolation, true, m, keys, track.key_count, Fixed<std::size_t{4}>(), value);
   } else {
     mix_keys(track.interpolation, false, m, keys, track.key_count, Fixed<std::size_t{3}>(), value);

@@ -3,7 +3,6 @@
 #include <cstring>
 #include <utility>
 
-#include "core/fixed.h"
 #include "core/opaque.h"
 #include "math/keys.h"
 #include "math/slerp.h"
@@ -15,7 +14,7 @@ namespace {
 
 // In place of a step, which is above 0: the two frames are alike.
 constexpr float kAlike = -1.0f;
-[[maybe_unused]] inline bool are_alike(const FramePair& two) {
+inline bool are_alike(const FramePair& two) {
   std::int32_t bits;
   std::memcpy(&bits, two.step, sizeof bits);
   return bits < 0;
@@ -24,7 +23,7 @@ constexpr float kAlike = -1.0f;
 // Whether it is to be written to the pose at once: it is alike, and was not. kFollows: what was kept is of the frame
 // before, whose later one is the earlier now.
 template <bool kFollows>
-[[maybe_unused]] inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
+inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
   const f32x4(&a)[3] = four.frame[0], (&b)[3] = four.frame[1];
   const f32x4 x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
   const bool alike = !any(splat(0.0f) < x * x + y * y + z * z);
@@ -44,18 +43,15 @@ struct Rotations {
   bool alike;  // all lanes are the same in both frames
 };
 
-// Of a frame of `four`, an Unpacked or a FramePair. Returns the factor.
-template <class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline f32x4 rodrigues(const LaneTables& t, const Four& four, std::uint32_t frame,
-                                                      f32x4 (&m)[3]) {
-  const f32x4 step = lanes_of(four.step);
-  for (int c = 0; c < 3; ++c) m[c] = (lanes_of(four.frame[frame][c]) + lanes_of(four.other[c])) * step;
+// Of a frame of `four`. Returns the factor.
+[[gnu::always_inline]] inline f32x4 rodrigues(const LaneTables& t, const Unpacked& four, std::uint32_t frame,
+                                              f32x4 (&m)[3]) {
+  for (int c = 0; c < 3; ++c) m[c] = (four.frame[frame][c] + four.other[c]) * four.step;
   return load_aligned(t.two) / (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + load_aligned(t.one));
 }
 
 // Of rotations whose `a` and `factor_a` are there.
-template <class Four>
-MARROW_CALLED_ONLY_WHERE_SMALL inline void later_rotations(const LaneTables& t, const Four& four, Rotations& out) {
+[[gnu::always_inline]] inline void later_rotations(const LaneTables& t, const Unpacked& four, Rotations& out) {
   out.factor_b = rodrigues(t, four, 1, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
   const f32x4 x = out.a[0] - out.b[0], y = out.a[1] - out.b[1], z = out.a[2] - out.b[2];
@@ -65,7 +61,7 @@ MARROW_CALLED_ONLY_WHERE_SMALL inline void later_rotations(const LaneTables& t, 
 }
 
 template <bool kFollows>
-[[gnu::always_inline, maybe_unused]] inline bool keep(const Rotations& r, std::uint32_t first, FramePair& to) {
+[[gnu::always_inline]] inline bool keep(const Rotations& r, std::uint32_t first, FramePair& to) {
   if (kFollows && r.alike && are_alike(to)) return false;
   if constexpr (!kFollows) {
     store_frame(r.a, numbers_of(to, first));
@@ -94,15 +90,15 @@ struct FrameBlend {
     const mask4 far = splat(2.0f) < chord_squared;
     const auto [earlier, after] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
     const f32x4 later = select(far, splat(0.0f) - after, after);
-    if (!kSmall && blend.swapped) return {later, earlier};
+    if (blend.swapped) return {later, earlier};
     return {earlier, later};
   }
   return {slerp_weight(blend.a, chord_squared), slerp_weight(blend.b, chord_squared)};
 }
 
 // A blend of two equal ones would round as the time says.
-MARROW_CALLED_ONLY_WHERE_SMALL inline SlerpWeights<f32x4> weights(const LaneTables& t, const Rotations& two,
-                                                                  const FrameBlend& blend) {
+[[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const LaneTables& t, const Rotations& two,
+                                                          const FrameBlend& blend) {
   if (two.alike) return {load_aligned(t.one), splat(0.0f)};
   return weights(t, two.chord_squared, blend);
 }
@@ -143,31 +139,12 @@ struct Moving {
   const FrameBlend& blend;
   FramePair *kept, *kept_last;  // one a kind and group, and the last that there is memory for; null: none is kept
   std::uint32_t first;          // which of the two in a FramePair is the earlier
-  bool is_kept;                 // by an earlier call
 };
 
-[[gnu::noinline, maybe_unused]] void blend_kept(const FrameBlend& blend, const FramePair& two, std::uint32_t kind,
-                                                const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
-  const LaneTables& t = lane_tables();
-  if (kind == 0) {
-    Rotations r;
-    r.factor_a = rodrigues(t, two, 0, r.a);
-    later_rotations(t, two, r);
-    return rotate_rest(t, r, weights(t, r, blend), rest.rotation, lanes, out.rotation);
-  }
-  add_to_rest(t, two, 0, blend.u, kind == 2 ? rest.scale : rest.translation, lanes,
-              kind == 2 ? out.scale : out.translation);
-}
-
-// Which of two frames are unpacked into a cache's memory. The later alone, if what is kept there is of the frame
-// before, of the same segment. Where code is small set_moving() does not ask.
-enum class Keeps { none, both, later };
-
-// Unpacks, and writes to the pose what is not kept, or is alike from now on; where code is small, all. One loop for all
-// kinds, since they are unpacked alike.
-template <Keeps kKeeps>
+// Unpacks both frames, or the later alone if what is kept is of the frame before, of the same segment. Writes to the
+// pose what is not kept, or is alike from now on. One loop for all kinds, since they are unpacked alike.
+template <bool kFollows>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
-  constexpr bool kFollows = kKeeps == Keeps::later;
   const LaneTables& t = lane_tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
@@ -176,44 +153,36 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
     std::uint32_t moving = masks->moving;
     if (moving == 0) continue;
-    const std::uint32_t wanted = kKeeps != Keeps::none ? 15u : wanted_lanes(m.options, g);
+    const std::uint32_t wanted = kFollows ? 15u : wanted_lanes(m.options, g);
     for (std::uint32_t kind = 0; moving != 0; ++kind, moving >>= 4) {
       const std::uint32_t tracks = moving & 15u, lanes = tracks & wanted;
       if (tracks == 0) continue;
-      if (!kSmall && lanes == 0) {
+      if (lanes == 0) {
         skip(cursor, tracks);
         continue;
       }
       // Only if a clip passes for another one by its id, as a file might that was made for that.
       if (pair > m.kept_last) [[unlikely]]
         return;
-      if constexpr (kSmall) {
-        FramePair one;
-        FramePair& two = pair != nullptr ? *pair : one;
-        if (!m.is_kept) unpack_each(cursor, tracks, two);
-        blend_kept(m.blend, two, kind, *rest, lanes, *out);
-        if (pair != nullptr) ++pair;
-      } else {
-        Unpacked four;
-        unpack<kFollows>(cursor, t, tracks, four);
-        if (kind == 0) {
-          Rotations two;
-          if constexpr (kFollows) {
-            load_frame(numbers_of(*pair, m.first), two.a);
-            two.factor_a = load_aligned(pair->other[m.first]);
-          } else {
-            two.factor_a = rodrigues(t, four, 0, two.a);
-          }
-          later_rotations(t, four, two);
-          if (kKeeps != Keeps::none && !keep<kFollows>(two, m.first, *pair++)) continue;
-          rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
+      Unpacked four;
+      unpack<kFollows>(cursor, t, tracks, four);
+      if (kind == 0) {
+        Rotations two;
+        if constexpr (kFollows) {
+          load_frame(numbers_of(*pair, m.first), two.a);
+          two.factor_a = load_aligned(pair->other[m.first]);
         } else {
-          if constexpr (kFollows) load_frame(numbers_of(*pair, m.first), four.frame[0]);
-          if (kKeeps != Keeps::none && !keep<kFollows>(four, m.first, *pair++)) continue;
-          const bool scales = kind == 2;
-          add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
-                      scales ? out->scale : out->translation);
+          two.factor_a = rodrigues(t, four, 0, two.a);
         }
+        later_rotations(t, four, two);
+        if (pair != nullptr && !keep<kFollows>(two, m.first, *pair++)) continue;
+        rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
+      } else {
+        if constexpr (kFollows) load_frame(numbers_of(*pair, m.first), four.frame[0]);
+        if (pair != nullptr && !keep<kFollows>(four, m.first, *pair++)) continue;
+        const bool scales = kind == 2;
+        add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+                    scales ? out->scale : out->translation);
       }
     }
   }
@@ -221,7 +190,7 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
 
 // Of frames that are kept: all joints. What is alike in both stands there already. A loop of its own: processors do not
 // see far enough ahead to unpack a group while they blend the one before.
-[[maybe_unused]] void set_kept(const Moving& m, SoaTransform* out) {
+void set_kept(const Moving& m, SoaTransform* out) {
   const LaneTables& t = lane_tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
@@ -304,20 +273,18 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
   const FrameBlend blend(place.between);
-  const Moving moving = {skeleton, coded, options, blend, kept, last, place.frame % 2, is_kept};
-  if (kSmall || !is_kept) {
+  const Moving moving = {skeleton, coded, options, blend, kept, last, place.frame % 2};
+  if (!is_kept) {
     const bool follows = kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
-    const std::uint32_t from = !kSmall && follows ? in_segment + 1 : in_segment;
+    const std::uint32_t from = follows ? in_segment + 1 : in_segment;
     TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, from);
-    if (kSmall || kept == nullptr) {
-      set_moving<Keeps::none>(moving, cursor, out);
-    } else if (follows) {
-      set_moving<Keeps::later>(moving, cursor, out);
+    if (follows) {
+      set_moving<true>(moving, cursor, out);
     } else {
-      set_moving<Keeps::both>(moving, cursor, out);
+      set_moving<false>(moving, cursor, out);
     }
   }
-  if (!kSmall && kept != nullptr) set_kept(moving, out);
+  if (kept != nullptr) set_kept(moving, out);
   if (cache != nullptr) cache->frame = place.frame;
 }
 

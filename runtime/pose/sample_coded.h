@@ -1,14 +1,13 @@
 // Coded tracks at a time → local transforms; the part of `sample` that unpacks.
 #pragma once
 
-#include "core/fixed.h"
 #include "marrow/sample.h"
 #include "math/f32x4.h"
 
 namespace marrow {
 
 // The joints of a group of four that are asked for, one bit each.
-MARROW_CALLED_WHERE_SMALL inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t group) {
+inline std::uint32_t wanted_lanes(const SampleOptions& options, std::size_t group) {
   return options.joints.empty() ? 15u : options.joints[group / 8] >> (4 * (group % 8)) & 15u;
 }
 
@@ -24,7 +23,7 @@ void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform
 
 // All are copied faster than by a call for a few hundred bytes.
 inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
-  if (kSmall || lanes != 15) return copy_some_lanes(from, lanes, to);
+  if (lanes != 15) return copy_some_lanes(from, lanes, to);
   copy(from.translation, to.translation);
   copy(from.rotation, to.rotation);
   copy(from.scale, to.scale);
@@ -32,7 +31,6 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
 
 // Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended. An even frame stands in
 // frame[0], an odd one in frame[1], so that both stay where they are when the later one becomes the earlier.
-// Where code is small frame[0] is the earlier.
 //   rotations  modified Rodrigues parameters m; factors 2 / (1 + m²) of the even and the odd frame, and the squared
 //              chord between the two
 //   others     integers; the least x, y and z, which are to be added to them; the step

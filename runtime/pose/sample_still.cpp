@@ -1,42 +1,12 @@
 #include <cstring>
 
 #include "asset/format.h"
-#include "core/fixed.h"
 #include "math/f32x4.h"
 #include "pose/coded_lanes.h"
 #include "pose/sample_coded.h"
 
 namespace marrow {
 namespace {
-
-// What does not move: the rest pose, over it the constants. One number after the other, in a fifth of the code.
-[[maybe_unused]] void set_still_each(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
-                                     SoaTransform* out) {
-  const std::byte* next = coded.constants;
-  for (std::size_t g = 0; g < skeleton.soa_size(); ++g) {
-    const std::uint32_t wanted = wanted_lanes(options, g);
-    const SoaTransform& rest = skeleton.rest[g];
-    copy_some_lanes(rest, wanted, out[g]);
-    for (std::uint32_t i = 0, bits = coded.frame_count != 0 ? coded.masks[g].constant : 0u; bits != 0;
-         ++i, bits >>= 1) {
-      if ((bits & 1u) == 0) continue;
-      format::Constant c;
-      std::memcpy(&c, next, sizeof c);
-      next += sizeof c;
-      const std::uint32_t lane = i % 4;
-      if ((wanted >> lane & 1u) == 0) continue;
-      float v[4];
-      for (int k = 0; k < 4; ++k) v[k] = static_cast<float>(c.v[k]);
-      if (i < 4) {
-        const float inverse = 1.0f / square_root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + v[3] * v[3]);
-        for (int k = 0; k < 4; ++k) out[g].rotation[k][lane] = v[k] * inverse;
-      } else {
-        const float step = format::step_size(static_cast<std::uint32_t>(c.v[3]));
-        for (int k = 0; k < 3; ++k) (i < 8 ? out[g].translation : out[g].scale)[k][lane] += v[k] * step;
-      }
-    }
-  }
-}
 
 // Of the next constants, one for each lane in `lanes`, those of the lanes `first` and `first` + 1.
 inline i32x4 two_constants(const LaneTables& t, const std::byte* next, std::uint32_t lanes, std::uint32_t first) {
@@ -65,9 +35,9 @@ inline void set_vectors(const LaneTables& t, i32x4 ab, i32x4 cd, const float (&r
               lanes, vector);
 }
 
-// The same four numbers at a time.
-[[maybe_unused]] void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
-                                      SoaTransform* out) {
+// What does not move: the rest pose, over it the constants, four numbers at a time.
+void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
+                     SoaTransform* out) {
   const LaneTables& t = lane_tables();
   const std::byte* next = coded.constants;
   const GroupMasks* masks = coded.masks;
@@ -118,7 +88,6 @@ void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform
 }
 
 void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out) {
-  if (kSmall) return set_still_each(skeleton, coded, options, out);
   if (coded.frame_count != 0) return set_still_coded(skeleton, coded, options, out);
   for (std::size_t g = 0; g < skeleton.soa_size(); ++g) copy_lanes(skeleton.rest[g], wanted_lanes(options, g), out[g]);
 }

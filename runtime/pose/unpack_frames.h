@@ -37,36 +37,6 @@ inline void skip(TrackCursor& cursor, std::uint32_t lanes) {
   }
 }
 
-// The next tracks, one for each lane in `lanes`, into `out`. One number after the other, in a fifth of the code.
-[[gnu::noinline, maybe_unused]] static void unpack_each(TrackCursor& cursor, std::uint32_t lanes, FramePair& out) {
-  out = {};
-  std::uint64_t bit = cursor.bit_times_16 / 16;
-  for (std::uint32_t lane = 0; lane < 4; ++lane) {
-    if ((lanes >> lane & 1u) == 0) continue;
-    format::TrackHeader h;
-    std::memcpy(&h, cursor.header, sizeof h);
-    cursor.header += sizeof h;
-    std::uint32_t codes = h.codes[0] | std::uint32_t{h.codes[1]} << 8;
-    const std::uint32_t shift = codes & 15u;
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      codes >>= 4;
-      const std::uint32_t width = format::component_bits(codes & 15u);
-      const std::byte* const first = cursor.record + bit / 8;
-      const auto number_at = [&](const std::byte* place) {
-        std::uint32_t word;
-        std::memcpy(&word, place, sizeof word);
-        return static_cast<float>(static_cast<std::int32_t>(word >> bit % 8 & ((1u << width) - 1)));
-      };
-      out.frame[0][c][lane] = number_at(first);
-      out.frame[1][c][lane] = number_at(first + cursor.frame_bytes);
-      out.other[c][lane] = static_cast<float>(std::int32_t{h.least[c]} << shift);
-      bit += width;
-    }
-    out.step[lane] = format::step_size(h.step);
-  }
-  cursor.bit_times_16 = bit * 16;
-}
-
 // A FramePair of integers in registers, the earlier frame first.
 struct Unpacked {
   f32x4 frame[2][3], other[3], step;
@@ -126,8 +96,8 @@ struct TwoLanes {
   i32x4 c[3];
 };
 
-// The same four numbers at a time, into registers. What a lane without a track gets is the same in all frames.
-// kLater: of the later frame alone, at which the cursor stands.
+// The next tracks, one for each lane in `lanes`, four numbers at a time into registers. What a lane without a track
+// gets is the same in all frames. kLater: of the later frame alone, at which the cursor stands.
 template <bool kLater>
 [[gnu::always_inline]] inline void unpack(TrackCursor& cursor, const LaneTables& t, std::uint32_t lanes,
                                           Unpacked& out) {

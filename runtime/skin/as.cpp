@@ -22,24 +22,24 @@ inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to)
 }
 
 // What the last joint makes of a vector.
-MARROW_CALLED_ONLY_WHERE_SMALL inline Vector<f32x4> turned(const Blend& last, const float* q) {
+[[gnu::always_inline]] inline Vector<f32x4> turned(const Blend& last, const float* q) {
   return turn(last, load_anywhere(q));
 }
 // And of what follows the others, each `stride` floats behind the one before.
-MARROW_CALLED_ONLY_WHERE_SMALL inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
-                                                      const float* q, std::size_t stride, Vector<f32x4>& to) {
+[[gnu::always_inline]] inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints, const float* q,
+                                              std::size_t stride, Vector<f32x4>& to) {
   for (std::uint32_t j = 0; j + 1 < influences; ++j, q += stride) add_turned(joints.others[j], q, to);
 }
 
 class AnimationSpace {
  public:
-  static constexpr bool kHasKernels = true;
+  static constexpr bool kFixedDirections = true, kFixedInfluences = true;
 
   template <class D, class Count>
   [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
                                          const Affine* palette, Cursor& at) {
     JointSet<Row<D, Count>> joints(set, influences, palette);
-    const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
+    const f32x4 mirror = directions == Directions::blended_tangents ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks) {
       joints.stay(directions, influences);
       Blend m = joints.last;
@@ -87,10 +87,9 @@ class WithTangents {
  public:
   explicit WithTangents(const float* tangents) : tangents_(tangents) {}
 
-  static constexpr bool kHasKernels = false;
+  static constexpr bool kFixedDirections = false, kFixedInfluences = false;
 
-  template <class D>
-  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+  [[gnu::always_inline]] void run(Directions directions, std::uint32_t influences, const std::uint16_t* set,
                                   std::uint32_t blocks, const Affine* palette, Cursor& at) {
     JointSet<Factors> joints(set, influences, palette);
     const f32x4 mirror = determinant(joints.last);
@@ -106,17 +105,16 @@ class WithTangents {
       at.stream += 16 * influences - 4;
       tau += 32 * influences - 8;
       at.out_positions += 12;
-      write(directions, t0, t1, mirror, at);
+      write(t0, t1, mirror, at);
     }
     tangents_ = tau;
   }
 
  private:
-  template <class D>
-  static void write(D directions, const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
+  static void write(const Vector<f32x4>& t0, const Vector<f32x4>& t1, f32x4 mirror, Cursor& at) {
     store_normals(at.out_normals, cross(t0, t1), mirror);
     at.out_normals += 12;
-    if (has_tangents(directions)) {
+    if (at.out_tangents != nullptr) {
       store_tangents(at.out_tangents, normalised(t0), at.tangents, mirror);
       at.tangents += 16;
       at.out_tangents += 16;

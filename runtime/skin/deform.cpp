@@ -16,10 +16,9 @@ BadCall check_deform(const Mesh& mesh, Span<const Affine> palette, const SkinOut
 }
 
 Directions directions_of(const SkinOutput& out) {
-  const bool exact = out.normal_transform == NormalTransform::inverse_transpose;
   if (out.normals.empty()) return Directions::none;
-  if (out.tangents.empty()) return exact ? Directions::exact_normals : Directions::blended_normals;
-  return exact ? Directions::exact_tangents : Directions::blended_tangents;
+  if (out.normal_transform == NormalTransform::inverse_transpose) return Directions::exact;
+  return out.tangents.empty() ? Directions::blended_normals : Directions::blended_tangents;
 }
 
 }  // namespace marrow

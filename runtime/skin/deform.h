@@ -21,15 +21,8 @@ inline void store_xyz(float* to, const Vector<f32x4>& v) {
   store_xyz(to, v.x, v.y, v.z);
 }
 
-// What a kernel writes beside positions. It is told that by a Fixed<…>, which makes a kernel for each, or by a number.
-enum class Directions { none, blended_normals, blended_tangents, exact_normals, exact_tangents };
-
-constexpr bool has_tangents(Directions d) {
-  return d == Directions::blended_tangents || d == Directions::exact_tangents;
-}
-constexpr bool is_exact(Directions d) {
-  return d == Directions::exact_normals || d == Directions::exact_tangents;
-}
+// What is written beside positions. exact: normals, and tangents if they are asked for.
+enum class Directions { none, blended_normals, blended_tangents, exact };
 
 // Where a kernel reads and writes; it leaves them behind the run.
 struct Cursor {
@@ -38,16 +31,15 @@ struct Cursor {
   const float* tangents;
   float* out_positions;
   float* out_normals;
-  float* out_tangents;
+  float* out_tangents;  // null: there are none
 };
 
 // Of unit length, turned round where `mirror` is negative.
-MARROW_CALLED_WHERE_SMALL inline void store_normals(float* out, const Vector<f32x4>& n, f32x4 mirror) {
+inline void store_normals(float* out, const Vector<f32x4>& n, f32x4 mirror) {
   store_xyz(out, n * flip(inverse_length(dot(n, n)), mirror));
 }
 // With the handedness that a block of tangents has, the other where `mirror` is negative.
-MARROW_CALLED_WHERE_SMALL inline void store_tangents(float* out, const Vector<f32x4>& t, const float* tangents,
-                                                     f32x4 mirror) {
+inline void store_tangents(float* out, const Vector<f32x4>& t, const float* tangents, f32x4 mirror) {
   store_xyzw(out, t.x, t.y, t.z, flip(load_aligned(tangents + 12), mirror));
 }
 
@@ -65,16 +57,16 @@ template <class D>
 inline void write_directions(D directions, const Blend& m, f32x4 mirror, Cursor& at) {
   if (directions == Directions::none) return;
   f32x4 det = mirror;
-  if (is_exact(directions)) {
+  if (directions == Directions::exact) {
     det = write_exact_normals(m, at.normals, at.out_normals);
   } else {
     store_xyz(at.out_normals, turn(m, load_block(at.normals)));
   }
   at.normals += 12;
   at.out_normals += 12;
-  if (has_tangents(directions)) {
+  if (directions == Directions::blended_tangents || (directions == Directions::exact && at.out_tangents != nullptr)) {
     const Vector<f32x4> t = turn(m, load_block(at.tangents));
-    store_tangents(at.out_tangents, is_exact(directions) ? normalised(t) : t, at.tangents, det);
+    store_tangents(at.out_tangents, directions == Directions::exact ? normalised(t) : t, at.tangents, det);
     at.tangents += 16;
     at.out_tangents += 16;
   }
@@ -96,24 +88,22 @@ template <class D, class Count, class Deformer>
   return run;
 }
 
-// deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. influences:
-// any; with Deformer::kHasKernels a Fixed number up to 4.
+// deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. A
+// deformer has a kernel for each Fixed<…> of directions if it says kFixedDirections, and of up to four influences if it
+// says kFixedInfluences. Else it is told by a number.
 template <class D, class Deformer>
 void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {
-  Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out.tangents.data};
+  float* const out_tangents = out.tangents.empty() ? nullptr : out.tangents.data;
+  Cursor at{stream, g.normals, g.tangents, out.positions.data, out.normals.data, out_tangents};
   const std::uint16_t* set = g.sets;
   const Run *run = g.runs.begin(), *const end = g.runs.end();
-  [[maybe_unused]] const auto alike = [&](auto influences) {
+  const auto alike = [&](auto influences) {
     run = deform_alike(directions, influences, deformer, run, end, set, palette, at);
   };
   while (run < end) {
-    if constexpr (!Deformer::kHasKernels && !kSmall) {
+    if constexpr (!Deformer::kFixedInfluences) {
       alike(run->influences);
-    } else if constexpr (kSmall) {  // one run after the other
-      deformer.run(directions, run->influences, set, (run->vertex_count + 3) / 4, palette, at);
-      set += run->influences;
-      ++run;
     } else {
       switch (run->influences) {
         case 1:
@@ -153,9 +143,7 @@ BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette
   };
   using enum Directions;
   const Directions directions = directions_of(out);
-  if constexpr (kSmall) {
-    run(directions);
-  } else {
+  if constexpr (Deformer::kFixedDirections) {
     switch (directions) {
       case none:
         run(Fixed<none>());
@@ -166,13 +154,12 @@ BadCall deform(const Mesh& mesh, const float* stream, Span<const Affine> palette
       case blended_tangents:
         run(Fixed<blended_tangents>());
         break;
-      case exact_normals:
-        run(Fixed<exact_normals>());
-        break;
-      case exact_tangents:
-        run(Fixed<exact_tangents>());
+      case exact:
+        run(Fixed<exact>());
         break;
     }
+  } else {
+    run(directions);
   }
   return {};
 }

@@ -14,11 +14,15 @@ struct JointSet {
   Row others[kMaxInfluences - 1][3];  // rows
 
   template <class Count>
-  [[gnu::always_inline]] JointSet(const std::uint16_t* set, Count influences, const Affine* palette) {
-    if constexpr (kSmall) {
-      load_called(set, influences, palette);
-    } else {
-      load(set, influences, palette);
+  JointSet(const std::uint16_t* set, Count influences, const Affine* palette) {
+    const Affine& m = palette[set[influences - 1]];
+    const f32x4 a = load_aligned(m.rows[0]), b = load_aligned(m.rows[1]), c = load_aligned(m.rows[2]);
+    last = four_affines(splat_row(a), splat_row(b), splat_row(c));
+    for (std::uint32_t j = 0; j + 1 < influences; ++j) {
+      const Affine& other = palette[set[j]];
+      keep(load_aligned(other.rows[0]) - a, others[j][0]);
+      keep(load_aligned(other.rows[1]) - b, others[j][1]);
+      keep(load_aligned(other.rows[2]) - c, others[j][2]);
     }
   }
 
@@ -39,23 +43,6 @@ struct JointSet {
   }
 
  private:
-  // For all kernels alike.
-  [[gnu::noinline]] void load_called(const std::uint16_t* set, std::uint32_t influences, const Affine* palette) {
-    load(set, influences, palette);
-  }
-  template <class Count>
-  [[gnu::always_inline]] void load(const std::uint16_t* set, Count influences, const Affine* palette) {
-    const Affine& m = palette[set[influences - 1]];
-    const f32x4 a = load_aligned(m.rows[0]), b = load_aligned(m.rows[1]), c = load_aligned(m.rows[2]);
-    last = four_affines(splat_row(a), splat_row(b), splat_row(c));
-    for (std::uint32_t j = 0; j + 1 < influences; ++j) {
-      const Affine& other = palette[set[j]];
-      keep(load_aligned(other.rows[0]) - a, others[j][0]);
-      keep(load_aligned(other.rows[1]) - b, others[j][1]);
-      keep(load_aligned(other.rows[2]) - c, others[j][2]);
-    }
-  }
-
   static void keep(f32x4 row, f32x4& to) {
     to = row;
   }
@@ -69,15 +56,15 @@ inline f32x4 times(f32x4 v, f32x4 row) {
   return times<Lane>(v, factors(row));
 }
 
-MARROW_CALLED_WHERE_SMALL inline void add_scaled(Vector<f32x4>& v, f32x4& origin, f32x4 w, const Factors& row) {
+inline void add_scaled(Vector<f32x4>& v, f32x4& origin, f32x4 w, const Factors& row) {
   v = {v.x + times<0>(w, row), v.y + times<1>(w, row), v.z + times<2>(w, row)};
   origin = origin + times<3>(w, row);
 }
 
 // To four vertices' matrices, which are the last joint's before: the others by their weights, each `stride` floats
 // behind the one before.
-MARROW_CALLED_ONLY_WHERE_SMALL inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
-                                                      const float* weights, std::size_t stride, Blend& m) {
+[[gnu::always_inline]] inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
+                                              const float* weights, std::size_t stride, Blend& m) {
   for (std::uint32_t j = 0; j + 1 < influences; ++j, weights += stride) {
     const f32x4 w = load(weights);
     add_scaled(m.rows.x, m.origin.x, w, joints.others[j][0]);

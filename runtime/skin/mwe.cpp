@@ -20,10 +20,9 @@ class MultiWeight {
     for (int row = 0; row < 3; ++row) origin_[row] = load_aligned(root.rows[row]);
   }
 
-  static constexpr bool kHasKernels = false;
+  static constexpr bool kFixedDirections = false, kFixedInfluences = false;
 
-  template <class D>
-  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+  [[gnu::always_inline]] void run(Directions directions, std::uint32_t influences, const std::uint16_t* set,
                                   std::uint32_t blocks, const Affine* palette, Cursor& at) {
     Factors inside[kMaxInfluences][3];
     for (std::uint32_t j = 0; j < influences; ++j) load_inside(palette[set[j]], inside[j]);

@@ -2,7 +2,6 @@
 
 #include "core/builtins.h"
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/mark.h"
 #include "math/affine.h"
 #include "skin/helper.h"
@@ -50,7 +49,7 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
     multiply(scene_from_joint.data[joints.data[i]], bind.data[i], out.data[i]);
   };
   std::size_t i = 0;
-  for (; !kSmall && i + 4 <= joints.size; i += 4) {
+  for (; i + 4 <= joints.size; i += 4) {
     product(i);
     product(i + 1);
     product(i + 2);

@@ -71,15 +71,14 @@ class PoseSpaceSkin {
  public:
   PoseSpaceSkin(const Geometry& g, const float* distances) : examples_(g), distances_(distances) {}
 
-  static constexpr bool kHasKernels = false;
+  static constexpr bool kFixedDirections = false, kFixedInfluences = false;
 
-  template <class D>
-  [[gnu::always_inline]] void run(D directions, std::uint32_t influences, const std::uint16_t* set,
+  [[gnu::always_inline]] void run(Directions directions, std::uint32_t influences, const std::uint16_t* set,
                                   std::uint32_t blocks, const Affine* palette, Cursor& at) {
     const JointSet<Factors> joints(set, influences, palette);
     const std::size_t count = examples_.size();
     for (std::size_t k = 0; count > 0 && k <= count; ++k) from_[k].load(distances_, count + 1, k, set, influences);
-    const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
+    const f32x4 mirror = directions == Directions::blended_tangents ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks, ++block_) {
       const float* const weights = at.stream + 12;
       Vector<f32x4> v = load_block(at.stream);

@@ -32,7 +32,7 @@ FourJoints largest(const std::uint16_t* set, std::uint32_t influences, const flo
 }
 
 struct Rigid {
-  static constexpr bool kHasKernels = false;
+  static constexpr bool kFixedDirections = true, kFixedInfluences = false;
 
   template <class D>
   [[gnu::always_inline]] static void run(D directions, std::uint32_t influences, const std::uint16_t* set,
@@ -40,7 +40,7 @@ struct Rigid {
     Cursor at = cursor;
     if (influences == 1) {  // one matrix for the whole run
       const JointSet<Factors> joints(set, 1u, palette);
-      const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
+      const f32x4 mirror = directions == Directions::blended_tangents ? determinant(joints.last) : splat(1.0f);
       for (; blocks > 0; --blocks) write_block(directions, joints.last, mirror, 1, at);
     }
     for (; blocks > 0; --blocks) {

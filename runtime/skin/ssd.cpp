@@ -6,13 +6,13 @@ namespace marrow {
 namespace {
 
 struct Ssd {
-  static constexpr bool kHasKernels = true;
+  static constexpr bool kFixedDirections = true, kFixedInfluences = true;
 
   template <class D, class Count>
   [[gnu::always_inline]] static void run(D directions, Count influences, const std::uint16_t* set, std::uint32_t blocks,
                                          const Affine* palette, Cursor& at) {
     JointSet<Row<Count>> joints(set, influences, palette);
-    const f32x4 mirror = has_tangents(directions) ? determinant(joints.last) : splat(1.0f);
+    const f32x4 mirror = directions == Directions::blended_tangents ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks) {
       joints.stay(directions, influences);
       const float* const weights = at.stream + 12;

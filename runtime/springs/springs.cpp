@@ -38,9 +38,8 @@ f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
 
-MARROW_CALLED_WHERE_SMALL BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame,
-                                              const Springs& springs, Span<const SoaTransform> local,
-                                              Span<const Affine> scene_from_joint) {
+BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
+                    Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
   MARROW_CHECK(springs.joint_count == skeleton.joint_count);
   MARROW_CHECK(holds(local, skeleton.soa_size()));
   MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
@@ -109,7 +108,7 @@ f32x4 held_within(f32x4 v, f32x4 most) {
 
 // The velocity and the acceleration at both ends of this frame, of the curve of degree three through the places at them
 // whose velocity at the end is that of the parabola through the last three places.
-MARROW_CALLED_WHERE_SMALL void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
+void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
   const f32x4 mean = (position - load_wide(root.position)) * (1.0f / dt);
   f32x4 begin = load_wide(root.velocity), end = mean;
@@ -161,35 +160,27 @@ void prepare_root(SpringCall& call, SpringRoot& root) {
   root.world = call.frame.world_from_scene;
 }
 
-// The bones that go now: those of a group from `lane` on.
-struct SpringPlace {
-  SpringGroup& group;
-  int lane;
-
-  Vector<Number> vector(const float (&from)[3][4]) const { return Lanes::vector(from, lane); }
-  Number number(const float (&from)[4]) const { return Lanes::number(from, lane); }
-  std::uint16_t joint(int i) const { return group.joint[lane + i]; }
-  const SpringRoot& root(const SpringCall& call, int i) const { return call.springs.roots[group.root[lane + i]]; }
-};
-
-// They, in the animated pose, in the world.
-struct SpringBones {
-  Vector<Number> animated;  // unit, or 0
-  Number length, over_length;
-  bool begins[Lanes::kCount];  // a chain
-};
-
-Vector<Number> in_world(const SpringCall& call, const Vector<Number>& v) {
-  const f32x4(&axis)[3] = call.world.axis;
-  return Linear<Number>{Lanes::same(axis[0]), Lanes::same(axis[1]), Lanes::same(axis[2])} * v;
+const SpringRoot& root_of(const SpringCall& call, const SpringGroup& group, int i) {
+  return call.springs.roots[group.root[i]];
 }
 
-SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16_t& chain) {
-  f32x4 in_scene[Lanes::kCount];
+// The bones of a group, in the animated pose, in the world.
+struct SpringBones {
+  Vector<f32x4> animated;  // unit, or 0
+  f32x4 length, over_length;
+  bool begins[kLanes];  // a chain
+};
+
+Vector<f32x4> in_world(const SpringCall& call, const Vector<f32x4>& v) {
+  const f32x4(&axis)[3] = call.world.axis;
+  return Linear<f32x4>{in_all_lanes(axis[0]), in_all_lanes(axis[1]), in_all_lanes(axis[2])} * v;
+}
+
+SpringBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t& chain) {
+  f32x4 in_scene[kLanes];
   SpringBones out;
-  for (int i = 0; i < Lanes::kCount; ++i) {
-    const std::uint16_t joint = place.joint(i), end = place.group.end[place.lane + i],
-                        root = place.group.root[place.lane + i];
+  for (int i = 0; i < kLanes; ++i) {
+    const std::uint16_t joint = group.joint[i], end = group.end[i], root = group.root[i];
     in_scene[i] = splat(0.0f);
     out.begins[i] = false;
     if (joint == kNoBone) continue;
@@ -199,10 +190,10 @@ SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16
     out.begins[i] = root != chain;
     chain = root;
   }
-  const Vector<Number> bone = in_world(call, Lanes::vector(in_scene));
-  const Number squared = dot(bone, bone);
-  const Number shortest = number(kShortestBone_m * kShortestBone_m), longest = number(kLongestBone_m * kLongestBone_m);
-  const Number over = only_where(shortest < squared, only_where(squared < longest, inverse_length(squared)));
+  const Vector<f32x4> bone = in_world(call, join_vectors(in_scene));
+  const f32x4 squared = dot(bone, bone);
+  const f32x4 shortest = splat(kShortestBone_m * kShortestBone_m), longest = splat(kLongestBone_m * kLongestBone_m);
+  const f32x4 over = only_where(shortest < squared, only_where(squared < longest, inverse_length(squared)));
   out.over_length = over;
   out.length = squared * over;
   out.animated = bone * over;
@@ -210,57 +201,54 @@ SpringBones gather(const SpringCall& call, const SpringPlace& place, std::uint16
 }
 
 // Lanes that have not begun, or whose bone had no length, stand as animated.
-void begin(const SpringBones& bones, const SpringPlace& place) {
-  SpringGroup& group = place.group;
-  const Vector<Number> d = place.vector(group.direction);
-  const auto has_motion = number(0.25f) < dot(d, d), has_length = number(0.0f) < bones.over_length;
-  const Vector<Number> velocity = only_where(has_motion, place.vector(group.velocity));
-  Lanes::store(group.direction, place.lane, only_where(has_length, select(has_motion, d, bones.animated)));
-  Lanes::store(group.velocity, place.lane, only_where(has_length, velocity));
-  Lanes::store(group.animated, place.lane, select(has_motion, place.vector(group.animated), bones.animated));
+void begin(const SpringBones& bones, SpringGroup& group) {
+  const Vector<f32x4> d = load_vectors(group.direction);
+  const auto has_motion = splat(0.25f) < dot(d, d), has_length = splat(0.0f) < bones.over_length;
+  const Vector<f32x4> velocity = only_where(has_motion, load_vectors(group.velocity));
+  store_vectors(group.direction, only_where(has_length, select(has_motion, d, bones.animated)));
+  store_vectors(group.velocity, only_where(has_length, velocity));
+  store_vectors(group.animated, select(has_motion, load_vectors(group.animated), bones.animated));
 }
 
 // SpringBones of chains that are moved along: as if the animation stood still meanwhile.
-void move_along(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
-  SpringGroup& group = place.group;
-  f32x4 animated[Lanes::kCount];
-  Lanes::split(bones.animated, animated);
-  for (int i = 0; i < Lanes::kCount; ++i) {
-    const SpringRoot& root = place.root(call, i);
-    if (place.joint(i) == kNoBone || root.moved == 0) continue;
-    const int lane = place.lane + i;
+void move_along(const SpringCall& call, const SpringBones& bones, SpringGroup& group) {
+  f32x4 animated[kLanes];
+  split(bones.animated, animated);
+  for (int i = 0; i < kLanes; ++i) {
+    const SpringRoot& root = root_of(call, group, i);
+    if (group.joint[i] == kNoBone || root.moved == 0) continue;
     for (float* const v : {group.direction[0], group.velocity[0], group.bent[0]})
-      set_three_of_lane(v + lane, turned(root, three_of_lane(v + lane)));
-    set_three_of_lane(group.animated[0] + lane, animated[i]);
+      set_three_of_lane(v + i, turned(root, three_of_lane(v + i)));
+    set_three_of_lane(group.animated[0] + i, animated[i]);
   }
 }
 
 // One row of each one's chain, turned into vectors.
 template <class Row>
-Vector<Number> of_roots(const SpringCall& call, const SpringPlace& place, const Row& row) {
-  const float* rows[Lanes::kCount];
-  for (int i = 0; i < Lanes::kCount; ++i) rows[i] = row(place.root(call, i));
-  return Lanes::rows(rows);
+Vector<f32x4> of_roots(const SpringCall& call, SpringGroup& group, const Row& row) {
+  const float* rows[kLanes];
+  for (int i = 0; i < kLanes; ++i) rows[i] = row(root_of(call, group, i));
+  f32x4 a = load_aligned(rows[0]), b = load_aligned(rows[1]), c = load_aligned(rows[2]), d = load_aligned(rows[3]);
+  transpose(a, b, c, d);
+  return {a, b, c};
 }
 
-MARROW_CALLED_WHERE_SMALL SpringPull pull_of(const SpringCall& call, const SpringPlace& place,
-                                             const SpringBones& bones) {
-  const SpringGroup& group = place.group;
-  const Vector<Number> was = place.vector(group.animated);
-  const Vector<Number> weight = Lanes::same(load_wide(call.frame.gravity)) * place.number(group.gravity);
-  const Number drag = place.number(group.drag);
+SpringPull pull_of(const SpringCall& call, SpringGroup& group, const SpringBones& bones) {
+  const Vector<f32x4> was = load_vectors(group.animated);
+  const Vector<f32x4> weight = in_all_lanes(load_wide(call.frame.gravity)) * load_aligned(group.gravity);
+  const f32x4 drag = load_aligned(group.drag);
   // At one end of the frame.
   const auto field = [&](int end) {
-    const Vector<Number> air = of_roots(call, place, [end](const SpringRoot& r) { return r.air[end]; });
-    const auto acceleration = of_roots(call, place, [end](const SpringRoot& r) { return r.acceleration[end]; });
+    const Vector<f32x4> air = of_roots(call, group, [end](const SpringRoot& r) { return r.air[end]; });
+    const auto acceleration = of_roots(call, group, [end](const SpringRoot& r) { return r.acceleration[end]; });
     return no_longer((weight + air * drag - acceleration) * bones.over_length, kMostField);
   };
   SpringPull pull;
   pull.animated = was;
   pull.animated_change = bones.animated - was;
-  pull.stiffness = place.number(group.stiffness);
-  pull.most_pull = place.number(group.most_pull);
-  const Number rate = place.number(group.damping) * number(1.0f / call.frame_s);
+  pull.stiffness = load_aligned(group.stiffness);
+  pull.most_pull = load_aligned(group.most_pull);
+  const f32x4 rate = load_aligned(group.damping) * splat(1.0f / call.frame_s);
   pull.dragged = no_longer(pull.animated_change * rate, kMostField);
   pull.field = field(0);
   pull.field_change = field(1) - pull.field;
@@ -274,56 +262,54 @@ struct Descent {
 };
 
 // outwards: across the direction, away from what it touches; 0 where it touches nothing.
-MARROW_CALLED_WHERE_SMALL void collide_bones(const SpringCall& call, const SpringPlace& place, const SpringBones& bones,
-                                             SpringMotion& m, f32x4& at, Vector<Number>& outwards) {
-  f32x4 d[Lanes::kCount], v[Lanes::kCount], o[Lanes::kCount];
-  float lengths[Lanes::kCount];
-  Lanes::split(m.direction, d);
-  Lanes::split(m.velocity, v);
-  Lanes::split(bones.length, lengths);
-  for (int i = 0; i < Lanes::kCount; ++i) {
+void collide_bones(const SpringCall& call, SpringGroup& group, const SpringBones& bones, SpringMotion& m, f32x4& at,
+                   Vector<f32x4>& outwards) {
+  f32x4 d[kLanes], v[kLanes], o[kLanes];
+  float lengths[kLanes];
+  split(m.direction, d);
+  split(m.velocity, v);
+  store(lengths, bones.length);
+  for (int i = 0; i < kLanes; ++i) {
     o[i] = splat(0.0f);
-    if (place.joint(i) == kNoBone) continue;
-    if (bones.begins[i]) at = place_of(call, place.joint(i));
-    const float bone = lengths[i], radius = place.group.radius_m[place.lane + i];
+    if (group.joint[i] == kNoBone) continue;
+    if (bones.begins[i]) at = place_of(call, group.joint[i]);
+    const float bone = lengths[i], radius = group.radius_m[i];
     if (bone > 0.0f) {
-      const std::uint64_t met = place.root(call, i).colliders;
+      const std::uint64_t met = root_of(call, group, i).colliders;
       for (std::size_t c = 0; c < call.frame.colliders.size; ++c)
         if ((met >> c & 1) != 0) collide(call.colliders[c], at, bone, radius, d[i], v[i], o[i]);
     }
     at = at + d[i] * bone;
   }
-  m = {Lanes::vector(d), Lanes::vector(v)};
-  outwards = Lanes::vector(o);
+  m = {join_vectors(d), join_vectors(v)};
+  outwards = join_vectors(o);
 }
 
-MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place,
-                                          Descent* descents) {
-  SpringGroup& group = place.group;
-  const SpringPull pull = pull_of(call, place, bones);
-  SpringMotion m = {place.vector(group.direction), place.vector(group.velocity)};
-  Quaternion<Number> bent = Lanes::rotation(group.bent, place.lane);
-  const Number zero = number(0.0f), damping = place.number(group.damping) + place.number(group.drag);
+void step_bones(const SpringCall& call, const SpringBones& bones, SpringGroup& group, Descent* descents) {
+  const SpringPull pull = pull_of(call, group, bones);
+  SpringMotion m = {load_vectors(group.direction), load_vectors(group.velocity)};
+  Quaternion<f32x4> bent = load_rotations(group.bent);
+  const f32x4 zero = splat(0.0f), damping = load_aligned(group.damping) + load_aligned(group.drag);
   const bool may_touch = !call.frame.colliders.empty();
-  Vector<Number> was, from, outwards;  // before the drift; what it touches
+  Vector<f32x4> was, from, outwards;  // before the drift; what it touches
   SpringStrengths s{};
   SpringForce force;
   SpringWay way;
-  Number u = zero;
+  f32x4 u = zero;
   for (int step = 0;; ++step) {
-    const Vector<Number> animated = animated_at(pull, u);
+    const Vector<f32x4> animated = animated_at(pull, u);
     if (step > 0) {
       NearestRotation nearest;
       nearest_rotation(animated, m.direction, nearest.columns);
       bent = bend(nearest, bones.begins, descents[step - 1].bent);
     }
-    const Vector<Number> field = field_at(pull, animated, u, bent, m.direction);
+    const Vector<f32x4> field = field_at(pull, animated, u, bent, m.direction);
     const SpringForce next = force_on(field, m.direction);
     if (step == 0) {
       s = spring_strengths(damping, sqrt(dot(field, field)), call.step_s);
     } else {
       m.velocity = (m.velocity + next.across * s.last_kick) * s.decay;
-      Number work = twice_work(force, next, way);
+      f32x4 work = twice_work(force, next, way);
       if (may_touch) work = select(zero < dot(outwards, outwards), twice_work(force, next, from, m.direction), work);
       m.velocity = no_faster(m.velocity, was, work);
     }
@@ -332,68 +318,67 @@ MARROW_CALLED_WHERE_SMALL void step_bones(const SpringCall& call, const SpringBo
     was = m.velocity, from = m.direction;
     m.velocity = was * s.decay + force.across * s.first_kick;
     m = drifted(m, s.drift, way);
-    if (may_touch) collide_bones(call, place, bones, m, descents[step].joint, outwards);
-    u = number(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
+    if (may_touch) collide_bones(call, group, bones, m, descents[step].joint, outwards);
+    u = splat(step + 1 == call.steps ? 1.0f : static_cast<float>(step + 1) / static_cast<float>(call.steps));
   }
   m.direction = normalised(m.direction);
-  Lanes::store(group.direction, place.lane, m.direction);
-  Lanes::store(group.velocity, place.lane, across(m.velocity, m.direction));
-  Lanes::store(group.animated, place.lane, bones.animated);
-  Lanes::store(group.bent, place.lane, bent);
+  store_vectors(group.direction, m.direction);
+  store_vectors(group.velocity, across(m.velocity, m.direction));
+  store_vectors(group.animated, bones.animated);
+  store_rotations(group.bent, bent);
 }
 
 // A direction in the world as the joints above the bones see it; transposed matrices will do, since lengths are ignored
 // and the animated direction goes the same way.
 struct IntoParents {
-  IntoParents(const SpringCall& call, const SpringPlace& place) {
-    const Affine* parents[Lanes::kCount];
-    for (int i = 0; i < Lanes::kCount; ++i)
-      parents[i] = place.joint(i) == kNoBone ? &kIdentity : &above(call, place.joint(i));
-    rows = Lanes::linear_rows(parents);
+  IntoParents(const SpringCall& call, SpringGroup& group) {
+    const Affine* parents[kLanes];
+    for (int i = 0; i < kLanes; ++i) parents[i] = group.joint[i] == kNoBone ? &kIdentity : &above(call, group.joint[i]);
+    rows = linear_rows(load_affines(*parents[0], *parents[1], *parents[2], *parents[3]));
     for (int i = 0; i < 3; ++i) world[i] = call.world.axis[i];
   }
-  Vector<Number> operator()(const Vector<Number>& v) const {
+  Vector<f32x4> operator()(const Vector<f32x4>& v) const {
     return normalised(
         rows *
-        transposed_times(Linear<Number>{Lanes::same(world[0]), Lanes::same(world[1]), Lanes::same(world[2])}, v));
+        transposed_times(Linear<f32x4>{in_all_lanes(world[0]), in_all_lanes(world[1]), in_all_lanes(world[2])}, v));
   }
 
-  Linear<Number> rows;
+  Linear<f32x4> rows;
   f32x4 world[3];
 };
 
 // From one unit direction to another, and of that the part `weight`.
-MARROW_CALLED_WHERE_SMALL Quaternion<Number> part_of_arc(Vector<Number> from, Vector<Number> to, Number weight) {
-  const Number zero = number(0.0f), one = number(1.0f);
-  Quaternion<Number> q = quaternion(cross(from, to), one + dot(from, to));
-  const Number squared = dot(q, q);
+Quaternion<f32x4> part_of_arc(Vector<f32x4> from, Vector<f32x4> to, f32x4 weight) {
+  const f32x4 zero = splat(0.0f), one = splat(1.0f);
+  Quaternion<f32x4> q = quaternion(cross(from, to), one + dot(from, to));
+  const f32x4 squared = dot(q, q);
   q = q * inverse_length(squared);
   // Opposite: half a turn about anything across.
-  if (const auto opposite = squared < number(1e-10f); any(opposite)) {
-    const Number x = x_of(from), y = y_of(from), l = inverse_length(x * x + y * y);
-    const auto upright = number(1e3f) < l;
-    const Vector<Number> axis = select(upright, vector_of(one, zero, zero), vector_of((zero - y) * l, x * l, zero));
+  if (const auto opposite = squared < splat(1e-10f); any(opposite)) {
+    const f32x4 x = x_of(from), y = y_of(from), l = inverse_length(x * x + y * y);
+    const auto upright = splat(1e3f) < l;
+    const Vector<f32x4> axis = select(upright, vector_of(one, zero, zero), vector_of((zero - y) * l, x * l, zero));
     q = select(opposite, quaternion(axis, zero), q);
   }
-  const Quaternion<Number> part = straight_share(q, weight);
+  const Quaternion<f32x4> part = straight_share(q, weight);
   return part * inverse_length(dot(part, part));
 }
 
-MARROW_CALLED_WHERE_SMALL void show_bones(const SpringCall& call, const SpringBones& bones, const SpringPlace& place) {
-  const Quaternion<Number> above_it = Lanes::rotation(place.group.bent, place.lane);
-  const Vector<Number> seen =
-      rotate_by_any(conjugate(above_it), two_over_squared(above_it), place.vector(place.group.direction));
-  const IntoParents into(call, place);
-  const Number zero = number(0.0f), weight = place.number(place.group.weight) * number(call.frame.weight);
-  const Quaternion<Number> arc = part_of_arc(into(bones.animated), into(seen), weight);
-  float shown[Lanes::kCount];
-  Lanes::split(select(zero < bones.over_length, weight, zero), shown);
-  f32x4 q[Lanes::kCount];
-  for (int i = 0; i < Lanes::kCount; ++i)
-    q[i] = shown[i] == 0.0f ? splat(0.0f) : wide_rotation_of(call.local, place.joint(i)).v;
-  Lanes::split(arc * Lanes::quaternion(q), q);
-  for (int i = 0; i < Lanes::kCount; ++i)
-    if (shown[i] != 0.0f) set_rotation(call.local, place.joint(i), WideRotation{q[i]});
+void show_bones(const SpringCall& call, const SpringBones& bones, SpringGroup& group) {
+  const Quaternion<f32x4> above_it = load_rotations(group.bent);
+  const Vector<f32x4> seen =
+      rotate_by_any(conjugate(above_it), two_over_squared(above_it), load_vectors(group.direction));
+  const IntoParents into(call, group);
+  const f32x4 zero = splat(0.0f), weight = load_aligned(group.weight) * splat(call.frame.weight);
+  const Quaternion<f32x4> arc = part_of_arc(into(bones.animated), into(seen), weight);
+  float shown[kLanes];
+  store(shown, select(zero < bones.over_length, weight, zero));
+  f32x4 q[kLanes];
+  for (int i = 0; i < kLanes; ++i)
+    q[i] = shown[i] == 0.0f ? splat(0.0f) : wide_rotation_of(call.local, group.joint[i]).v;
+  split(arc * join_rotations(q), q);
+  for (int i = 0; i < kLanes; ++i)
+    if (shown[i] != 0.0f) set_rotation(call.local, group.joint[i], WideRotation{q[i]});
 }
 
 int steps_of(float dt_s) {
@@ -425,14 +410,14 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   Descent descents[kMaxSpringSteps];
   for (int s = 0; s < call.steps; ++s) descents[s] = {splat(0.0f), splat(0.0f)};
   std::uint16_t chain = kNoBone;
-  for (std::uint32_t b = 0; b < 4 * springs.group_count; b += Lanes::kCount) {
-    const SpringPlace place = {springs.groups[b / 4], static_cast<int>(b % 4)};
-    if (place.joint(0) == kNoBone) continue;
-    const SpringBones bones = gather(call, place, chain);
-    begin(bones, place);
-    if (call.moved) move_along(call, bones, place);
-    if (call.steps > 0) step_bones(call, bones, place, descents);
-    if (frame.weight > 0.0f) show_bones(call, bones, place);
+  for (std::uint32_t g = 0; g < springs.group_count; ++g) {
+    SpringGroup& group = springs.groups[g];
+    if (group.joint[0] == kNoBone) continue;
+    const SpringBones bones = gather(call, group, chain);
+    begin(bones, group);
+    if (call.moved) move_along(call, bones, group);
+    if (call.steps > 0) step_bones(call, bones, group, descents);
+    if (frame.weight > 0.0f) show_bones(call, bones, group);
   }
   if (!(frame.weight > 0.0f)) return Status::ok;
   for (std::uint32_t i = 0; i < springs.below_count; ++i)

@@ -1,6 +1,6 @@
 // A game's calls, so that tools/sizes/code.sh can say what linking them costs. Never run. STAGES: 0 nothing, 1 poses,
-// 2 and skinning; UNPACK: a function of marrow/draco.h or marrow/meshopt.h; IK: 1 limbs and eyes, 2 and chains and
-// limits, 3 and bodies, 4 and rates, springs and feet, 5 and the genetic solver.
+// 2 and SSD, 3 and animation space; UNPACK: a function of marrow/draco.h or marrow/meshopt.h; IK: 1 limbs and eyes, 2
+// and chains and limits, 3 and bodies, 4 and rates, springs and feet, 5 and the genetic solver.
 #include "marrow/blend.h"
 #include "marrow/draco.h"
 #include "marrow/feet.h"
@@ -92,13 +92,15 @@ marrow::Status frame(marrow::Span<const std::byte> bytes, const Memory& m) {
 #ifdef IK
   reach(skeleton, m);
 #endif
-#if STAGES == 2
+#if STAGES >= 2
   const marrow::Mesh mesh = file.mesh(0);
   build_palette(mesh, {m.joints, m.size}, {m.palette, m.size});
   const marrow::SkinOutput out{.positions = {m.positions, m.size}, .normals = {m.normals, m.size}, .tangents = {}};
   skin_ssd(mesh, {m.palette, m.size}, out);
+#if STAGES >= 3
   as_coordinates(mesh.geometry, {m.coordinates, m.size});
   skin_as(mesh, {m.coordinates, m.size}, {m.palette, m.size}, out);
+#endif
 #endif
   return marrow::Status::ok;
 }
