@@ -1730,7 +1730,7 @@ mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_l
 // shortest arc and a turn about it, in one quaternion.
 // Errors: MRW_BAD_ARGUMENT, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
-// Cost: 242 instructions on x86-64, 180 on AArch64.
+// Cost: 226 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
 // Aims a joint of a pose. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the

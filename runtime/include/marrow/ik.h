@@ -58,7 +58,7 @@ struct TwoBoneJoints {
 // start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
 // the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
 // whole call does so. Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are
-// not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰. Cost: 430
+// not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰. Cost: 416
 // instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way, the
 // target is more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
@@ -105,7 +105,7 @@ struct alignas(16) AimTurn {
 // shortest arc and a turn about it, in one quaternion.
 // Errors: bad_argument, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
-// Cost: 242 instructions on x86-64, 180 on AArch64.
+// Cost: 226 instructions on x86-64, 180 on AArch64.
 MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
 // Aims a joint of a pose. local and scene_from_joint belong together (local_to_model); both are changed, unless the
