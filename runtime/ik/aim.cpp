@@ -10,67 +10,69 @@
 namespace marrow {
 namespace {
 
-// All that a turn depends on, in the joint's local space without its scale.
-enum { kWay, kForward, kUp, kOffset };  // from the joint to the target; of the aim
+// Target and aim in the joint's space without its scale.
 struct View {
-  Vector<One> of[4];
-  bool apart;  // the offset is not 0; if it is, it does not count
+  Vector<One> way;                  // from the joint to the target
+  Vector<One> forward, up, offset;  // see Aim
+  bool apart;                       // the offset is not 0, so it is to be read
   About<One> about;
 };
 
-// The unit direction, seen from the joint, of what is to be turned onto the target: of the point where the ray is as
-// far away as the target, or, if it never is, of the nearest; and whether the target can be met. False if there is
-// none.
+// Finds the unit direction that is to be turned onto the target's: from the joint to the point where the ray is as far
+// from the joint as the target is; where it never is, to the ray's nearest point. False if there is no direction.
 inline bool direction_of_ray(const View& view, One way_squared, Vector<One>& direction, bool& reached) {
   const One zero = all_lanes<One>(0), tiny = number<One>(kNumbers.tiny), one = number<One>(kNumbers.one);
-  One squared = dot(view.of[kForward], view.of[kForward]);
+  One squared = dot(view.forward, view.forward);
   reached = tiny < lesser(way_squared, squared);
   if (!reached) return false;
-  direction = view.of[kForward] * (one / sqrt(squared));
+  direction = view.forward * (one / sqrt(squared));
   if (!view.apart) return true;
-  const One along = dot(view.of[kOffset], direction), off = dot(view.of[kOffset], view.of[kOffset]);
+  const One along = dot(view.offset, direction), off = dot(view.offset, view.offset);
   const One rest = along * along + (way_squared - off), to_sphere = sqrt(greater(rest, zero)) - along;
   reached = !(rest < zero) && !(to_sphere < zero);
-  const Vector<One> point = view.of[kOffset] + direction * to_sphere;
+  const Vector<One> point = view.offset + direction * to_sphere;
   squared = dot(point, point);
   if (!(tiny < squared)) return false;
   direction = point * (one / sqrt(squared));
   return true;
 }
 
-// As turn_onto(), by a share; the identity where there are no directions. False also if the numbers are not finite.
-template <bool plain>
-inline bool look(View& view, float weight, AimTurn& out) {
+// Turns the joint's ray onto the target, by `weight`; not at all where one of them has no direction. False if the
+// numbers are not finite, or if `usual` and the view needs what is left out.
+template <bool usual>
+inline bool look(View view, float weight, AimTurn& out) {
   const One one = number<One>(kNumbers.one), tiny = number<One>(kNumbers.tiny);
-  const One way_squared = dot(view.of[kWay], view.of[kWay]);
-  if (plain && view.about.twisted) return false;
-  Quaternion<One> turn;
-  One squared;
+  const One way_squared = dot(view.way, view.way);
+  Quaternion<One> turn = unturned<One>();
+  One squared = one;
   bool reached;
   if (Vector<One> from; direction_of_ray(view, way_squared, from, reached)) {
-    Vector<One> normal = cross(view.of[kUp], from);
+    Vector<One> normal = cross(view.up, from);
     const One normal_squared = dot(normal, normal);
-    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.of[kUp], view.of[kUp]), tiny)) {
-      if constexpr (plain) return false;
+    if (normal_squared < greater(number<One>(kNumbers.no_angle_squared) * dot(view.up, view.up), tiny)) {
+      if constexpr (usual) return false;
       view.about.pole = Vector<One>{};
       normal = any_across(from);
     } else {
       normal = normal * (one / sqrt(normal_squared));
     }
     AnyTurn<One> whole;
-    if (!turn_onto<plain>(from, normal, view.of[kWay] * (one / sqrt(way_squared)), view.about, whole)) return false;
-    turn = quaternion_of(whole.axis, whole.w);
+    if (!turn_onto<usual>(from, normal, view.way * (one / sqrt(way_squared)), view.about, whole)) return false;
+    turn = quaternion(whole.axis, whole.w);
     squared = squared_length(turn);
-    if (plain && squared < tiny) return false;
   } else {
-    if constexpr (plain) return false;
-    turn = unturned<One>();
-    squared =
-        one + (way_squared + dot(view.of[kForward], view.of[kForward]) + dot(view.of[kOffset], view.of[kOffset])) *
-                  all_lanes<One>(0x1p-24f);
+    if constexpr (usual) return false;
+    squared = one + (way_squared + dot(view.forward, view.forward) + dot(view.offset, view.offset)) *
+                        all_lanes<One>(0x1p-24f);
   }
   if (!(squared < number<One>(kNumbers.huge))) return false;
-  store(out.turn, weighted_turn<plain>(turn, squared, is_partial(weight), all_lanes<One>(weight)).v);
+  if (squared < tiny) {
+    if constexpr (usual) return false;
+    turn = unturned<One>(), squared = one;
+  }
+  turn = turn * (one / sqrt(squared));
+  if (is_partial(weight)) turn = weighted_turn(turn, all_lanes<One>(weight));
+  store(out.turn, turn.v);
   out.reached = reached;
   return true;
 }
@@ -79,32 +81,31 @@ inline Vector<One> to_local(const Axes<One>& axes, Vector<One> v) {
   return without_w(direction_to_local(axes, v));
 }
 
-// Three numbers; what stands behind them is finite, or the call is bad, if `plain`.
-template <bool plain>
-inline Vector<One> wide_or_more(const float (&v)[3]) {
-  return plain ? Vector<One>{load(v)} : wide(v);
-}
-
-template <bool plain>
+template <bool usual>
 inline View view_from(const Affine& joint, const Aim& goal) {
-  const Axes<One> axes = axes_of<plain>(joint);
+  const Axes<One> axes = axes_of<usual>(joint);
   const Vector<One> lengths = without_w(axes.lengths);
-  const Vector<One> forward = by_component(wide_or_more<plain>(goal.forward), lengths);
-  View view = {{to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)), forward,
-                by_component(wide_or_more<plain>(goal.up), lengths), forward},
+  const Vector<One> forward = by_component(wide(goal.forward), lengths);
+  View view = {to_local(axes, Vector<One>{load(goal.target)} - wide_origin(joint)),
+               forward,
+               by_component(wide(goal.up), lengths),
+               forward,
                is_some(goal.offset),
                {to_local(axes, {load(goal.pole)}), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
-  if (view.apart) view.of[kOffset] = by_component(wide(goal.offset), lengths);
+  if (view.apart) view.offset = by_component(wide(goal.offset), lengths);
   return view;
 }
 
+template <bool usual>
+[[gnu::flatten]] inline bool aim_once(const Affine& joint, const Aim& goal, AimTurn& out) {
+  return look<usual>(view_from<usual>(joint, goal), goal.weight, out);
+}
 [[gnu::noinline, gnu::cold]] bool aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {
-  View view = view_from<false>(joint, goal);
-  return look<false>(view, goal.weight, out);
+  return aim_once<false>(joint, goal, out);
 }
 
-// What part of what is left joint i of `count` does: falloff^m / (1 + falloff + … + falloff^m), m joints being after
-// it.
+// Joint i's share of the turn that the joints before it leave: falloff^m / (1 + falloff + … + falloff^m), with m joints
+// after it.
 float share_of(std::size_t i, std::size_t count, float falloff) {
   float share = 1, sum = 1;
   for (std::size_t after = i + 1; after < count; ++after) {
@@ -117,37 +118,39 @@ float share_of(std::size_t i, std::size_t count, float falloff) {
 inline Vector<One> to_scene(const Affine& joint, const float (&v)[3]) {
   return transposed_times(wide_rows(joint), wide(v));
 }
-
-// v, turned back.
+// v, turned by the inverse of q.
 inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
   const Vector<One> t = cross(v, axis_part(q));
   return v + (t * w_of(q) + cross(t, axis_part(q))) * all_lanes<One>(2);
 }
 
-// A joint's turn; false if the numbers are not finite. The gaze is a view in the scene, from its origin: when a joint
-// has turned, the target and the pole are turned back instead of all that hangs on it.
+// Finds a joint's turn; false if the numbers are not finite. The gaze is a view in the scene. When a joint has turned,
+// the target and the pole are turned back, instead of all that hangs on the joint being turned.
 bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   const Axes<One> axes = axes_of<false>(joint);
-  const Vector<One> at = wide_origin(joint), way = gaze.of[kWay] - at;
+  const Vector<One> at = wide_origin(joint), way = gaze.way - at;
   View view = gaze;
-  view.of[kWay] = way;
-  view.of[kOffset] = view.of[kOffset] - at;
-  for (Vector<One>& v : view.of) v = to_local(axes, v);
+  view.way = way;
+  view.offset = view.offset - at;
+  for (Vector<One>* v : {&view.way, &view.forward, &view.up, &view.offset}) *v = to_local(axes, *v);
   view.about.pole = to_local(axes, view.about.pole);
   if (!look<false>(view, weight, out)) return false;
   const Quaternion<One> local = {load(out.turn)};
   const Quaternion<One> turn = quaternion(axis_to_scene(axes, axis_part(local)), w_of(local));
-  gaze.of[kWay] = at + turned_back(turn, way);
+  gaze.way = at + turned_back(turn, way);
   gaze.about.pole = turned_back(turn, gaze.about.pole);
   return true;
 }
 
-// The last of the joints' turns. Says whether the numbers are finite; puts the turns into the pose if `for_good`.
+// Finds all joints' turns, and puts them into the pose if `for_good`. Gives the last turn. Bad if some number is not
+// finite.
 BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                     bool for_good, AimTurn& turn) {
   const Affine& last = pose.scene_from_joint[joints[joints.size - 1]];
-  View gaze = {{wide(goal.target), to_scene(last, goal.forward), to_scene(last, goal.up),
-                to_scene(last, goal.offset) + wide_origin(last)},
+  View gaze = {wide(goal.target),
+               to_scene(last, goal.forward),
+               to_scene(last, goal.up),
+               to_scene(last, goal.offset) + wide_origin(last),
                true,
                {wide(goal.pole), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   for (std::size_t i = 0; i < joints.size; ++i) {
@@ -158,7 +161,7 @@ BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, c
   return {};
 }
 
-// Of a chain, or of one joint.
+// Turns a chain, or one joint.
 BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                    bool* reached) {
   if (const BadCall bad = check_chain(pose, joints)) return bad;
@@ -175,12 +178,10 @@ BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, co
 
 }  // namespace
 
-[[gnu::flatten]] Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
-  if (is_plain_share(goal.weight)) {
-    View view = view_from<true>(joint, goal);
-    if (look<true>(view, goal.weight, out)) return Status::ok;
-  }
+Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
   MARROW_REQUIRE(is_share(goal.weight));
+  if (aim_once<true>(joint, goal, out)) [[likely]]
+    return Status::ok;
   MARROW_REQUIRE(aim_any(joint, goal, out) && "finite, not too large");
   return Status::ok;
 }

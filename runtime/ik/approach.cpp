@@ -1,4 +1,4 @@
-// What chains with one goal have besides FABRIK and CCD: how they set out, reach, stretch, and face a pole.
+// What FABRIK and CCD do for chains with one goal besides: set out, stretch, face a pole, straighten.
 #include <algorithm>
 
 #include "ik/heuristic.h"
@@ -6,15 +6,16 @@
 namespace marrow {
 namespace {
 
-constexpr float kNearlyStraight = 5e-4f;  // of its length, by which a chain is short of straight
-constexpr float kNearlyALine = 0.1f;      // of its length, by which a chain's joints are off a line
+// Shares of a chain's length.
+constexpr float kNearlyStraight = 5e-4f;  // a goal this far short of the whole length leaves the chain nearly straight
+constexpr float kNearlyALine = 0.1f;      // joints this far off a line are nearly on it
 
 float smooth_step(float x) {
   const float u = x <= 0 ? 0.0f : x < 1 ? x : 1.0f;
   return u * u * (3.0f - 2.0f * u);
 }
 
-// The shortest turn from one direction to another; if they are all but opposite, half a turn about `axis` and then the
+// The shortest turn from one direction to another; if they are nearly opposite, half a turn about `axis` and then the
 // little that is left.
 WideRotation arc(f32x4 from, f32x4 to, f32x4 axis) {
   const f32x4 a = unit3_or(from, splat(0.0f)), b = unit3_or(to, a);
@@ -22,10 +23,10 @@ WideRotation arc(f32x4 from, f32x4 to, f32x4 axis) {
   return shortest_arc(a * -1.0f, b) * WideRotation{unit3_or(across3(axis, a), any_across3(a))};
 }
 
-// Turns the first node, and the chain with it, by `share` of that.
+// Turns the first node, and the chain with it, by the part `share` of that.
 void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   IkNode& node = h.tree->nodes[0];
-  if (h.plain) {  // by its points alone
+  if (h.plain) {  // the points alone
     const WideRotation by = part_of(arc(from, to, axis), share);
     h.turned = by * h.turned;
     const f32x4 root = h.parts[0].at;
@@ -39,8 +40,8 @@ void turn_all(IkHeuristic& h, f32x4 from, f32x4 to, f32x4 axis, float share) {
   update(h);
 }
 
-// Makes bones longer if the distance is more than `most`, shorter if it is less than `least`. Once: for later starts
-// they are.
+// Makes the bones longer if the distance is more than `most`, shorter if it is less than `least`. Only in the first
+// start, as later ones find the bones stretched.
 void stretch(IkHeuristic& h, float distance, float least, float most, float limit) {
   IkTree& tree = *h.tree;
   float factor = 1;
@@ -49,11 +50,15 @@ void stretch(IkHeuristic& h, float distance, float least, float most, float limi
   if (factor == 1 || tree.stretch != 1) return;
   tree.stretch = factor;
   for (std::size_t i = 1; i < tree.nodes.size; ++i) tree.nodes[i].above.origin = tree.nodes[i].above.origin * factor;
-  tree.ends[0].point = tree.ends[0].point + tree.ends[0].bone * (factor - 1.0f);
+  IkNode& tip = tree.tips[0];
+  const f32x4 bone = tip.above.origin - turn(tip.above, load_wide(tip.goal->offset));  // without the offset
+  tip.above.origin = tip.above.origin + bone * (factor - 1.0f);
+  tip.parent_from_frame.origin = tip.above.origin;
   update(h);
 }
 
-// From least + margin to most - margin what it is, and beyond, without a jump of slope, half as far again at most.
+// A distance from least + margin to most - margin stays as it is. Beyond, it changes ever more slowly, without a jump
+// of slope, and stays half a margin away from `least` and `most`.
 float into_reach(float distance, float least, float most, float margin) {
   const float half = 0.5f * margin, over = distance - (most - margin), under = least + margin - distance;
   if (over > 0) return most - half - half * half / (over + half);
@@ -61,20 +66,20 @@ float into_reach(float distance, float least, float most, float margin) {
   return distance;
 }
 
-// Of what has no direction: up.
+// The direction for what has none.
 f32x4 up() {
   return lanes(0.0f, 1.0f, 0.0f, 0.0f);
 }
 
-// A side of the chain that is fixed to its first joint, across the first bone: the same as it moves.
+// A direction across the first bone that is fixed to the first joint: the chain's own side.
 f32x4 own_side(const IkHeuristic& h) {
   const IkTree& tree = *h.tree;
-  const f32x4 bone = tree.nodes.size > 1 ? tree.nodes[1].above.origin : tree.ends[0].point;
+  const f32x4 bone = *h.parts[1].bone;
   return rotate(h.turned, turn(tree.nodes[0].frame, any_across3(unit3_or(bone, up()))));
 }
 
-// To which side of a line through the root the joints are, each by how far it is, and a little of the chain's own if
-// `own`, of which nothing is left only where there is neither; and how far the farthest of them is.
+// The side of a line through the root on which the joints are, each counted by its distance, and how far the farthest
+// of them is. own: a little of the chain's own side is added, which decides where all joints are on the line.
 f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest) {
   f32x4 sum = own_side(h) * (own ? h.size_m * 1e-3f : 0.0f);
   farthest = 0;
@@ -87,15 +92,15 @@ f32x4 side_of_joints(const IkHeuristic& h, f32x4 line, bool own, float& farthest
   return unit3_or(across3(sum, line), splat(0.0f));
 }
 
-// From the root to the goal; if that is there, to where the end is.
+// The direction from the root to the goal; to the tip, if the goal is at the root.
 f32x4 line_to_goal(const IkHeuristic& h) {
   const f32x4 root = h.parts[0].at;
-  return unit3_or(h.aims[0].goal - root, unit3_or(h.ends[0].at - root, up()));
+  return unit3_or(h.aims[0].goal - root, unit3_or(h.tips[0].at - root, up()));
 }
 
-// Joints of a chain that is all on the line to its goal have no side to go to, and those of one that is nearly so move
-// aside slowly. So the nearer they are to it, the more of an arc from the root to the goal they are wanted on: on the
-// side that they are on, else on the chain's own.
+// Bends a chain that lies nearly on the line to its goal, for which joints have no side to go to, or go slowly. The
+// nearer they are to the line, the more they are moved onto an arc from root to goal: on their side of the line, else
+// on the chain's own side.
 void bow(IkHeuristic& h) {
   const f32x4 root = h.parts[0].at, line = line_to_goal(h);
   float off;
@@ -104,7 +109,7 @@ void bow(IkHeuristic& h) {
   const float slack = 1.0f - length3(h.aims[0].goal - root) * h.per_size;
   if (!(straight > 0 && slack > 0)) return;
   const float share = straight * straight;
-  // A parabola that is as long as the chain, nearly; and a little more where it would be flat.
+  // The sag of a parabola about as long as the chain, and a little more where that would be flat.
   const float sag = sqrt(0.375f * slack * (1.0f - slack)) + 0.02f * slack;
   const f32x4 side = (squared3(aside) > 0 ? aside : any_across3(line)) * (4.0f * sag * h.size_m * share);
   float so_far = 0;
@@ -114,10 +119,10 @@ void bow(IkHeuristic& h) {
   }
 }
 
-// Turns the chain about the line from its top to its end until its joints are on the side of that line that is wanted;
-// of less weight, to a side between. Within 6 degrees of the line what is wanted has less and less to say.
+// Turns the chain about the line from its root to its tip until its joints are on the wanted side; with less weight, to
+// a side between. A wanted direction within 6 degrees of the line counts less and less.
 void face(IkHeuristic& h, f32x4 wanted, bool own, float weight) {
-  const f32x4 none = splat(0.0f), line = unit3_or(h.ends[0].at - h.parts[0].at, none), to = across3(wanted, line);
+  const f32x4 none = splat(0.0f), line = unit3_or(h.tips[0].at - h.parts[0].at, none), to = across3(wanted, line);
   float off;
   const f32x4 side = side_of_joints(h, line, own, off);
   if (!(squared3(line) > 0) || !(squared3(side) > 0)) return;
@@ -133,8 +138,9 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   const float distance = length3(aim.goal - root);
   const float beyond = h.free ? smooth_step(0.5f + (distance * h.per_size - 1.0f) * (0.5f / kNearlyStraight)) : 0.0f;
   float longest = 0;
-  for (const IkPart& part : h.all()) longest = std::max(longest, part.length);
-  const float folded = std::max(2.0f * longest * h.per_size - 1.0f, 0.0f);  // of the size: as near as the end can come
+  for (const IkPart& part : h.parts) longest = std::max(longest, part.length);
+  const float folded = std::max(2.0f * longest * h.per_size - 1.0f,
+                                0.0f);  // the nearest that the tip can come to the root, as a share of the size
   stretch(h, distance, folded * h.size_m, h.size_m, options.stretch);
   h.size_m = total_length(h);
   h.per_size = 1.0f / h.size_m;
@@ -144,13 +150,13 @@ float approach(IkHeuristic& h, const IkOptions& options) {
   return beyond;
 }
 
-// About the goal opposite to the end, shortest turns put the chain's bend on one side for one goal and on another for
+// Where the goal is opposite to the tip, the shortest turn puts the bend on one side for one goal and on another for
 // its neighbour. So within 29 degrees of there the bend is kept, the more the nearer, on the side to which half a turn
-// in the chain's own plane takes it. It has to change sides at once for goals in two directions. Neither is in that
-// plane or straight across it.
+// in the chain's own plane takes it. The bend still jumps at goals in two directions; neither is in that plane or
+// perpendicular to it.
 void set_out(IkHeuristic& h) {
-  const f32x4 root = h.parts[0].at, from = h.ends[0].at - root, to = h.aims[0].goal - root;
-  const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // of the goal, from the opposite
+  const f32x4 root = h.parts[0].at, from = h.tips[0].at - root, to = h.aims[0].goal - root;
+  const f32x4 line = unit3_or(from, up()), apart = line + unit3_or(to, line);  // how far the goal is from opposite
   const float opposite = smooth_step(1.0f - 4.0f * squared3(apart)), keeps = h.free ? opposite : 0.0f;
   const float near = (4.0f + 4.0f * keeps) * (length3(from) * h.per_size) * (length3(to) * h.per_size);
   float off;

@@ -16,10 +16,10 @@ class Chance {
                         turn = static_cast<std::uint32_t>(old >> 59);
     return (x >> turn) | (x << ((32 - turn) & 31));
   }
-  // 0 … 1, in steps of 2⁻²⁴.
+  // A number in [0, 1), a multiple of 2⁻²⁴.
   float unit() { return static_cast<float>(bits() >> 8) * (1.0f / 16777216.0f); }
   std::size_t below(std::size_t n) { return bits() % n; }
-  // About any axis; size 1 is up to 90°, more is farther.
+  // A turn about any axis: of at most 120° for size 1, of more for a greater size.
   WideRotation turn(float size) {
     float v[3];
     for (float& x : v) x = unit() * 2.0f - 1.0f;

@@ -4,7 +4,7 @@
 
 namespace marrow {
 
-// Row by row, so that all inner loops run along rows. They run past the end of a row: into its padding.
+// All inner loops run along rows, four floats at a time, and so into the rows' padding.
 void solve_dense(float* a, std::size_t n, float least, float* x) {
   const std::size_t stride = dense_stride(n);
   for (std::size_t k = 0; k < n; ++k) {

@@ -1,19 +1,20 @@
-// FABRIK (Aristidou and Lasenby 2011) on a tree of joints, and the Newton step on points that both heuristics end with.
+// FABRIK (Aristidou and Lasenby 2011) on a tree of joints, and the Newton step on points that FABRIK and CCD end with.
 #include "ik/heuristic.h"
 
 namespace marrow {
 namespace {
 
-// From an end back to its node: as the end lies, and, as far as the goal's rotation counts, as it shall be turned.
-f32x4 back_from_end(const IkHeuristic& h, const IkPart& end, f32x4 as_it_lies) {
-  const IkAim& aim = *end.aim;
-  if (aim.turn == 0) return as_it_lies;
-  const float length = end.length, lever = length * h.per_size;
-  const f32x4 turned = unit3_or(rotate(aim.rotation, *end.bone), splat(0.0f)) * -length;
-  return as_it_lies + (turned - as_it_lies) * (aim.turn / (aim.turn + aim.position * lever * lever));
+// From a tip back to its node: along the line between them, and, by the weight of the goal's rotation, as the goal
+// would have the node turned.
+f32x4 back_from_tip(const IkHeuristic& h, const IkPart& tip, f32x4 along_line) {
+  const IkAim& aim = *tip.aim;
+  if (aim.turn == 0) return along_line;
+  const float length = tip.length, lever = length * h.per_size;
+  const f32x4 turned = unit3_or(rotate(aim.rotation, *tip.bone), splat(0.0f)) * -length;
+  return along_line + (turned - along_line) * (aim.turn / (aim.turn + aim.position * lever * lever));
 }
 
-// What turns a node, whose axes before they turn are `above`, to where its parts are wanted.
+// The turn that brings what hangs on a node to where it is wanted. above: the node's axes before they turn.
 WideRotation forward_turn(const IkHeuristic& h, const IkNode& node, const IkPart* part, const Columns& above) {
   const InverseAxes inverse(above.axis);
   const f32x4 hinge = rotate(node.rotation, node.hinge);
@@ -38,15 +39,15 @@ void reach_forward_by_points(IkHeuristic& h) {
   }
 }
 
-// As long as joint i's parent turns by `turned` in the scene, and no more, bone i is where it was, turned. So the turn
-// that it lacks is found in the scene as it was, where no frame has to wait for the one above it.
+// If joint i's parent has turned by `turned` in the scene, bone i has too. What it still lacks is found in the old
+// frames, turned back: so no frame waits for the one above it.
 void turn_to_points(IkHeuristic& h) {
   IkTree& tree = *h.tree;
   WideRotation turned = h.turned;
-  const IkPart* part = h.parts;
+  const IkPart* part = h.parts.data;
   for (IkNode& node : tree.nodes) {
     const f32x4 at = part->at;
-    const bool top = part++ == h.parts;
+    const bool top = part++ == h.parts.data;
     TurnSum arc;
     arc.add_arc(turn(node.frame, *part->bone), rotate(conjugate(turned), part->at - at), 1.0f);
     const WideRotation by = normalised(arc.turn()), in_scene = top ? turned * by : by;
@@ -60,8 +61,8 @@ void turn_to_points(IkHeuristic& h) {
 }
 
 void pull(IkHeuristic& h) {
-  // The end is at Σ length · d, d the bones' directions; with d + v instead, of unit length, it moves by
-  // Σ length (I - d dᵀ) v, to first order in v.
+  // The tip is at Σ length · d, with d the directions of the bones. If each becomes d + v, made a unit vector, the tip
+  // moves by Σ length (I - d dᵀ) v, to first order in v.
   f32x4 axes[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
   f32x4 from = h.parts[0].at, before = from;
   for (const IkPart& part : h.below_root()) {
@@ -73,12 +74,12 @@ void pull(IkHeuristic& h) {
     axes[2] = axes[2] + (lanes(0, 0, length, 0) - w * splat_lane<2>(d));
   }
   axes[1] = with_z(axes[1], first_lane(splat_lane<1>(axes[2])));  // symmetric to the last bit
-  const float least = 1e-4f * h.size_m, s = h.per_size;           // a straight chain is not moved along itself
+  const float least = 1e-4f * h.size_m, s = h.per_size;           // a straight chain cannot be moved along itself
   axes[0] = (axes[0] + lanes(least, 0, 0, 0)) * s;
   axes[1] = (axes[1] + lanes(0, least, 0, 0)) * s;
   axes[2] = (axes[2] + lanes(0, 0, least, 0)) * s;
   f32x4 v = InverseAxes(axes) * ((h.aims[0].goal - before) * s);
-  v = v * (1.0f / sqrt(1.0f + squared3(v) * 1.2f));  // shorter than d, which never turns round
+  v = v * (1.0f / sqrt(1.0f + squared3(v) * 1.2f));  // shorter than d, so that no bone turns round
   before = from;
   for (IkPart& part : h.below_root()) {
     const f32x4 d = along(part.at - before, 1.0f);
@@ -88,12 +89,12 @@ void pull(IkHeuristic& h) {
 }
 
 void reach_backward(IkHeuristic& h) {
-  for (IkPart* node = h.ends; node-- != h.parts;) {
+  for (IkPart* node = h.tips; node-- != h.parts.data;) {
     if (node->on == nullptr || node->weight == 0) continue;
     f32x4 wanted = splat(0.0f);
     for (const IkPart* part = node->first; part != nullptr; part = part->next) {
       f32x4 back = along(node->at - part->at, part->length);
-      if (part->aim != nullptr) back = back_from_end(h, *part, back);
+      if (part->aim != nullptr) back = back_from_tip(h, *part, back);
       wanted = wanted + (part->at + back) * part->share;
     }
     node->at = wanted;
@@ -102,7 +103,7 @@ void reach_backward(IkHeuristic& h) {
 
 void reach_forward(IkHeuristic& h) {
   IkTree& tree = *h.tree;
-  const IkPart* part = h.parts;
+  const IkPart* part = h.parts.data;
   for (IkNode& node : tree.nodes) {
     Columns above = node.above;
     if (node.parent != kNoParent) multiply(tree.nodes[node.parent].frame, above, above);
@@ -113,6 +114,7 @@ void reach_forward(IkHeuristic& h) {
     node.frame.origin = above.origin;
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
   }
+  update_tips(tree);
   update_parts(h);
 }
 

@@ -12,38 +12,39 @@
 namespace marrow {
 namespace {
 
-constexpr float kFarthest = 1e6f, kTooFar = 1000000.0625f;  // the next number
-constexpr float kAllButTwoPercent = 5.834f;                 // (1 + x) e^-x = 0.02
-constexpr float kLeastRise = 0.173648178f;                  // cos 80°
+constexpr float kFarthest = 1e6f;
+constexpr float kTooFar = 1000000.0625f;     // the next float
+constexpr float kAllButTwoPercent = 5.834f;  // x at which (1 + x) e^-x = 0.02
+constexpr float kLeastRise = 0.173648178f;   // cos 80°
 
-// One call: what all feet share.
+// What all feet of a call share.
 struct FeetCall {
   PosedJoints pose;
   const Feet& feet;
   const FeetFrame& frame;
   f32x4 up = load_wide(frame.up);
   Columns world = columns(frame.world_from_scene);
-  // Of settings that have been checked.
-  float rate = 0;         // 1/s, of what dies away
+  // Set once the settings are checked.
+  float rate = 0;         // 1/s, at which offsets die away
   float decay = 0;        // e^(-rate dt)
-  CosSin slope = {1, 0};  // the steepest
+  CosSin slope = {1, 0};  // of the steepest ground that a foot leans with
 };
 
-// All numbers, with or without sign; false for what is not a number.
+// Whether all numbers are less than `limit` in absolute value; false for NaN.
 bool is_smaller(f32x4 v, float limit) {
   return all(absolute(v) < splat(limit));
 }
-bool near(f32x4 v) {
+bool in_range(f32x4 v) {
   return is_smaller(v, kTooFar);
 }
-bool near(const float (&v)[3]) {  // with something behind it
-  return near(load_wide(v));
+bool in_range(const float (&v)[3]) {  // a fourth number is read and dropped
+  return in_range(load_wide(v));
 }
-bool near(const Affine& a) {
-  return near(load_aligned(a.rows[0])) && near(load_aligned(a.rows[1])) && near(load_aligned(a.rows[2]));
+bool in_range(const Affine& a) {
+  return in_range(load_aligned(a.rows[0])) && in_range(load_aligned(a.rows[1])) && in_range(load_aligned(a.rows[2]));
 }
 
-// What a matrix makes of a direction, and of a point.
+// A direction through a matrix; and a point through a matrix and then to the world.
 f32x4 turned_by(const Affine& a, f32x4 v) {
   return turn(columns(a), v);
 }
@@ -51,12 +52,12 @@ f32x4 at(const Columns& world, const Affine& a, const float (&point)[3]) {
   return transform(world, transform(columns(a), load_three(point)));
 }
 
-// The place of a joint in the world.
+// A joint's position in the world.
 f32x4 place_of(const FeetCall& call, std::uint32_t joint) {
   return transform(call.world, wide_origin(call.pose.scene_from_joint[joint]).v);
 }
 
-// A map's linear part, inverted but for its determinant: by columns.
+// The inverse of a map's linear part, times the determinant.
 struct Inverse {
   Columns columns;
   float determinant;
@@ -72,16 +73,16 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
   if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
   MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
-  MARROW_CHECK(near(foot.sole));
-  MARROW_CHECK(near(foot.bend_axis));
+  MARROW_CHECK(in_range(foot.sole));
+  MARROW_CHECK(in_range(foot.bend_axis));
   MARROW_CHECK(within(foot.weight, 0, 1));
-  MARROW_CHECK(near(ground.point));
-  MARROW_CHECK(near(ground.normal));
+  MARROW_CHECK(in_range(ground.point));
+  MARROW_CHECK(in_range(ground.normal));
   for (const std::uint32_t joint : joints) {
     const Affine& m = call.pose.scene_from_joint[joint];
-    MARROW_CHECK(near(m));
-    MARROW_CHECK(near(place_of(call, joint)));
-    MARROW_CHECK(near(turned_by(m, load_three(foot.sole))));
+    MARROW_CHECK(in_range(m));
+    MARROW_CHECK(in_range(place_of(call, joint)));
+    MARROW_CHECK(in_range(turned_by(m, load_three(foot.sole))));
   }
   return {};
 }
@@ -96,7 +97,7 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(frame.dt_s, 0, kFarthest));
   MARROW_CHECK(within(frame.weight, 0, 1));
   MARROW_CHECK(within(squared3(call.up), 0.999f, 1.001f));
-  MARROW_CHECK(near(frame.world_from_scene));
+  MARROW_CHECK(in_range(frame.world_from_scene));
   MARROW_CHECK(inverse_of_linear(frame.world_from_scene).determinant > 1e-12f);
   MARROW_CHECK(within(call.feet.lower_m, 0, kFarthest));
   MARROW_CHECK(within(call.feet.reach, 0, 1));
@@ -104,14 +105,14 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
   const std::uint32_t pelvis = call.feet.pelvis;
   MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_CHECK(near(call.pose.scene_from_joint[pelvis]));
+  if (pelvis != kNoJoint) MARROW_CHECK(in_range(call.pose.scene_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
   return {};
 }
 
-// x'' + 2 r x' + r² x = 0, exactly, for a step whose e^(-r dt) is given.
+// Solves x'' + 2 r x' + r² x = 0 exactly for one step; call.decay is e^(-r dt).
 template <class F>
 void die_away(const FeetCall& call, F& x, F& speed) {
   const F both = speed + x * call.rate;
@@ -129,24 +130,24 @@ f32x4 level(const FeetCall& call, f32x4 v) {
   return unit3_or(across3(v, call.up), splat(0.0f));
 }
 
-// About up, from one level direction to another.
+// The turn about up from one level direction to another.
 WideRotation level_turn(const FeetCall& call, f32x4 from, f32x4 to) {
   const float s = dot3(cross3(from, to), call.up), c = dot3(from, to);
   const float w = 1.0f + c;
-  if (w < 1e-6f && s * s < 1e-6f) {  // half a turn, or no direction
+  if (w < 1e-6f && s * s < 1e-6f) {  // they are opposite, or have no direction
     return c == 0 ? no_turn() : WideRotation{call.up};
   }
   return normalised(quaternion(call.up * s, w));
 }
 
-// The ground's normal, not steeper than the foot leans.
-f32x4 lean_of(const FeetCall& call, f32x4 normal) {
+// The ground's normal, or one less steep if the foot leans less far.
+f32x4 leaning(const FeetCall& call, f32x4 normal) {
   const float c = dot3(normal, call.up);
   if (c >= call.slope.cos) return normal;
   return call.up * call.slope.cos + level(call, normal) * call.slope.sin;
 }
 
-// A plane that the sole can stand on: the ray's, or the animation's own.
+// The plane that the sole stands on: the one that the ray hit, or the animation's own.
 struct Ground {
   f32x4 point, normal;
   bool hit;
@@ -156,22 +157,23 @@ Ground ground_of(const FeetCall& call, const FootGround& given) {
   if (given.hit && dot3(normal, call.up) > kLeastRise) return {load_three(given.point), normal, true};
   return {call.world.origin, call.up, false};
 }
-// By how much the animated sole is lifted to be as high above the plane as it is above the animation's level ground.
+// How far the animated sole is to be lifted, so that it is as high above the plane as above the animation's ground.
 float lift_to(const FeetCall& call, const Ground& ground, f32x4 sole) {
   const float above = dot3(sole - call.world.origin, call.up);
   return above + dot3(ground.point - sole, ground.normal) / dot3(ground.normal, call.up);
 }
 
-// Another plane than in the last frame makes no difference yet: the offset makes up for it.
+// Where the plane is another than in the last frame, the offset takes up the difference, so that the foot does not
+// jump.
 void change_ground(const FeetCall& call, const Ground& now, f32x4 sole, FootMotion& m) {
   Ground was = {load_three(m.point), load_three(m.normal), m.hit != 0};
   if (!was.hit) was = {call.world.origin, call.up, false};
   const float step = lift_to(call, now, sole) - lift_to(call, was, sole);
   store_wide(m.offset, load_three(m.offset) - call.up * step);
-  store_wide(m.lean, load_three(m.lean) + lean_of(call, was.normal) - lean_of(call, now.normal));
+  store_wide(m.lean, load_three(m.lean) + leaning(call, was.normal) - leaning(call, now.normal));
 }
 
-// The heading of a planted foot: captured, held, or on its way back.
+// Takes the heading of a foot that is planted now, holds it, or lets it die away once the foot is released.
 void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, FootMotion& m) {
   if (m.planted != 0) {
     store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), load_three(m.heading)).v);
@@ -191,7 +193,7 @@ f32x4 sole_of(const FeetCall& call, const Foot& foot) {
   return at(call.world, call.pose.scene_from_joint[foot.ankle], foot.sole);
 }
 
-// One foot's motion by one frame.
+// Moves one foot's motion on by one frame.
 void follow(const FeetCall& call, const Foot& foot, const FootGround& given, FootMotion& m) {
   const f32x4 sole = sole_of(call, foot);
   const Ground ground = ground_of(call, given);
@@ -211,7 +213,7 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
     const f32x4 place = load_three(m.place);
     shown = place + call.up * dot3(shown - place, call.up);
     const f32x4 offset = shown - target;
-    if (call.frame.dt_s > 0) {  // level, with what speed it is left behind; up and down, as it dies away
+    if (call.frame.dt_s > 0) {  // level: the speed at which it is left behind; along up: that of dying away
       const f32x4 speed = (offset - was) * (1.0f / call.frame.dt_s);
       store_wide(m.offset_speed, speed + call.up * dot3(load_three(m.offset_speed) - speed, call.up));
     }
@@ -224,7 +226,7 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
   store_wide(m.normal, ground.normal);
 }
 
-// Whether nothing that is made of a motion gets out of hand, as it may of one that nobody here has written.
+// Whether a motion's numbers are in range. Games may hand in any bytes.
 bool is_sound(const FootMotion& m) {
   constexpr float kMostPlace = 1e9f, kMostSpeed = 1e18f;
   static constexpr struct {
@@ -240,7 +242,7 @@ bool is_sound(const FootMotion& m) {
          absolute(m.turn_share_speed) < kMostSpeed && m.axis < 3;
 }
 
-// The same from and to a motion that is sound; else it begins anew.
+// follow(), beginning anew where the motion is not sound before or after.
 void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& given, FootMotion& m) {
   if (!is_sound(m)) m = {};
   follow(call, foot, given, m);
@@ -249,22 +251,23 @@ void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& gi
   follow(call, foot, given, m);
 }
 
-// From the animated attitude of a foot to the one that is shown.
-WideRotation turn_of(const FeetCall& call, const FootMotion& m) {
-  const f32x4 normal = unit3_or(lean_of(call, load_three(m.normal)) + load_three(m.lean), call.up);
+// The turn from the animated attitude of a foot to the shown one.
+WideRotation shown_turn(const FeetCall& call, const FootMotion& m) {
+  const f32x4 normal = unit3_or(leaning(call, load_three(m.normal)) + load_three(m.lean), call.up);
   return shortest_arc(call.up, normal) * share_of(WideRotation{load(m.turn)}, m.turn_share);
 }
 
+// Where the ankle is to be, so that the sole is at its place when the foot is turned so.
 f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, WideRotation turned) {
   const f32x4 sole = turned_by(call.pose.scene_from_joint[foot.ankle], load_three(foot.sole));
   return load_three(m.place) - rotate(turned, turn(call.world, sole));
 }
 
-// By how much the pelvis is too high, `lift` included, for a leg no longer than it may be. A leg that the animation has
-// longer may be so, too, less the way that its ankle is moved.
+// How far the pelvis, once lifted, is too high for the leg. The leg may be Feet::reach of its bones long. If the
+// animation has it longer, it may be that long less the distance by which its ankle is moved.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const f32x4 hip = place_of(call, foot.hip), knee = place_of(call, foot.knee), ankle = place_of(call, foot.ankle);
-  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, turn_of(call, m)), animated = hip - ankle;
+  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, m)), animated = hip - ankle;
   const float most = call.feet.reach * (length3(knee - hip) + length3(ankle - knee));
   const float own = length3(animated) - length3(leg - animated), longest = most > own ? most : own;
   const float down = dot3(leg, call.up), square = longest * longest - (squared3(leg) - down * down);
@@ -272,7 +275,7 @@ float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, floa
   return down > highest ? down - highest : 0.0f;
 }
 
-// The pelvis goes by the lowest sole, and further down as legs need it.
+// How far the pelvis is lifted: as far as the lowest sole, and less as legs need it.
 float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
   const float most = call.feet.lower_m;
   float lift = 0, excess = 0;
@@ -293,8 +296,8 @@ float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
   return call.frame.weight * (lift > -most ? lift : -most);
 }
 
-// `way` in the space of a matrix's columns; none if they have no volume.
-f32x4 into(const Affine& m, f32x4 way) {
+// A direction taken to the space that `m` comes from; 0 if m is flat.
+f32x4 to_space_of(const Affine& m, f32x4 way) {
   const Inverse inverse = inverse_of_linear(m);
   if (!(absolute(inverse.determinant) > 1e-30f)) return splat(0.0f);
   return turn(inverse.columns, way) * (1.0f / inverse.determinant);
@@ -303,21 +306,22 @@ f32x4 into(const Affine& m, f32x4 way) {
 void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
   if (joint == kNoJoint || lift == 0) return;
-  const f32x4 wide_way = into(map_above(call.pose, joint), into(call.frame.world_from_scene, call.up * lift));
-  if (!near(wide_way)) return;
+  const f32x4 wide_way =
+      to_space_of(map_above(call.pose, joint), to_space_of(call.frame.world_from_scene, call.up * lift));
+  if (!in_range(wide_way)) return;
   const Vector3 way = narrow(wide_way);
   float(&t)[3][4] = call.pose.local[joint / 4].translation;
   t[0][joint % 4] += way.x, t[1][joint % 4] += way.y, t[2][joint % 4] += way.z;
   update_below(call.pose, joint);
 }
 
-// Leg to `goal`, ankle to the axes `want`. A leg that has gone too far for that stays as it is.
+// Bends the leg to `goal` and turns the ankle to the axes `want`. Leaves a leg with numbers out of range as it is.
 void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Columns& want, bool& reached) {
   const Affine& ankle = call.pose.scene_from_joint[foot.ankle];
-  if (reach(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
+  if (solve_limb_of_pose(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const WideRotation q = rotation_between(right_axes(call.world, ankle), want);
   const float mirror =
-      inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // then the third axis goes the other way
+      inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // right_axes() has turned the third axis round
   float own[4];
   store(own, q.v * lanes(mirror, mirror, 1.0f, 1.0f));
   turn_joint(call.pose.local, foot.ankle, own);
@@ -329,14 +333,14 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   goal.weight = call.frame.weight * foot.weight;
   if (goal.weight == 0) return;
   store(goal.bend_axis, vector3(foot.bend_axis));
-  const WideRotation whole = turn_of(call, m), turned = share_of(whole, goal.weight);
+  const WideRotation whole = shown_turn(call, m), turned = share_of(whole, goal.weight);
   Columns want = right_axes(call.world, call.pose.scene_from_joint[foot.ankle]);
   for (f32x4& axis : want.axis) axis = rotate(turned, axis);
   f32x4 target = ankle_of(call, foot, m, whole);
-  // Once, but where joints are scaled unevenly and the foot is not the shape that it was before the leg turned.
+  // Again only under uneven scale, where the foot has another shape once the leg has turned.
   for (int i = 0; i < 3; ++i) {
-    const f32x4 in_scene = into(call.frame.world_from_scene, target - call.world.origin);
-    if (!near(in_scene)) return;
+    const f32x4 in_scene = to_space_of(call.frame.world_from_scene, target - call.world.origin);
+    if (!in_range(in_scene)) return;
     store_wide(goal.target, in_scene);
     bool reached = false;
     turn_leg(call, foot, goal, want, reached);
@@ -354,7 +358,7 @@ Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Af
                  float (&sole_world)[3]) {
   MARROW_REQUIRE(holds(scene_from_joint) && foot.ankle < scene_from_joint.size);
   const f32x4 sole = at(columns(world_from_scene), scene_from_joint[foot.ankle], foot.sole);
-  MARROW_REQUIRE(near(sole));
+  MARROW_REQUIRE(in_range(sole));
   store_wide(sole_world, sole);
   return Status::ok;
 }

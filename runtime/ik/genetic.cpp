@@ -1,7 +1,7 @@
-// Inverse kinematics by evolution: poses that compete, cross and learn.
+// Inverse kinematics by evolution: poses compete, are crossed and learn.
 //
 // After the memetic scheme of Starke, Hendrich and Zhang 2019 (Memetic Evolution for Generic Full-Body Inverse
-// Kinematics in Robotics and Animation), with cyclic coordinate descent in the place of its gradient steps.
+// Kinematics in Robotics and Animation), with cyclic coordinate descent in place of its gradient steps.
 #include <algorithm>
 
 #include "core/mark.h"
@@ -11,16 +11,16 @@ namespace marrow {
 namespace {
 
 constexpr std::size_t kPoses = 24;  // of a generation
-constexpr std::size_t kElites = 6;  // of those, that learn and live on
-constexpr int kLessons = 4;         // for each elite, a generation
-constexpr float kProgress = 0.9f;   // of an elite's error, what must be left at most, or else it makes room
+constexpr std::size_t kElites = 6;  // the best of them, which learn and live on
+constexpr int kLessons = 4;         // CCD steps of an elite in a generation, at most
+constexpr float kProgress = 0.9f;   // an elite that keeps more of its error than this share makes room
 
 struct Pose {
   WideRotation* rotations;  // one a node
   float error;
 };
 
-// Two generations, of which one makes the other.
+// A generation, and room for the next.
 struct Population {
   IkHeuristic h;
   Chance chance;
@@ -37,14 +37,14 @@ void take(const IkTree& tree, Pose& pose) {
   pose.error = total_error(tree);
 }
 
-// Joints turned at random from where they are at the start, a few or many, a little or anyhow.
+// Makes a pose from the start by random turns of its joints, which are small or large.
 void be_born(Population& p, Pose& pose) {
   const float wide = p.chance.unit();
   begin_anew(*p.h.tree, p.chance, 4.0f * wide * wide);
   take(*p.h.tree, pose);
 }
 
-// The better of two.
+// The better of two poses chosen at random.
 const Pose& parent(Population& p) {
   const Pose &a = p.poses[p.chance.below(kPoses)], &b = p.poses[p.chance.below(kPoses)];
   return a.error < b.error ? a : b;
@@ -64,7 +64,7 @@ void cross(Population& p, Pose& child) {
   take(tree, child);
 }
 
-// Cyclic coordinate descent, as long as it helps.
+// Improves a pose by cyclic coordinate descent, as long as that helps.
 void learn(Population& p, Pose& pose, float tolerance) {
   IkTree& tree = *p.h.tree;
   put(tree, pose);
@@ -86,7 +86,7 @@ void next_generation(Population& p, float tolerance) {
     Pose& elite = p.poses[i];
     const float before = elite.error;
     learn(p, elite, tolerance);
-    // In a corner: all but the best begin anew.
+    // Stuck in a corner of its limits: all but the best begin anew.
     if (i > 0 && elite.error > tolerance && elite.error > kProgress * before) be_born(p, elite);
   }
   for (std::size_t i = kElites; i < kPoses; ++i) cross(p, p.next[i]);

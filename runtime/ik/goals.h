@@ -1,4 +1,4 @@
-// Goals and matrices as the solvers of inverse kinematics read them.
+// Checks of goals, and matrices and vectors loaded into registers.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,9 @@
 
 namespace marrow {
 
-// 0 … 1: of numbers that are not negative, the order is that of their bits. False for -0.
-inline bool is_plain_share(float x) {
-  return bit_cast<std::uint32_t>(x) <= bit_cast<std::uint32_t>(1.0f);
-}
+// Whether x is in 0 … 1. Floats that are not negative are ordered as their bits are; x == 0 admits -0.
 inline bool is_share(float x) {
-  return 0 <= x && x <= 1;
+  return bit_cast<std::uint32_t>(x) <= bit_cast<std::uint32_t>(1.0f) || x == 0;
 }
 
 inline constexpr float kMostStretch = 0x1p20f;
@@ -23,10 +20,10 @@ inline bool is_stretch(float x) {  // 1 … kMostStretch
   return bit_cast<std::uint32_t>(x) - least <= most - least;
 }
 
-// Of a limb's length: what counts as reached.
+// A target is reached where the end is nearer to it than this share of the limb's length.
 inline constexpr float kNear = 1e-4f;
 
-// Whether x is not 0, or not 1; in few instructions.
+// Whether x is not 0 of either sign.
 inline bool is_some(float x) {
   return bit_cast<std::uint32_t>(x) << 1 != 0;
 }
@@ -34,15 +31,16 @@ inline bool is_some(const float (&v)[3]) {
   const auto bits = [&](int i) { return bit_cast<std::uint32_t>(v[i]); };
   return (bits(0) | bits(1) | bits(2)) << 1 != 0;
 }
+// Whether x is not 1.
 inline bool is_partial(float x) {
   return bit_cast<std::uint32_t>(x) != bit_cast<std::uint32_t>(1.0f);
 }
 
-// In one register each. Of a matrix the rows.
+// A matrix by rows, a register each.
 inline Linear<One> wide_rows(const Affine& a) {
   return {{load_aligned(a.rows[0])}, {load_aligned(a.rows[1])}, {load_aligned(a.rows[2])}};
 }
-// Three numbers with something behind them in memory.
+// Three numbers. A fourth is read with them, and dropped.
 inline Vector<One> wide(const float* p) {
   return {without_w(load(p))};
 }

@@ -1,4 +1,4 @@
-// The iteration that FABRIK and CCD share, and the sums of turns that joints make in both.
+// The iteration that FABRIK and CCD share, and the sums of turns in both.
 #include "ik/heuristic.h"
 
 #include "core/mark.h"
@@ -14,37 +14,37 @@ void hang(IkPart& part) {
   part.on->weight += part.weight;
 }
 
-// Goals, and what hangs on what with what weight: from the ends inwards.
+// Sets goals and weights, and links what hangs on each node; from the tips inwards.
 void set_aims(IkHeuristic& h) {
   float greatest = 0;
-  for (const IkEnd& end : h.tree->ends)
-    greatest = greater(greatest, greater(end.goal->position_weight, end.goal->rotation_weight * h.per_size));
+  for (const IkNode& tip : h.tree->tips)
+    greatest = greater(greatest, greater(tip.goal->position_weight, tip.goal->rotation_weight * h.per_size));
   const float scale = greatest > 0 ? 1.0f / greatest : 0.0f;
-  for (IkPart& part : h.of_ends()) {
+  for (IkPart& part : h.of_tips()) {
     IkAim& aim = *part.aim;
-    const IkEnd& end = *aim.end;
-    const float position = end.goal->position_weight * scale, turn = end.goal->rotation_weight * h.per_size * scale;
-    aim.goal = load_wide(end.goal->position);
-    aim.rotation = normalised(WideRotation{load(end.goal->rotation)}) * conjugate(end.rotation);
+    const IkNode& tip = *aim.tip;
+    const float position = tip.goal->position_weight * scale, turn = tip.goal->rotation_weight * h.per_size * scale;
+    aim.goal = load_wide(tip.goal->position);
+    aim.rotation = normalised(WideRotation{load(tip.goal->rotation)}) * conjugate(tip.above_turned);
     part.weight = aim.position = position * position;
     aim.turn = turn * turn;
     hang(part);
   }
-  for (IkPart* node = h.ends; node-- != h.parts;) hang(*node);
-  for (IkPart& part : h.all())
+  for (IkPart* node = h.tips; node-- != h.parts.data;) hang(*node);
+  for (IkPart& part : h.parts)
     if (part.on != nullptr && part.on->weight > 0) part.share = part.weight / part.on->weight;
   for (const IkNode& node : h.tree->nodes) h.free = h.free && node.limit == nullptr && node.ease_root == 1.0f;
 }
 
 float error_of(const IkHeuristic& h) {
   float sum = 0;
-  for (const IkPart& end : h.of_ends()) sum = with_error(sum, *h.tree, *end.aim->end, end.aim->goal - end.at);
+  for (const IkPart& tip : h.of_tips()) sum = with_error(sum, *tip.aim->tip, tip.aim->goal - tip.at);
   return sqrt(sum);
 }
 
-// What iterations change: of a plain chain where its parts are, else how nodes are turned.
-IkParts changing(const IkHeuristic& h) {
-  return {h.parts, h.plain ? h.behind : h.ends};
+// The parts whose state an iteration changes: in a plain chain the points, else the rotations of the nodes.
+Span<IkPart> changing(const IkHeuristic& h) {
+  return {h.parts.data, h.plain ? h.parts.size : h.tree->nodes.size};
 }
 f32x4 next_state(const IkPart& part, bool plain, const IkNode*& node) {
   return plain ? part.at : node++->rotation.v;
@@ -56,7 +56,7 @@ void keep_pose(IkHeuristic& h) {
   for (IkPart& part : changing(h)) part.before = next_state(part, plain, node);
 }
 
-// Whether the last iteration moved nothing.
+// Whether the last iteration changed next to nothing.
 bool at_rest(const IkHeuristic& h) {
   const bool plain = h.plain;
   const float scale = plain ? h.per_size : 1.0f;
@@ -76,7 +76,7 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
       reach_forward(h);
     }
   } else {
-    for (IkPart& end : h.of_ends()) end.at = end.aim->goal;
+    for (IkPart& tip : h.of_tips()) tip.at = tip.aim->goal;
     reach_backward(h);
     if (h.chain) {
       reach_forward_by_points(h);
@@ -88,12 +88,12 @@ void iterate_once(IkHeuristic& h, const IkProblem& problem, IkMethod method) {
   if (h.chain && !h.free && problem.pole_weight > 0) face_pole(h, problem);
 }
 
-// Of the last iteration only a share.
+// Takes back all but a share of the last iteration.
 void take_share_of_points(IkHeuristic& h, float share) {
-  for (IkPart& part : h.all()) part.at = part.before + (part.at - part.before) * share;
+  for (IkPart& part : h.parts) part.at = part.before + (part.at - part.before) * share;
 }
 void take_share_of_turns(IkHeuristic& h, float share) {
-  const IkPart* part = h.parts;
+  const IkPart* part = h.parts.data;
   for (IkNode& node : h.tree->nodes) {
     const WideRotation before = {part++->before};
     set_turned(node, before * part_of(conjugate(before) * node.rotation, share));
@@ -101,8 +101,8 @@ void take_share_of_turns(IkHeuristic& h, float share) {
   update(h);
 }
 
-// The last iteration counts by as much as it was needed, so that the result does not jump where one more, or one less,
-// is enough: all of it if the error is just within the tolerance, nothing if it was before.
+// Takes only the share of the last iteration that was needed, so that the result does not jump where one iteration more
+// or less is enough: all of it if the error is just within the tolerance, none if it was before.
 void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool first) {
   const float before = was - tolerance, after = 0.25f * (tolerance - error);
   if (!(before > 0 && after > 0)) return;
@@ -115,7 +115,7 @@ void stop_smoothly(IkHeuristic& h, float was, float error, float tolerance, bool
   }
 }
 
-// Until the goals as they are in reach are reached, nothing moves, or iterations are over.
+// Iterates until the aims are reached, nothing moves, or iterations are over.
 void iterate(IkHeuristic& h, const IkProblem& problem, const IkOptions& options, IkReport& report) {
   float error = error_of(h);
   report.why = IkStop::reached;
@@ -147,29 +147,24 @@ void count_heuristic(const Skeleton&, const IkProblem& problem, Memory& count) {
 IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   IkHeuristic h;
   h.tree = &tree;
-  h.parts = scratch.take<IkPart>(tree.nodes.size + tree.ends.size).data;
-  h.ends = h.parts + tree.nodes.size;
-  h.aims = scratch.take<IkAim>(tree.ends.size).data;
-  h.behind = h.ends + tree.ends.size;
-  const auto set = [&](IkPart& part, const f32x4& bone, std::uint16_t on) {
+  h.parts = scratch.take<IkPart>(tree.nodes.size + tree.tips.size);
+  h.tips = h.parts.data + tree.nodes.size;
+  h.aims = scratch.take<IkAim>(tree.tips.size).data;
+  const IkNode* node = tree.nodes.data;
+  for (IkPart& part : h.parts) {
     part = IkPart{};
-    part.bone = &bone;
-    if (on != kNoParent) part.on = h.parts + on;
-  };
-  IkPart* part = h.parts;
-  for (const IkNode& node : tree.nodes) set(*part++, node.above.origin, node.parent);
-  part = h.ends;
-  IkAim* aim = h.aims;
-  for (const IkEnd& end : tree.ends) {
-    set(*part, end.point, end.node);
-    part++->aim = aim;
-    aim++->end = &end;
+    part.bone = &node->above.origin;
+    if (node++->parent != kNoParent) part.on = h.parts.data + node[-1].parent;
+  }
+  for (std::size_t i = 0; i < tree.tips.size; ++i) {
+    h.tips[i].aim = h.aims + i;
+    h.aims[i].tip = &tree.tips[i];
   }
   update_parts(h);
   h.size_m = total_length(h);
   h.per_size = h.size_m > 0 && h.size_m < 1e15f ? 1.0f / h.size_m : 0.0f;
   set_aims(h);
-  h.chain = tree.ends.size == 1 && h.aims[0].position > 0 && h.per_size > 0;
+  h.chain = tree.tips.size == 1 && h.aims[0].position > 0 && h.per_size > 0;
   return h;
 }
 
@@ -184,8 +179,8 @@ void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport
     if (h.plain) {
       h.plain = false;
       if (report.iterations > 0) turn_to_points(h);
-      h.turned = no_turn();  // the frames have it
-      // Lengths that depend on how joints are turned, by scales that are not the same in all directions.
+      h.turned = no_turn();  // from now on the frames have it
+      // Under uneven scale the lengths of bones depend on how joints are turned; iterate on with the new ones.
       if (report.why == IkStop::reached && error_of(h) > 1.1f * options.tolerance_m)
         iterate(h, problem, options, report);
     }
@@ -244,7 +239,7 @@ WideRotation part_of(WideRotation any, float share) {
 
 float total_length(const IkHeuristic& h) {
   float sum = 0;
-  for (const IkPart& part : h.all()) sum += part.length;
+  for (const IkPart& part : h.parts) sum += part.length;
   return sum;
 }
 
@@ -254,11 +249,11 @@ void update(IkHeuristic& h) {
 }
 
 void update_parts(IkHeuristic& h) {
-  const IkTree& tree = *h.tree;
-  IkPart* part = h.parts;
-  for (const IkNode& node : tree.nodes) part++->at = node.frame.origin;
-  for (IkPart& end : h.of_ends()) end.at = transform(tree.nodes[end.aim->end->node].frame, *end.bone);
-  for (IkPart& p : h.all()) p.length = p.on == nullptr ? 0.0f : length3(p.at - p.on->at);
+  const IkNode* node = h.tree->nodes.data;
+  for (IkPart& part : h.parts) {
+    part.at = node++->frame.origin;
+    part.length = part.on == nullptr ? 0.0f : length3(part.at - part.on->at);
+  }
 }
 
 }  // namespace marrow

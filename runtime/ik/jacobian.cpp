@@ -1,13 +1,13 @@
-// Damped least squares and Gauss-Newton: steps along the Jacobian, solved in the space of the goals.
+// Damped least squares and Gauss-Newton: steps by the Jacobian, solved in the space of the goals.
 //
 // Damped least squares (Nakamura and Hanafusa 1986; Wampler 1986) takes the step Jᵀ (J Jᵀ + λ²)⁻¹ e. λ² is proportional
-// to the error (Levenberg-Marquardt by Fan and Yuan 2005), which makes it Newton's method close to the goal, and as
-// stiff as a stretched chain where the goal is out of reach; and to a factor that follows how well the last step kept
-// its promise (Nielsen 1999). No step is taken back, so that the result moves continuously with the goals.
+// to the error (Levenberg-Marquardt by Fan and Yuan 2005): close to the goal that is Newton's method, and for a goal
+// out of reach it is as stiff as a stretched chain. λ² also has a factor that follows how well the last step did what
+// its linear model promised (Nielsen 1999). No step is taken back, so the result moves continuously with the goals.
 //
-// Gauss-Newton minimises Σ |x|² / ease, x the rotation vectors from the pose that there was, under the constraint e =
-// 0. With that linearised, μ its Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
-// J Jᵀ μ = e + J x. The same damping keeps it safe where goals cannot be reached, and the pull back by x fades.
+// Gauss-Newton minimises Σ |x|² / ease under the constraint e = 0, with x the rotation vectors from the pose at the
+// start. Linearised, with μ the Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
+// J Jᵀ μ = e + J x. The same damping keeps it safe for goals out of reach. The pull back by x fades near the goals.
 #include "core/mark.h"
 #include "ik/dense.h"
 #include "ik/system.h"
@@ -16,40 +16,40 @@
 namespace marrow {
 namespace {
 
-constexpr float kErrorDamping =
-    0.25f;  // of Σ |error| · reach: above 0.21, the stiffness of two stretched bones' bending
-constexpr float kSizeDamping = 1e-4f;  // of the mean of J Jᵀ's diagonal
-constexpr float kLeastTrust = 0.1f;    // of these, where steps keep their promise
+// Damping as a share of Σ IkTask::size: above 0.21, the stiffness against bending of two stretched bones.
+constexpr float kErrorDamping = 0.25f;
+constexpr float kSizeDamping = 1e-4f;  // damping as a share of the mean of J Jᵀ's diagonal
+constexpr float kLeastTrust = 0.1f;    // the least factor on damping, where steps keep their promise
 constexpr float kLongestStep_rad = 0.5f;
-constexpr float kStill_rad = 1e-5f;  // a step of less is none
-constexpr float kPull = 0.4f;        // of the way back, a step
-constexpr float kPullEnds = 10;      // half of it at so many times the tolerance
-constexpr float kStuck = 1e-3f;  // of J Jᵀ's trace, what an error's direction has at least unless the chain is straight
+constexpr float kStill_rad = 1e-5f;  // a step of less counts as none
+constexpr float kPull = 0.4f;        // the share of the way back to the start that a step takes
+constexpr float kPullEnds = 10;      // at an error of so many tolerances the pull is half as strong
+constexpr float kStuck = 1e-3f;  // a chain is straight if J Jᵀ has less than this share of its trace along the error
 constexpr float kBend_rad = 0.5f;
-constexpr int kPasses = 2;  // of joints meeting their limits, a step
+constexpr int kPasses = 2;  // solutions a step, where joints meet their limits
 
 struct Progress {
   float damping = 1;
   float error = 0;     // Σ error² before the step
-  float promised = 0;  // what the step was to take of it, were the goals linear
-  float mended = 1;    // the share of the error that the step was to mend
-  int still = 0;       // steps without movement
+  float promised = 0;  // how much of that the step would have taken, were the goals linear
+  float mended = 1;    // the share of the error that the step was to take
+  int still = 0;       // steps in a row without movement
 };
 
-// What a step does to the rows of task t, as long as it is linear.
+// How the step changes the rows of task t, were the goals linear.
 f32x4 linear_effect(const IkSystem& s, std::size_t t) {
   return load(s.error + 3 * t) - load(s.rest + 3 * t) + effect(s.tasks[t], s.moves, &IkMove::answer);
 }
 
-// What a fixed part of the step does to task t need not be answered.
+// Takes what a fixed part of the step does off what task t still wants.
 void take_off(IkSystem& s, std::size_t t, f32x4 done) {
   float* const rest = s.rest + 3 * t;
-  const float next = rest[3];  // another's, or padding
+  const float next = rest[3];  // the next task's, or padding
   store(rest, load(rest) - done);
   rest[3] = next;
 }
 
-// Gauss-Newton's pull back to where the pose began.
+// Gauss-Newton's pull back to the pose at the start.
 void pull_back(IkSystem& s, float share) {
   const IkTree& tree = *s.tree;
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
@@ -61,8 +61,8 @@ void pull_back(IkSystem& s, float share) {
   for (std::size_t t = 0; t < s.tasks.size; ++t) take_off(s, t, effect(s.tasks[t], s.moves, &IkMove::fixed));
 }
 
-// A straight chain whose goal is along it, but nearer, does not feel it: no joint's turn brings the end nearer, and the
-// task's own block of J Jᵀ is nought in that direction. There the joints bend a little about `axis` of the scene.
+// Bends a straight chain a little, about `axis` of the scene, if its goal is on the chain's line and nearer: no turn of
+// a joint brings the tip nearer there, and the task's block of J Jᵀ is 0 in that direction.
 void leave_singularity(IkSystem& s, f32x4 axis) {
   const IkTree& tree = *s.tree;
   const std::size_t stride = dense_stride(s.rows);
@@ -79,8 +79,8 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     if (task.turn || !(felt < all * squared)) continue;
     const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
     const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
-    const f32x4 end = transform(tree.nodes[task.end->node].frame, task.end->point);
-    for (std::uint16_t n = task.end->node; n != kNoParent; n = tree.nodes[n].parent) {
+    const f32x4 end = task.tip->frame.origin;
+    for (std::uint16_t n = task.tip->parent; n != kNoParent; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
       const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
       const float inward = -dot3(arm, e), size = l * sqrt(squared3(arm) * squared3(about));
@@ -90,7 +90,7 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
   }
 }
 
-// The longest turn of the step; not finite if some is not.
+// The largest turn of the step; not finite if some turn is not.
 float longest_turn(const IkSystem& s) {
   float most = 0;
   for (std::size_t i = 0; i < s.tree->nodes.size; ++i) {
@@ -101,8 +101,8 @@ float longest_turn(const IkSystem& s) {
   return sqrt(most);
 }
 
-// Where `factor` of the step leads. Joints that it would take beyond their limits go as far as they may. Returns
-// whether there are any.
+// Sets the rotations after `factor` of the step. Joints go no further than their limits; returns whether some limit
+// stopped one.
 bool set_next(IkSystem& s, float factor) {
   const IkTree& tree = *s.tree;
   bool any = false;
@@ -127,7 +127,7 @@ bool set_next(IkSystem& s, float factor) {
   return any;
 }
 
-// The directions in which joints may not go on leave the equations: the others mend what they do not.
+// Takes the directions in which limits stopped joints out of the equations: other joints then do the rest.
 void leave_out_stopped(IkSystem& s) {
   for (std::size_t t = 0; t < s.tasks.size; ++t) {
     const IkTask& task = s.tasks[t];
@@ -146,9 +146,9 @@ void leave_out_stopped(IkSystem& s) {
   }
 }
 
-// Nielsen's rule: less damping where the last step kept its promise, more where it did not.
+// Nielsen's rule: less damping if the last step kept its promise, more if it did not.
 void update_damping(float error, Progress& p) {
-  if (p.promised > 1e-4f * p.error) {  // below, rounding decides
+  if (p.promised > 1e-4f * p.error) {  // of less, rounding decides
     const float x = 2 * (p.error - error) / p.promised - 1, change = 1 - x * x * x;
     p.damping *= change > 2 ? 2.0f : change > 1.0f / 3 ? change : 1.0f / 3;
     p.damping = p.damping > 1 ? 1.0f : p.damping > kLeastTrust ? p.damping : kLeastTrust;
@@ -169,7 +169,7 @@ void set_promise(const IkSystem& s, float factor, Progress& p) {
   p.mended = mended > 0 ? (mended < all ? mended / all : 1.0f) : 0.0f;
 }
 
-// One step. False, and nothing is changed, if it is not finite.
+// Takes one step. False, and nothing is changed, if the step is not finite.
 bool take_step(IkSystem& s, const IkOptions& options, float pull, f32x4 bend_axis, Progress& p) {
   IkTree& tree = *s.tree;
   set_entries(s);
@@ -208,14 +208,14 @@ void solve_jacobian(const IkCall& call, IkTree& tree, Memory& scratch, IkReport&
   set_tasks(tree, call.problem, s);
   const bool newton = options.method == IkMethod::gauss_newton;
   const float ends = kPullEnds * options.tolerance_m;
-  // To the other side next time, in case limits forbid the first or the chain lies along the axis.
+  // Every other step bends to the other side, in case limits forbid the first or the chain lies along the axis.
   constexpr float kBendAxes[2][4] = {{0.48f, 0.36f, 0.8f, 0}, {-0.36f, -0.8f, -0.48f, 0}};
   for (Progress p;; ++report.iterations) {
     report.error_m = set_errors(s);
     report.why = IkStop::reached;
     if (report.error_m <= options.tolerance_m) return;
     report.why = IkStop::stalled;
-    if (p.still > 1) return;  // twice: to either side, see leave_singularity()
+    if (p.still > 1) return;  // both sides were tried, see leave_singularity()
     report.why = IkStop::iterations;
     if (report.iterations == options.max_iterations) return;
     update_damping(report.error_m * report.error_m, p);

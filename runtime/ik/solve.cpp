@@ -9,8 +9,8 @@
 namespace marrow {
 namespace {
 
-constexpr float kMost = 1e15f;         // of numbers that are squared
-constexpr float kMostWeight = 100.0f;  // of what positions are multiplied by: still so
+constexpr float kMost = 1e15f;         // numbers up to here can be squared
+constexpr float kMostWeight = 100.0f;  // positions times this can still be squared
 
 bool all_good(const float* v, std::size_t count) {
   return all_within(v, count, -kMost, kMost);
@@ -26,7 +26,7 @@ BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
 BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
   MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
   MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
-  MARROW_CHECK(problem.goals.size <= kMaxJoints);  // with joints, what 16 bits number
+  MARROW_CHECK(problem.goals.size <= kMaxJoints);  // 16 bits number tips behind the nodes
   MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
   MARROW_CHECK(within(problem.root_travel_m, 0, kMost));
   for (const IkGoal& goal : problem.goals)
@@ -51,7 +51,8 @@ BadCall check_options(const IkOptions& options) {
   return {};
 }
 
-// From the pose; where that ends short of the goals, from others too, as many as there may be. The tree keeps the best.
+// Solves from the pose, then from other poses, as many as there may be, until the goals are reached. The tree keeps the
+// best result.
 IkReport solve_from_starts(IkSolver solve, const IkCall& call, IkTree& tree, const Memory& memory) {
   IkReport best;
   Chance chance(call.options.seed);

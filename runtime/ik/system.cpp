@@ -6,33 +6,33 @@
 namespace marrow {
 namespace {
 
-constexpr float kLongestTurn = 2;     // of an error, in radians, that one step is to mend
-constexpr float kLeastPivot = 1e-5f;  // of the mean of J Jᵀ's diagonal: above what float's rounding leaves of a zero
+constexpr float kLongestTurn = 2;     // radians of an error that one step is to mend at most
+constexpr float kLeastPivot = 1e-5f;  // as a share of the mean of J Jᵀ's diagonal; rounding leaves less of a zero
 
 std::size_t tasks_of(const IkGoal& goal) {
   return (goal.position_weight > 0 ? 1u : 0u) + (goal.rotation_weight > 0 ? 1u : 0u);
 }
 
-void add_task(const IkEnd& end, bool turn, float weight, IkEntry*& entries, IkSystem& s) {
+void add_task(const IkNode& tip, bool turn, float weight, IkEntry*& entries, IkSystem& s) {
   const IkTree& tree = *s.tree;
   const bool travels = s.travel_ease > 0;
   std::uint32_t length = 0;
-  float reach = 0;
-  f32x4 from = transform(tree.nodes[end.node].frame, end.point);
-  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) {
+  float bones = 0;  // their length from the tip to the top
+  f32x4 from = tip.frame.origin;
+  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) {
     const f32x4 to = tree.nodes[n].frame.origin;
-    reach += sqrt(dot3(from - to, from - to));
+    bones += sqrt(dot3(from - to, from - to));
     from = to;
     length += n == 0 && travels ? 2 : 1;
   }
-  s.tasks.data[s.tasks.size++] = {&end, entries, length, turn, weight, weight * (turn ? kLongestTurn : reach), 0, 1};
+  s.tasks.data[s.tasks.size++] = {&tip, entries, length, turn, weight, weight * (turn ? kLongestTurn : bones), 0, 1};
   IkEntry* entry = entries + length;
-  for (std::uint16_t n = end.node; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
+  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
   if (entry != entries) entries->node = static_cast<std::uint16_t>(tree.nodes.size);
   entries += length;
 }
 
-// Metres of the root's own space that it travels as easily as a joint turns by a radian.
+// How far the root travels, in metres of its parent's space, as easily as a joint turns by a radian. 0: not at all.
 float travel_ease(const IkTree& tree, float root_travel_m) {
   if (!(root_travel_m > 0) || tree.nodes[0].place != 0) return 0;
   const f32x4(&axis)[3] = tree.nodes[0].above.axis;
@@ -43,16 +43,16 @@ float travel_ease(const IkTree& tree, float root_travel_m) {
 
 void set_entries(const IkSystem& s, const IkTask& task) {
   const IkTree& tree = *s.tree;
-  f32x4 point = task.end->point;
+  f32x4 point = task.tip->above.origin;
   IkEntry* entry = task.path + task.length;
-  for (std::uint16_t n = task.end->node; n != kNoParent;) {
+  for (std::uint16_t n = task.tip->parent; n != kNoParent;) {
     const IkNode& node = tree.nodes[n];
     const f32x4 factor = splat(task.weight * node.ease_root);
     --entry;
     if (task.turn) {
       set_axes(node.turned, entry->column);
       for (f32x4& c : entry->column) c = c * factor;
-    } else {  // axis × point, through the frame
+    } else {  // axis × point, taken to the scene
       const f32x4 at = point * factor;
       const f32x4 x = splat_lane<0>(at), y = splat_lane<1>(at), z = splat_lane<2>(at);
       const f32x4(&axis)[3] = node.frame.axis;
@@ -74,7 +74,7 @@ void set_entries(const IkSystem& s, const IkTask& task) {
   for (int i = 0; i < 3; ++i) task.path->column[i] = tree.nodes[0].above.axis[i] * factor;
 }
 
-// Rows `first` … `end` - 1 of those before `end`: what they still lack, damped; the rows before them shall stay.
+// Adds to `sum` what rows `first` … `end` - 1 still lack, damped, and keeps the rows before them as they are.
 void solve_level(IkSystem& s, std::size_t first, std::size_t end, float damping, float least) {
   const std::size_t from = dense_stride(s.rows), to = dense_stride(end);
   for (std::size_t i = 0; i < end; ++i) {
@@ -129,12 +129,12 @@ void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
   IkEntry* entries = s.entries;
   for (int priority = 0, next = 0; next < 256; priority = next) {
     next = 256;
-    for (const IkEnd& end : tree.ends) {
-      const IkGoal& goal = *end.goal;
+    for (const IkNode& tip : tree.tips) {
+      const IkGoal& goal = *tip.goal;
       if (goal.priority > priority && goal.priority < next) next = goal.priority;
       if (goal.priority != priority) continue;
-      if (goal.position_weight > 0) add_task(end, false, goal.position_weight, entries, s);
-      if (goal.rotation_weight > 0) add_task(end, true, goal.rotation_weight, entries, s);
+      if (goal.position_weight > 0) add_task(tip, false, goal.position_weight, entries, s);
+      if (goal.rotation_weight > 0) add_task(tip, true, goal.rotation_weight, entries, s);
     }
   }
   for (std::size_t i = 0; i < s.rows * dense_stride(s.rows); ++i) s.a[i] = 0;
@@ -144,14 +144,15 @@ void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& s) {
 float set_errors(IkSystem& s) {
   float total = 0, *to = s.error;
   for (IkTask& task : s.tasks) {
-    f32x4 e = task.turn ? rotation_error(*s.tree, *task.end) : position_error(*s.tree, *task.end);
+    f32x4 e = task.turn ? rotation_error(*task.tip) : position_error(*task.tip);
     e = e * task.weight;
     const float squared = squared3(e), l = sqrt(squared);
     total += squared;
     task.cut = l > task.longest && task.longest > 0 ? l / task.longest : 1.0f;
     if (l > task.longest) e = e * (task.longest / l);
-    task.size = length3(e) * (task.turn ? length3(e) : task.longest);  // how a turn's error bends depends on its size
-    store(to, e);                                                      // the fourth lane is the next one's, or padding
+    task.size =
+        length3(e) * (task.turn ? length3(e) : task.longest);  // the curvature of a turn's error grows with its size
+    store(to, e);                                              // lane w falls on the next task's row, or on padding
     to += 3;
   }
   return sqrt(total);
@@ -178,7 +179,7 @@ void set_products(IkSystem& s) {
         }
       }
       float* const to = s.a + 3 * i * stride + 3 * j;
-      store(to, row0);  // the fourth lane is 0, and the next block's
+      store(to, row0);  // lane w is 0 and falls on the next block, which comes later
       store(to + stride, row1);
       store(to + 2 * stride, row2);
     }
@@ -193,9 +194,9 @@ void solve_rows(IkSystem& s, float error_share, float size_share) {
   const float mean = trace / static_cast<float>(s.rows), least = mean * kLeastPivot + 1e-30f;
   const float size = mean * size_share + least;
   for (std::size_t first = 0, task = 0; task < s.tasks.size; first = 3 * task) {
-    const int priority = s.tasks[task].end->goal->priority;
+    const int priority = s.tasks[task].tip->goal->priority;
     float damping = size;
-    for (; task < s.tasks.size && s.tasks[task].end->goal->priority == priority; ++task)
+    for (; task < s.tasks.size && s.tasks[task].tip->goal->priority == priority; ++task)
       damping += s.tasks[task].size * error_share;
     solve_level(s, first, 3 * task, damping, least);
   }

@@ -1,41 +1,41 @@
-// The Jacobian of an IkTree's goals and the equations that it makes: how errors change as joints turn.
+// The Jacobian of an IkTree's goals, how errors change as joints turn, and the equations made of it.
 //
-// Everything is in units that make the joints alike: the step of a node is its rotation vector, in its own axes,
-// divided by the square root of its ease, and rows of goals are multiplied by their weights.
+// Units make the joints alike: a node's step is its rotation vector, in its own axes, divided by the square root of its
+// ease. Rows of goals are multiplied by the goals' weights.
 #pragma once
 
 #include "ik/tree.h"
 
 namespace marrow {
 
-// What turning one node does to one task: a column for each axis of the node, a lane for each row.
+// How turning one node changes one task: a column for each axis of the node, a lane for each row.
 struct IkEntry {
   f32x4 column[3];
   std::uint16_t node;
 };
 
-// Of the columns, one of that direction.
+// The sum of the columns by the lanes of v.
 f32x4 times(const IkEntry& entry, f32x4 v);
 
-// Three rows of the Jacobian: where an end is, or how it is turned.
+// Three rows of the Jacobian: a tip's position, or its rotation.
 struct IkTask {
-  const IkEnd* end;
-  IkEntry* path;  // from the top down, so that what tasks have in common is the front of their paths
+  const IkNode* tip;
+  IkEntry* path;  // from the top down: what two tasks share is the front of their paths
   std::uint32_t length;
   bool turn;
   float weight;
-  float longest;  // the most of the error that one step is to mend, weighted
-  float size;     // |error| · reach: what damping is measured by
-  float cut;      // how many times longer the error is: 1 or more
+  float longest;  // of the weighted error, the most that one step is to mend
+  float size;     // |error| · length of the bones, which damping is proportional to
+  float cut;      // the error divided by what is to be mended of it: 1 or more
 };
 
 // The step of a node is fixed + answer.
 struct IkMove {
-  f32x4 fixed;        // what does not answer the goals: the pull back, and what limits leave of the step
-  f32x4 answer;       // Jᵀ x
-  WideRotation next;  // where it leads
+  f32x4 fixed;        // what is not solved for: the pull back, and the way to a limit
+  f32x4 answer;       // what is: Jᵀ x
+  WideRotation next;  // the rotation after the step
   f32x4 beyond;       // the direction in which a limit stopped it
-  float most;         // how far it still went that way
+  float most;         // how far the step went that way
   bool stopped;
 };
 
@@ -43,40 +43,40 @@ struct IkSystem {
   IkTree* tree;
   Span<IkTask> tasks;  // most urgent first
   IkEntry* entries;
-  Span<IkMove> moves;  // one a node, and one for the travel; to a multiple of four
+  Span<IkMove> moves;  // one a node, then one for the travel, then up to a multiple of four
   std::size_t rows;
   float travel_ease;
-  float* error;  // of each row, to be mended by one step
-  float* rest;   // of that, what fixed parts of the step leave to be answered
+  float* error;  // for each row, what one step is to mend
+  float* rest;   // the same less what the fixed parts of the step do
   float* a;      // J Jᵀ: see dense_stride()
   float* work;
   float* x;
-  float* sum;  // of solutions, level by level
+  float* sum;  // solutions, summed over the levels of priority
 };
 
-// The room for it. Without memory it only counts, and the pointers mean nothing.
+// A system with its memory. Without memory this only counts, and the pointers mean nothing.
 IkSystem place_system(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch);
 
-// Tasks and their paths.
+// Sets the tasks and their paths.
 void set_tasks(IkTree& tree, const IkProblem& problem, IkSystem& system);
 
-// Errors as they are now. Returns the total: see IkReport.
+// Sets the errors to the tree's. Returns the total, see IkReport.
 float set_errors(IkSystem& system);
 
-// The Jacobian as it is now.
+// Sets the Jacobian to the tree's.
 void set_entries(IkSystem& system);
 
-// J Jᵀ, of whatever is left of the Jacobian.
+// Sets J Jᵀ from the Jacobian, or from what is left of it.
 void set_products(IkSystem& system);
 
-// sum: x of the answer Jᵀ x. Level by level of priority, each in the null space of those before it. `error_share` and
-// `size_share` make the damping: of the level's Σ IkTask::size, and of the mean of J Jᵀ's diagonal.
+// Solves for x of the answer Jᵀ x, into `sum`: one level of priority after another, each in the null space of those
+// before it. Damping is error_share · the level's Σ IkTask::size + size_share · the mean of J Jᵀ's diagonal.
 void solve_rows(IkSystem& system, float error_share, float size_share);
 
-// The moves' answers, from `sum`.
+// Sets the moves' answers from `sum`.
 void set_answers(IkSystem& system);
 
-// By how much a part of the step changes the rows of a task.
+// How a part of the step changes the rows of a task.
 f32x4 effect(const IkTask& task, Span<const IkMove> moves, f32x4 IkMove::*part);
 
 }  // namespace marrow

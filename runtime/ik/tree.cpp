@@ -21,73 +21,83 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
-// What is above a node, up to the node that it hangs on, or to the scene.
-void set_above(const PosedJoints& pose, const std::uint16_t* node_of, IkNode& node) {
+// Folds into `above` all joints from `joint` up to the node that `node` hangs on, or to the scene. Before that it is
+// the map from the node's axes to the space of `joint`.
+void set_above(const PosedJoints& pose, const std::uint16_t* node_of, std::uint16_t joint, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
-  std::uint16_t on = skeleton.parents[node.joint];
+  std::uint16_t on = joint;
   while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
   const bool top = on == kNoParent;
-  node.parent = top ? kNoParent : node_of[on];
-  Columns above = {{}, wide_translation_of(local, node.joint)};
-  set_axes(no_turn(), above.axis);
+  Columns& above = node.above;
   WideRotation turned = no_turn();
-  std::uint16_t joint = node.joint;
-  for (std::uint16_t next; (next = skeleton.parents[joint]) != on; joint = next) {
-    if (!top) multiply(local_frame(local, next), above, above);
-    turned = wide_rotation_of(local, next) * turned;
+  std::uint16_t root = node.joint;
+  for (std::uint16_t j = joint; j != on; j = skeleton.parents[j]) {
+    if (!top) multiply(local_frame(local, j), above, above);
+    turned = wide_rotation_of(local, j) * turned;
+    root = j;
   }
   if (top) {
+    node.parent = kNoParent;
     multiply(columns(map_above(pose, node.joint)), above, above);
-    turned = rotation_of(skeleton.scene_from_root[joint]) * turned;
+    turned = rotation_of(skeleton.scene_from_root[root]) * turned;
   } else {
+    node.parent = node_of[on];
     const f32x4 scale = wide_scale_of(local, on);
     for (f32x4& axis : above.axis) axis = axis * scale;
     above.origin = above.origin * scale;
   }
-  node.above = above;
   node.above_turned = turned;
 }
 
-void set_end(const PosedJoints& pose, const std::uint16_t* node_of, IkEnd& end) {
-  const Span<const SoaTransform> local = pose.local;
-  std::uint16_t joint = end.goal->joint;
-  f32x4 point = load_wide(end.goal->offset), bone = splat(0.0f);
-  WideRotation rotation = no_turn();
-  for (; node_of[joint] == kNoParent; joint = pose.skeleton.parents[joint]) {
-    const Columns frame = local_frame(local, joint);
-    point = transform(frame, point);
-    bone = transform(frame, bone);
-    rotation = wide_rotation_of(local, joint) * rotation;
-  }
-  end.node = node_of[joint];
-  const f32x4 scale = wide_scale_of(local, joint);
-  end.point = point * scale;
-  end.bone = bone * scale;
-  end.rotation = rotation;
+void set_node(const IkCall& call, std::size_t place, const std::uint16_t* node_of, IkNode& node) {
+  const IkProblem& problem = call.problem;
+  node.joint = problem.joints[place];
+  node.place = static_cast<std::uint16_t>(place);
+  node.goal = nullptr;
+  node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[place]);
+  node.rotation = node.start = wide_rotation_of(call.pose.local, node.joint);
+  node.limit = find_limit(problem.limits, node.joint);
+  node.hinge = splat(0.0f);
+  if (node.limit != nullptr && node.limit->kind == LimitKind::hinge)
+    node.hinge = rotate({load(node.limit->joint_from_limit)}, lanes(1.0f, 0.0f, 0.0f, 0.0f));
+  set_axes(no_turn(), node.above.axis);
+  node.above.origin = wide_translation_of(call.pose.local, node.joint);
+  set_above(call.pose, node_of, call.pose.skeleton.parents[node.joint], node);
+  if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
+}
+
+void set_tip(const PosedJoints& pose, const IkGoal& goal, const std::uint16_t* node_of, IkNode& tip) {
+  tip.joint = goal.joint;
+  tip.goal = &goal;
+  set_axes(no_turn(), tip.above.axis);
+  tip.above.origin = load_wide(goal.offset);
+  set_above(pose, node_of, goal.joint, tip);
+  tip.parent_from_frame = tip.above;
 }
 
 void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
   set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
-// Translations of all joints from the goal's up to, and not with, the first that turns.
+// Scales the translations of all joints from the goal's up to the one below the first that turns.
 void stretch_bones(const PosedJoints& pose, const IkTree& tree, float factor) {
-  for (std::uint16_t j = tree.ends[0].goal->joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
+  for (std::uint16_t j = tree.tips[0].joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
     set_translation(pose.local, j, wide_translation_of(pose.local, j) * factor);
 }
 
 }  // namespace
 
 IkTree place_tree(const Skeleton& skeleton, const IkProblem& problem, Memory& scratch) {
-  return {scratch.take<IkNode>(problem.joints.size), scratch.take<IkEnd>(problem.goals.size),
+  return {scratch.take<IkNode>(problem.joints.size + problem.goals.size),
+          {},
           scratch.take<std::uint16_t>(skeleton.joint_count).data};
 }
 
 BadCall build_tree(const IkCall& call, IkTree& tree) {
   const Skeleton& skeleton = call.pose.skeleton;
   const IkProblem& problem = call.problem;
-  constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // and moves a goal
+  constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // kMoves: may turn, and moves a goal
   std::uint16_t* const node_of = tree.node_of;
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
   for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;
@@ -108,31 +118,18 @@ BadCall build_tree(const IkCall& call, IkTree& tree) {
       node_of[joint] = kNoParent;
       continue;
     }
-    IkNode& node = tree.nodes[count];
-    node.joint = joint;
-    node.place = static_cast<std::uint16_t>(i);
-    node.ease_root = problem.stiffness.empty() ? 1.0f : sqrt(1.0f - problem.stiffness[i]);
-    node.rotation = node.start = wide_rotation_of(call.pose.local, joint);
-    node.limit = find_limit(problem.limits, joint);
-    node.hinge = splat(0.0f);
-    if (node.limit != nullptr && node.limit->kind == LimitKind::hinge)
-      node.hinge = rotate({load(node.limit->joint_from_limit)}, lanes(1.0f, 0.0f, 0.0f, 0.0f));
-    set_above(call.pose, node_of, node);
-    if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
+    set_node(call, i, node_of, tree.nodes[count]);
     node_of[joint] = count++;
   }
   tree.nodes.size = count;
+  tree.tips = {tree.nodes.end(), problem.goals.size};
+  for (std::size_t i = 0; i < problem.goals.size; ++i) set_tip(call.pose, problem.goals[i], node_of, tree.tips[i]);
   update_frames(tree);
   f32x4 sum = splat(0.0f);
   for (const IkNode& node : tree.nodes) {
     sum = sum + node.frame.axis[0] + node.frame.axis[1] + node.frame.axis[2] + node.above_turned.v;
   }
-  const IkGoal* goal = problem.goals.data;
-  for (IkEnd& end : tree.ends) {
-    end.goal = goal++;
-    set_end(call.pose, node_of, end);
-    sum = sum + transform(tree.nodes[end.node].frame, end.point) + end.rotation.v;
-  }
+  for (const IkNode& tip : tree.tips) sum = sum + tip.frame.origin + tip.above_turned.v;
   MARROW_CHECK(all_finite(sum) && "the pose and the goals");
   return {};
 }
@@ -148,23 +145,26 @@ void update_frames(IkTree& tree) {
     turn_axes(node.above, node.rotation, local.axis);
     local.origin = node.above.origin;
     if (&node == tree.nodes.data) local.origin = local.origin + turn(node.above, tree.travel);
-    if (node.parent == kNoParent) {
-      node.frame = local;
-    } else {
-      multiply(tree.nodes[node.parent].frame, local, node.frame);
-    }
+    follow_parent(tree, node);
     if (tree.turns) node.turned = above_turned(tree, node) * node.rotation;
+  }
+  update_tips(tree);
+}
+
+void update_tips(IkTree& tree) {
+  for (IkNode& tip : tree.tips) {
+    follow_parent(tree, tip);
+    if (tree.turns) tip.turned = above_turned(tree, tip);
   }
 }
 
-f32x4 rotation_error(const IkTree& tree, const IkEnd& end) {
-  const WideRotation to = {load(end.goal->rotation)};
-  return turn_of(to * conjugate(tree.nodes[end.node].turned * end.rotation));
+f32x4 rotation_error(const IkNode& tip) {
+  return turn_of(WideRotation{load(tip.goal->rotation)} * conjugate(tip.turned));
 }
 
 float total_error(const IkTree& tree) {
   float sum = 0;
-  for (const IkEnd& end : tree.ends) sum = with_error(sum, tree, end, position_error(tree, end));
+  for (const IkNode& tip : tree.tips) sum = with_error(sum, tip, position_error(tip));
   return sqrt(sum);
 }
 

@@ -1,4 +1,4 @@
-// What a kernel of inverse kinematics found, put into a pose.
+// Turns found by the kernels are put into a pose here, and calls with poses are checked.
 #pragma once
 
 #include "core/check.h"
@@ -8,40 +8,40 @@
 
 namespace marrow {
 
-// A pose, and its joints' matrices.
+// A pose and its matrices, which belong together.
 struct PosedJoints {
   const Skeleton& skeleton;
   Span<SoaTransform> local;
   Span<Affine> scene_from_joint;
 };
 
-// A quaternion of any length; the identity of one that is too short, or not finite.
+// Sets a joint's rotation to a quaternion of any length; to the identity where that is too short or not finite.
 [[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
   set_rotation(pose, joint, normalised(q));
 }
 
-// The kernels know the axes of a matrix, which hide whether a joint mirrors itself by its own scale: there the turn
-// goes the other way about the axes that are mirrored an odd number of times.
+// Multiplies a kernel's turn onto a joint's rotation. The kernel saw a matrix, which does not tell a joint's own
+// mirroring scale from its rotation: a turn's x changes sign if just one of the scale's y and z is negative, and so on.
 inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float (&turn)[4]) {
   const Vector3 s = scale_of(local, joint);
   const f32x4 next = rotated_xyz(lanes(s.x, s.y, s.z, 1)), mirrored = flip(next, rotated_xyz(next));
   set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});
 }
 
-// Whether `joint` is below `above`, at any depth. Both are joints of the skeleton.
+// Whether `joint` is `above` or below it, at any depth. Both are joints of the skeleton.
 inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
   while (joint > above && joint >= skeleton.root_count) joint = skeleton.parents[joint];
   return joint == above;
 }
 
-// A pose and its matrices are there.
+// The pose and its matrices are there.
 [[gnu::noinline]] inline BadCall check_pose(const PosedJoints& pose) {
   MARROW_CHECK(holds(pose.local, pose.skeleton.soa_size()));
   MARROW_CHECK(holds(pose.scene_from_joint, pose.skeleton.joint_count));
   return {};
 }
 
-// They are, and of the joints each is below the one before it.
+// So are the joints, each below the one before it.
 [[gnu::noinline]] inline BadCall check_chain(const PosedJoints& pose, Span<const std::uint32_t> joints) {
   if (const BadCall bad = check_pose(pose)) return bad;
   const Skeleton& skeleton = pose.skeleton;
@@ -53,13 +53,13 @@ inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint
   return {};
 }
 
-// What is above a joint.
+// The map of what is above a joint: scene_from_parent.
 inline const Affine& map_above(const PosedJoints& pose, std::uint32_t joint) {
   const Skeleton& skeleton = pose.skeleton;
   return joint < skeleton.root_count ? skeleton.scene_from_root[joint] : pose.scene_from_joint[skeleton.parents[joint]];
 }
 
-// Brings the matrices up to date of a joint that has turned and all below it.
+// Updates the matrices of a joint that has turned and of all below it.
 [[gnu::noinline]] inline void update_below(const PosedJoints& pose, std::uint32_t joint) {
   (void)local_to_model_below(pose.skeleton, pose.local, joint, pose.scene_from_joint);
 }

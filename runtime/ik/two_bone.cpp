@@ -16,13 +16,11 @@ constexpr int kMostSteps = 10;
 
 inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*joints.start), mid = wide_origin(*joints.mid), end = wide_origin(*joints.end);
-  return {mid - start,
-          end - mid,
-          wide(goal.target) - start,
-          *opaque(joints.start),
+  return {{mid - start, end - mid, wide(goal.target) - start},
+          *joints.start,
           *joints.mid,
-          goal.bend_axis,
-          goal.pole,
+          {load_aligned(goal.bend_axis)},
+          wide(goal.pole),
           is_some(goal.twist_rad),
           all_lanes<One>(goal.twist_rad),
           all_lanes<One>(goal.soft),
@@ -32,12 +30,11 @@ inline LimbProblem<One> problem(const TwoBoneJoints& joints, const TwoBone& goal
           all_lanes<One>(goal.weight)};
 }
 
-// False if the numbers are not finite; see solve_limb().
-template <bool plain>
+template <bool usual>
 inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
   LimbProblem<One> in = problem(joints, goal);
   LimbSolution<One> s;
-  if (!solve_limb<plain>(in, s)) return false;
+  if (!solve_limb<usual>(in, s)) return false;
   store(out.start, s.start.v);
   store(out.mid, s.mid.v);
   out.stretch = first_lane(s.stretch.v);
@@ -45,34 +42,33 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   out.reached = s.miss_squared < near * near;
   return true;
 }
+[[gnu::noinline, gnu::cold]] bool solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+  return solve_one<false>(joints, goal, out);
+}
 
-[[gnu::noinline, gnu::cold]] BadCall solve_any(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
+// The kernel, for joints that are there.
+[[gnu::noinline, gnu::flatten]] BadCall solve_limb(const TwoBoneJoints& joints, const TwoBone& goal,
+                                                   TwoBoneTurns& out) {
   MARROW_CHECK(is_share(goal.weight) && is_share(goal.soft));
   MARROW_CHECK(is_stretch(goal.max_stretch));
-  MARROW_CHECK(solve_one<false>(joints, goal, out) && "finite, not too large");
+  if (solve_one<true>(joints, goal, out)) [[likely]]
+    return {};
+  MARROW_CHECK(solve_any(joints, goal, out) && "finite, not too large");
   return {};
 }
 
-// The kernel, of joints that are there.
-[[gnu::noinline, gnu::flatten]] BadCall solve_reach(const TwoBoneJoints& joints, const TwoBone& goal,
-                                                    TwoBoneTurns& out) {
-  const bool usual = is_plain_share(goal.weight) && is_plain_share(goal.soft) && is_stretch(goal.max_stretch);
-  if (usual && solve_one<true>(joints, goal, out)) return {};
-  return solve_any(joints, goal, out);
-}
-
-// The translations of the limb's joints but the first.
+// Scales the translations of all joints from below the start joint down to the end joint.
 void stretch_limb(const PosedJoints& pose, const TwoBoneLimb& limb, float stretch) {
   for (std::uint32_t joint = limb.end; joint != limb.start; joint = pose.skeleton.parents[joint])
     for (float(&axis)[4] : pose.local[joint / 4].translation) axis[joint % 4] *= stretch;
 }
 
-// A direction.
+// A direction, turned by the map.
 Vector<One> through(const Affine& m, Vector<One> v) {
   return transposed_times(wide_rows(m), v);
 }
 
-// Whether a map's axes are not at right angles, or of different lengths: then its rows are so, too.
+// Whether a map is not a turn and one scale. It is one just if its rows are at right angles and of one length.
 [[gnu::noinline]] bool is_uneven(const Affine& m) {
   const Vector<One> first = wide(m.rows[0]);
   const One squared = dot(first, first);
@@ -84,7 +80,7 @@ Vector<One> through(const Affine& m, Vector<One> v) {
   return !(off < all_lanes<One>(1e-10f) * (squared * squared));
 }
 
-// The inverse of a map's linear part; not finite if there is none.
+// The inverse of a map's linear part; not finite if the map is flat.
 [[gnu::noinline]] Affine inverse_of(const Affine& m) {
   f32x4 x = load_aligned(m.rows[0]), y = load_aligned(m.rows[1]), z = load_aligned(m.rows[2]), w = splat(0.0f);
   transpose(x, y, z, w);
@@ -97,46 +93,47 @@ Vector<One> through(const Affine& m, Vector<One> v) {
   return out;
 }
 
-// A limb that changes its shape as its joints turn, in two spaces: that of what is above it, in which the first joint
-// turns it rigidly, and that of the middle joint's parent, in which the middle joint does so.
+// A limb under uneven scale, which changes its shape as its joints turn. Each joint turns it rigidly in the space of
+// that joint's parent: so the limb is bent in the space above the middle joint, and turned in that above the start.
 struct UnevenLimb {
   const PosedJoints& pose;
   const TwoBoneLimb& limb;
   const TwoBoneJoints& at;
-  Affine from_above = inverse_of(map_above(pose, limb.start));
-  Affine from_frame = inverse_of(map_above(pose, limb.mid));
+  Affine start_parent_from_scene = inverse_of(map_above(pose, limb.start));
+  Affine mid_parent_from_scene = inverse_of(map_above(pose, limb.mid));
 };
 
-// Seen through a map; false if the numbers are not finite.
+// Solves the limb in the space that `m` leads to; false if the numbers are not finite.
 [[gnu::noinline]] bool solve_through(const UnevenLimb& u, const Affine& m, TwoBone& goal, Vector<One> target,
                                      TwoBoneTurns& turns) {
   Affine seen[3];
   const Affine* const joints[] = {u.at.start, u.at.mid, u.at.end};
   for (int i = 0; i < 3; ++i) multiply(m, *joints[i], seen[i]);
   store_wide(goal.target, through(m, target).v);
-  return !solve_reach({seen, seen + 1, seen + 2}, goal, turns);
+  return !solve_limb({seen, seen + 1, seen + 2}, goal, turns);
 }
 
-// Bends the limb until it is as long as the way to the target, both seen from above: by secants, in the space where the
-// middle joint turns rigidly.
+// Bends the limb until start and end are as far apart as start and target, both measured above the start joint. Secant
+// steps, each solved above the middle joint.
 void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*u.at.start);
   const auto length_through = [](const Affine& m, Vector<One> v) {
     const Vector<One> seen = through(m, v);
     return first_lane(sqrt(dot(seen, seen)).v);
   };
-  const float want = length_through(u.from_above, wide(goal.target) - start);
+  const float want = length_through(u.start_parent_from_scene, wide(goal.target) - start);
   TwoBone bent;
   store(bent.bend_axis, vector3(goal.bend_axis));
   float was_long = 0, was_seen = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector<One> now = wide_origin(*u.at.end) - start;
-    const float is_long = length_through(u.from_frame, now), seen = length_through(u.from_above, now);
+    const float is_long = length_through(u.mid_parent_from_scene, now),
+                seen = length_through(u.start_parent_from_scene, now);
     const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
     if (absolute(off) <= 1e-6f * want) return;
     const float by = off * (within(slope, 0.25f * even, 4 * even) ? slope : even);
     TwoBoneTurns turns;
-    if (!solve_through(u, u.from_frame, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
+    if (!solve_through(u, u.mid_parent_from_scene, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
     turn_joint(u.pose.local, u.limb.mid, turns.mid);
     update_below(u.pose, u.limb.mid);
     was_long = is_long, was_seen = seen;
@@ -148,15 +145,15 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
   turn_joint(local, limb.mid, turns.mid);
 }
 
-// From one rotation to another by a share.
+// Sets a joint's rotation to a mix of `from` and the one it has, by `share` of the latter.
 [[gnu::noinline]] void blend_back(Span<SoaTransform> local, std::size_t joint, Quaternion<One> from, float share) {
   const Quaternion<One> to = wide_rotation_of(local, joint);
   const One same = {sum_of_lanes(from.v * to.v)};
   set_direction(local, joint, {from.v * splat(1 - share) + to.v * flip(all_lanes<One>(share), same).v});
 }
 
-// Whether the limb, once it is stretched, meets the target: where secants have not come to an end, it does not.
-bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
+// Whether the limb, once stretched, reaches the target. It may not, where the secants have not converged.
+bool is_reached(const UnevenLimb& u, const TwoBone& goal, float stretch) {
   const Vector<One> start = wide_origin(*u.at.start), upper = wide_origin(*u.at.mid) - start,
                     way = wide_origin(*u.at.end) - start, lower = way - upper,
                     miss = wide(goal.target) - start - way * all_lanes<One>(stretch);
@@ -164,19 +161,20 @@ bool is_met(const UnevenLimb& u, const TwoBone& goal, float stretch) {
   return dot(miss, miss) < near * near;
 }
 
-// Then it is turned to the target, and back by what the goal's weight leaves. Leaves the stretch in `turns`.
+// Bends the limb and turns it to the target, then mixes both turns with the pose by the goal's weight. The stretch is
+// left in `turns`.
 void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);
   bend_uneven(u, goal);
   TwoBone whole = goal;
   whole.weight = 1;
-  store_wide(whole.pole, through(u.from_above, wide(goal.pole)).v);
-  const bool seen = solve_through(u, u.from_above, whole, wide(goal.target), turns);
+  store_wide(whole.pole, through(u.start_parent_from_scene, wide(goal.pole)).v);
+  const bool seen = solve_through(u, u.start_parent_from_scene, whole, wide(goal.target), turns);
   turn_limb(u.pose.local, u.limb, turns);
   update_below(u.pose, u.limb.start);
-  turns.reached = turns.reached && is_met(u, goal, turns.stretch);
-  if (!seen) return;  // what is above is flat: as if it were even
+  turns.reached = turns.reached && is_reached(u, goal, turns.stretch);
+  if (!seen) return;  // the map above is flat
   blend_back(u.pose.local, u.limb.start, start, goal.weight);
   blend_back(u.pose.local, u.limb.mid, mid, goal.weight);
   turns.stretch = 1 + (turns.stretch - 1) * goal.weight;
@@ -186,11 +184,11 @@ void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) 
 
 Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out) {
   MARROW_REQUIRE(joints.start != nullptr && joints.mid != nullptr && joints.end != nullptr);
-  MARROW_REQUIRE_GOOD(solve_reach(joints, goal, out));
+  MARROW_REQUIRE_GOOD(solve_limb(joints, goal, out));
   return Status::ok;
 }
 
-BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
   const Skeleton& skeleton = pose.skeleton;
   MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
@@ -198,7 +196,7 @@ BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& g
   const Affine* const joints = pose.scene_from_joint.data;
   const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
-  if (const BadCall bad = solve_reach(at, goal, turns)) return bad;
+  if (const BadCall bad = solve_limb(at, goal, turns)) return bad;
   if (goal.weight != 0) {
     if (is_uneven(map_above(pose, limb.start)) || is_uneven(map_above(pose, limb.mid))) {
       turn_uneven({pose, limb, at}, goal, turns);
@@ -214,7 +212,7 @@ BadCall reach(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& g
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
                       Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(reach({skeleton, local, scene_from_joint}, limb, goal, reached));
+  MARROW_REQUIRE_GOOD(solve_limb_of_pose({skeleton, local, scene_from_joint}, limb, goal, reached));
   return Status::ok;
 }
 

@@ -1,4 +1,4 @@
-// Four limbs at once, a limb a lane.
+// two_bone_x4(): four limbs at once, a limb a lane.
 #include "core/check.h"
 #include "ik/goals.h"
 #include "ik/two_bone.h"
@@ -23,7 +23,7 @@ inline void store_turns(const Quaternion<f32x4>& q, float (TwoBoneTurns::*member
   store(out[3].*member, d);
 }
 
-template <bool plain>
+template <bool usual>
 inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool stretched, TwoBoneTurns (&out)[4]) {
   const FourAffines start = load_affines(*j[0].start, *j[1].start, *j[2].start, *j[3].start);
   const FourAffines mid = load_affines(*j[0].mid, *j[1].mid, *j[2].mid, *j[3].mid);
@@ -34,9 +34,7 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   const f32x4 weight_off = target.origin - clamp_to_unit(target.origin),
               soft_off = axis.origin - clamp_to_unit(axis.origin);
   if (!all(absolute(weight_off) + absolute(soft_off) < number<f32x4>(kNumbers.tiny))) return false;
-  LimbProblem<f32x4> in = {origin(mid) - origin(start),
-                           origin(end) - origin(mid),
-                           target.linear - origin(start),
+  LimbProblem<f32x4> in = {{origin(mid) - origin(start), origin(end) - origin(mid), target.linear - origin(start)},
                            linear_rows(start),
                            linear_rows(mid),
                            axis.linear,
@@ -50,7 +48,7 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
                            target.origin};
   if (stretched) in.max_stretch = load_each(g, [](const TwoBone& goal) { return goal.max_stretch; });
   LimbSolution<f32x4> s;
-  if (!solve_limb<plain>(in, s)) return false;
+  if (!solve_limb<usual>(in, s)) return false;
   store_turns(s.start, &TwoBoneTurns::start, out);
   store_turns(s.mid, &TwoBoneTurns::mid, out);
   const f32x4 near = s.limb * number<f32x4>(kNumbers.near);
@@ -64,10 +62,9 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   return true;
 }
 
-[[gnu::noinline, gnu::cold]] BadCall solve_any_four(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
-                                                    bool stretched, TwoBoneTurns (&out)[4]) {
-  MARROW_CHECK(solve_four<false>(joints, goals, stretched, out) && "shares 0 ... 1, finite, not too large");
-  return {};
+[[gnu::noinline, gnu::cold]] bool solve_any_four(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4],
+                                                 bool stretched, TwoBoneTurns (&out)[4]) {
+  return solve_four<false>(joints, goals, stretched, out);
 }
 
 }  // namespace
@@ -78,8 +75,9 @@ inline bool solve_four(const TwoBoneJoints (&j)[4], const TwoBone (&g)[4], bool 
   for (const TwoBone& goal : goals) MARROW_REQUIRE(is_stretch(goal.max_stretch));
   const bool stretched = is_partial(goals[0].max_stretch) || is_partial(goals[1].max_stretch) ||
                          is_partial(goals[2].max_stretch) || is_partial(goals[3].max_stretch);
-  if (!stretched && solve_four<true>(joints, goals, false, out)) return Status::ok;
-  MARROW_REQUIRE_GOOD(solve_any_four(joints, goals, stretched, out));
+  if (!stretched && solve_four<true>(joints, goals, false, out)) [[likely]]
+    return Status::ok;
+  MARROW_REQUIRE(solve_any_four(joints, goals, stretched, out) && "shares 0 ... 1, finite, not too large");
   return Status::ok;
 }
 

@@ -1,4 +1,4 @@
-// What functions on limits share: limits of one rotation, for solvers too.
+// A limit applied to one rotation, for functions on limits and for solvers.
 #pragma once
 
 #include "core/check.h"
@@ -7,10 +7,10 @@
 
 namespace marrow {
 
-// Of a call for a whole pose: the limits are there, and so are their joints.
+// Checks that the limits are there, and their joints in the pose.
 BadCall check_joints(Span<const JointLimit> limits, Span<const SoaTransform> local);
 
-// clamp_rotation(): q itself, bit for bit, if it is inside, has no length or is not finite.
+// clamp_rotation(), for any q. One that is inside, has no length or is not finite comes back bit for bit.
 WideRotation clamped(const JointLimit& limit, WideRotation q);
 
 // The angle of the turn between two unit quaternions, 0 … π, within 1e-6.

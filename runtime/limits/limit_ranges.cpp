@@ -5,14 +5,14 @@ namespace marrow::ranges {
 Twist twist_of(float v, float w) {
   const float n = sqrt(v * v + w * w);
   if (n < 1e-12f) return {{}, 0.0f};
-  // What is left turns by an angle with cos(angle / 2) = n.
+  // The rest of the rotation turns by an angle with cos(angle / 2) = n.
   const float left = n < 1.0f ? sqrt((1.0f - n) / (1.0f + n)) : 0.0f;
   return {{v / n, w / n}, fade_out(left, 0.0f, 1.0f)};
 }
 
-// The nearest point is p_i e_i² / (e_i² + t) with the t ≥ 0 that puts it on the ellipse. Divided by e_i it is a vector
-// of length 1, whose inverse length is almost linear in t: Newton's method on that (Hebden 1973; Moré 1978, for trust
-// regions) comes from below and never overshoots.
+// The nearest point has the coordinates p_i e_i² / (e_i² + t), with the t ≥ 0 that puts it on the ellipse: divided by
+// e_i they are then a unit vector. The inverse of that vector's length is nearly linear in t, so Newton's method on it
+// (Hebden 1973; Moré 1978, for trust regions) comes from below and never overshoots.
 Swing nearest_on_ellipse(const Swing& at, float ry, float rz) {
   const float yy = ry * ry, zz = rz * rz, gy = ry * at.y, gz = rz * at.z;
   const float from_y = absolute(gy) - yy, from_z = absolute(gz) - zz;

@@ -1,4 +1,4 @@
-// Angles as tangents of a quarter, and what is nearest in ranges, ellipses and boxes of them.
+// Angles as tangents of their quarters, and the nearest ones in ranges and ellipses.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace marrow::ranges {
 
-// A turn about some axis, as the sine and cosine of half its angle.
+// An angle, as the sine and cosine of its half.
 struct HalfAngle {
   float sin = 0, cos = 1;
 };
@@ -24,13 +24,13 @@ inline HalfAngle operator-(const HalfAngle& a) {
   return {-a.sin, a.cos};
 }
 
-// 1 up to three quarters of the way from `edge` to `end`, and from there down to 0 at `end`.
+// 1 up to three quarters of the way from `edge` to `end`; from there it falls to 0 at `end`.
 inline float fade_out(float at, float edge, float end) {
   const float left = 4.0f * (end - at), room = end - edge;
   return left >= room ? 1.0f : left > 0 ? left / room : 0.0f;
 }
 
-// The nearest angle in the range; `share` of its way from the middle, unless the range is a whole turn.
+// The angle in the range that is nearest, moved to `share` of its way from the middle unless the range is a whole turn.
 inline HalfAngle nearest_in(const AngleRange& range, const HalfAngle& angle, float share) {
   if (range.half_width >= 1.0f) return angle;
   const HalfAngle middle = half_angle(range.middle);
@@ -42,25 +42,27 @@ inline HalfAngle nearest_in(const AngleRange& range, const HalfAngle& angle, flo
   return half_angle(t * share) + middle;
 }
 
-// What may be beyond a limit, as a tangent of a quarter: what rounding leaves on it, and still within its tolerance.
+// How far beyond a limit an angle counts as inside, as a tangent of a quarter: more than rounding, less than the
+// limits' tolerance.
 inline constexpr float kSlack = 1e-6f;
-// Whether an angle, as what is so many times longer than 1, is in the range.
+// Whether an angle is in the range. length: of its sine and cosine, which need not be 1.
 inline bool contains(const AngleRange& range, const HalfAngle& angle, float length) {
   const HalfAngle d = angle + -half_angle(range.middle);
   return range.half_width >= 1.0f || absolute(d.sin) <= (range.half_width + kSlack) * (length + absolute(d.cos));
 }
 
-// A turn about one axis out of a rotation: the part v of its vector along that axis, and its w.
+// The twist of a rotation about an axis. v: the part of its vector along that axis.
 struct Twist {
   HalfAngle angle;
-  float share;  // 1; where the rest turns by almost 180°, and the twist is about to be lost, down to 0
+  float share;  // 1; falls to 0 where the rest turns by almost 180° and the twist is lost
 };
 Twist twist_of(float v, float w);
 
-// The point of the ellipse |(y / ry, z / rz)| = 1 that is nearest to (y, z), a point outside. Both radii are above 0.
+// A swing about y and z, as tangents of a quarter.
 struct Swing {
   float y, z;
 };
+// The point of the ellipse |(y / ry, z / rz)| = 1 nearest to `at`, which is outside. Both radii are above 0.
 Swing nearest_on_ellipse(const Swing& at, float ry, float rz);
 
 }  // namespace marrow::ranges

@@ -1,4 +1,4 @@
-// Limits over time: what follows a target, with limited speed and acceleration.
+// Followers: rotations and points that follow a target with limited speed and acceleration.
 #include "core/check.h"
 #include "core/mark.h"
 #include "limits/joint_limit.h"
@@ -8,17 +8,17 @@ namespace marrow {
 namespace {
 
 constexpr float kStepsPerSecond = 960.0f, kLongestFrame_s = 0.25f;
-constexpr float kShortestFrame_s = 1e-9f;  // in which a target may go anywhere, and its velocity is still finite
-// Within this much of the target, and of its velocity per second, the follower is taken to be on it.
+constexpr float kShortestFrame_s = 1e-9f;  // any move of a target in this time still has a finite velocity
+// A follower so near to its target, with so nearly its velocity, is on it.
 constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
 enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
 
-// The speed after a step of h, towards a target at distance d, that lies on the curve from which braking by `brake`
-// stops there: v² = 2 brake d - brake² / gain², and near the target, where that would come to its end with a jump, v =
-// gain d. Distance after the step is d - (now + v) h / 2.
+// The speed after a step of h towards a target at distance d, from which braking by `brake` stops there:
+// v² = 2 brake d - brake² / gain²; and v = gain d near the target, where braking would end with a jump. The distance
+// after the step is d - (now + v) h / 2.
 float speed_on_curve(float d, float now, float brake, float gain, float h) {
   const float near = gain * (d - 0.5f * now * h) / (1.0f + 0.5f * gain * h);
-  const float knee = brake / gain;  // the speed where both meet
+  const float knee = brake / gain;  // the speed at which both agree
   if (near <= knee) return near;
   const float half = 0.5f * brake * h, under = half * half + 2.0f * brake * d - 2.0f * half * now - knee * knee;
   return sqrt(under > 0 ? under : 0.0f) - half;
@@ -33,7 +33,7 @@ f32x4 no_longer(f32x4 v, float most) {
   return squared > most * most ? v * (most / sqrt(squared)) : v;
 }
 
-// Follows a target that moves from `from` to the origin, evenly, in `time_s`.
+// Follows a target that moves evenly from `from` to the origin in `time_s`.
 void follow_origin(Motion& m, f32x4 from, float time_s, const RateLimit& limit) {
   const int steps = static_cast<int>(time_s * kStepsPerSecond + 0.99f);
   const int count = steps > 0 ? steps : 1;
@@ -64,8 +64,8 @@ bool is_longer(f32x4 v, float most) {
   return squared3(v) > most * most;
 }
 
-// One frame of a follower: `m` relative to where the target now is, `from` where the target was. Whether it is on the
-// target at the end; then its velocity is the target's.
+// Moves a follower on by one frame. m: relative to the target's new place. from: the target's old place, likewise.
+// Returns whether it is on the target in the end; its velocity is then the target's.
 bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, const RateLimit& limit) {
   const f32x4 target_velocity = from * (-1.0f / time_s);
   const float between_s = 0.5f * (time_s + last_s), gain = limit.acceleration * between_s;
@@ -83,7 +83,7 @@ bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, c
   return arrived;
 }
 
-// Whether a follower is one that has been here: its velocity may be that of the farthest target in the shortest frame.
+// Whether a call can have left these numbers. The farthest target in the shortest frame gives the greatest velocity.
 bool is_sound(const float (&velocity)[3], float frame_s, std::uint32_t mode) {
   return all_within(velocity, 3, -1e25f, 1e25f) && within(frame_s, 0, kLongestFrame_s) && mode <= kOnTarget;
 }
@@ -109,9 +109,9 @@ bool is_limit(const RateLimit& limit) {
   return limit.speed >= 0 && limit.speed < 1e18f && limit.acceleration >= 0 && limit.acceleration < 1e18f;
 }
 
-// As the rotation vector p changes with velocity v, the rotation turns by J v about the parent's axes: J is the left
-// Jacobian of the exponential (Chirikjian, "Stochastic Models, Information Theory, and Lie Groups", 2011, 10.86). Gives
-// J v, or the change of p for a turn by v.
+// J v, or with `inverse` J⁻¹ v, J being the left Jacobian of the exponential at p (Chirikjian, "Stochastic Models,
+// Information Theory, and Lie Groups", 2011, 10.86): as a rotation vector p changes by v, its rotation turns by J v
+// about the parent's axes.
 f32x4 through_jacobian(f32x4 p, f32x4 v, bool inverse) {
   const f32x4 a = cross3(p, v), b = cross3(p, a);
   const float squared = squared3(p), sinc = sinc_of_root(0.25f * squared), cos = cos_of_root(0.25f * squared);

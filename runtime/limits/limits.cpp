@@ -15,7 +15,7 @@ WideRotation about(Axis axis, const HalfAngle& a) {
   return {lanes(axis == kX ? a.sin : 0, axis == kY ? a.sin : 0, axis == kZ ? a.sin : 0, a.cos)};
 }
 
-// The turn about an axis that is in the range and nearest to the rotation's own.
+// The turn about an axis, within the range, that is nearest to the rotation's own twist.
 WideRotation nearest_about(Axis axis, const AngleRange& range, WideRotation t) {
   float q[4];
   store(q, t.v);
@@ -23,7 +23,7 @@ WideRotation nearest_about(Axis axis, const AngleRange& range, WideRotation t) {
   return about(axis, nearest_in(range, twist.angle, twist.share));
 }
 
-// Whether a rotation is inside, by what costs least; false is no answer.
+// A cheap test for rotations inside: true is certain, false is not.
 bool is_in_cone(float ry, float rz, const AngleRange& twist, WideRotation t) {
   float q[4];
   store(q, t.v);
@@ -50,11 +50,11 @@ WideRotation nearest_in_cone(const JointLimit& limit, WideRotation t) {
   s = {s.y * share, s.z * share};
   const float size = s.y * s.y + s.z * s.z, scale = 1.0f / (1.0f + size);
   const WideRotation in = {lanes(0, 2.0f * s.y * scale, 2.0f * s.z * scale, (1.0f - size) * scale)};
-  // Of the twists the nearest with this swing.
+  // The nearest twist for this swing.
   return in * nearest_about(kX, limit.angles[0], conjugate(in) * t);
 }
 
-// Half of an angle from (a multiple of) the sine and cosine of the whole.
+// An angle from its sine and cosine, both times any length.
 HalfAngle half_of(float sin, float cos) {
   const float size = sqrt(sin * sin + cos * cos);
   if (size < 1e-12f) return {};
@@ -64,8 +64,8 @@ HalfAngle half_of(float sin, float cos) {
   return {half.sin * k, half.cos * k};
 }
 
-// In t = Rx Ry Rz the second and third angle are read off; near 90° of the second, where the third is about to be lost,
-// it goes to the middle of its range. Then each in turn is the nearest, given the other two.
+// Reads the second and third angle off t = Rx Ry Rz. Near 90° of the second, where the third is lost, that one goes to
+// the middle of its range. Then each angle in turn becomes the nearest for the other two.
 WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   float q[4];
   store(q, t.v);
@@ -73,11 +73,11 @@ WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   const float sin_z = 2.0f * (w * z - x * y), cos_z = w * w + x * x - y * y - z * z;
   const float cos_y = sqrt(sin_z * sin_z + cos_z * cos_z);
   const HalfAngle second = half_of(2.0f * (w * y + x * z), cos_y), third = half_of(sin_z, cos_z);
-  // Away from 90° the first angle is read off, too; what is inside stays as it is.
+  // Away from 90° the first angle is read off too; a rotation that is inside stays as it is.
   if (cos_y > 0.1f && contains(angles[1], second, 1.0f) && contains(angles[2], third, 1.0f) &&
       contains(angles[0], half_of(2.0f * (w * x - y * z), w * w - x * x - y * y + z * z), 1.0f))
     return t;
-  constexpr float kQuarterTurn = 0.41421356f;  // as the tangent of a quarter
+  constexpr float kQuarterTurn = 0.41421356f;  // 90°, as the tangent of a quarter
   const float most = absolute(angles[1].middle), half = angles[1].half_width;
   const float widest = (most + half) / (1.0f - most * half);
   const float share =
@@ -89,7 +89,7 @@ WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   return x1 * nearest_about(kY, angles[1], conjugate(x1) * t * conjugate(z1)) * z1;
 }
 
-// Axes renamed so that the order is xyz. Where that mirrors them, rotations turn the other way, and so do the ranges.
+// Renames axes so that the order is xyz. Where that mirrors them, rotations and ranges turn the other way.
 WideRotation nearest_in_box(const JointLimit& limit, WideRotation t) {
   static constexpr std::uint8_t kAxes[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
   static constexpr float kSigns[6] = {1, -1, -1, 1, 1, -1};
@@ -140,7 +140,7 @@ WideRotation clamped(const JointLimit& limit, WideRotation q) {
   const WideRotation joint_from_limit = {load(limit.joint_from_limit)};
   const WideRotation t = limit_from_parent * unit * joint_from_limit;
   const WideRotation in = ranges::nearest(limit, t);
-  const f32x4 d = (conjugate(t) * in).v;  // sin of half the angle between them
+  const f32x4 d = (conjugate(t) * in).v;  // the sine of half the angle between them
   constexpr float kLeast = 0.25f * kLimitTolerance_rad * kLimitTolerance_rad;
   if (!(squared3(d) > kLeast)) return q;
   const WideRotation out = normalised(conjugate(limit_from_parent) * in * conjugate(joint_from_limit));

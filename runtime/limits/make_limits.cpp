@@ -6,10 +6,10 @@ namespace marrow {
 namespace {
 
 constexpr float kTurn = 6.2831853f, kHalfTurn = 3.14159265f, kQuarterTurn = 1.57079633f;
-// Angles are given as floats: a range that is a turn but for rounding is one, and an angle at a bound is inside.
+// How far rounding may put an angle beyond a bound, or a range short of a turn.
 constexpr float kRounding = 1e-6f;
 
-// For angles of at most half a turn: tan(angle / 4).
+// tan(angle / 4), for angles of at most half a turn.
 float quarter_tangent(float angle_rad) {
   const float a = 0.25f * angle_rad;
   return a * sinc_of_root(a * a) / cos_of_root(a * a);
@@ -24,13 +24,13 @@ bool is_rate(const RateLimit& rate) {
   return rate.speed >= 0 && rate.speed < 1e18f && rate.acceleration >= 0 && rate.acceleration < 1e18f;
 }
 
-// x along `axis`, y along `across` as far as it is perpendicular.
+// Sets the limit's axes: x along `axis`, y along the part of `across` that is perpendicular to it.
 bool limit_axes(const LimitDescription& d, WideRotation& joint_from_limit) {
   if (!is_direction(d.axis) || !is_direction(d.across)) return false;
   const f32x4 none = splat(0.0f), x = unit3_or(to_f32x4(vector3(d.axis)), none);
   const f32x4 part = across3(unit3_or(to_f32x4(vector3(d.across)), none), x);
   if (!(squared3(part) > 1e-6f)) return false;
-  // First x is brought there, then the rest is a turn about it.
+  // First x is turned to its place; the rest is a turn about x.
   const WideRotation to_x = shortest_arc(lanes(1.0f, 0.0f, 0.0f, 0.0f), x);
   const f32x4 y = rotate(conjugate(to_x), unit3_or(part, none));  // in the y-z plane
   const float cos = first_lane(splat_lane<1>(y)), sin = first_lane(splat_lane<2>(y));

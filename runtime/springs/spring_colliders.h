@@ -1,4 +1,4 @@
-// Spheres and capsules that the ends of spring bones stay out of.
+// Spheres and capsules, out of which the ends of spring bones stay.
 #pragma once
 
 #include "math/wide.h"
@@ -6,7 +6,7 @@
 namespace marrow {
 
 struct PlacedCollider {
-  f32x4 from, along;   // along: to the other end; 0 for a sphere
+  f32x4 from, along;   // one end, and the way to the other; 0 for a sphere
   float over_squared;  // 1 / |along|², or 0
   float radius;
 };
@@ -17,8 +17,8 @@ inline f32x4 nearest_on(const PlacedCollider& c, f32x4 point) {
   return c.from + c.along * t;
 }
 
-// The direction of a bone whose end is too near to a point, `to_point` from the bone's joint: turned away to the edge
-// of the cone of those that are less than `clear` away; straight away where all are.
+// The direction of a bone, turned away from a point until the bone's end is `clear` from it; straight away from the
+// point if that is not enough. to_point: from the bone's joint.
 inline f32x4 out_of_sphere(f32x4 direction, float bone, f32x4 to_point, float clear) {
   const float far = length3(to_point);
   if (!(far * bone > 1e-12f)) return direction;
@@ -29,13 +29,13 @@ inline f32x4 out_of_sphere(f32x4 direction, float bone, f32x4 to_point, float cl
   return unit3_or(m * cosine + side * sqrt(1.0f - cosine * cosine), direction);
 }
 
-// Both turned out of one collider; a velocity into it is lost. outwards: set where they touch.
+// Turns a bone's direction and velocity out of a collider, and takes off velocity into it. outwards: set if they touch.
 inline void collide(const PlacedCollider& collider, f32x4 joint, float bone, float radius, f32x4& direction,
                     f32x4& velocity, f32x4& outwards) {
   const float clear = collider.radius + radius;
   f32x4 to_point = splat(0.0f);
   bool touches = false;
-  for (int i = 0; i < 3; ++i) {  // the nearest point of a capsule moves with the end
+  for (int i = 0; i < 3; ++i) {  // of a capsule the nearest point moves along with the end
     const f32x4 end = joint + direction * bone, point = nearest_on(collider, end), out = end - point;
     if (!(squared3(out) < clear * clear)) break;
     to_point = point - joint;

@@ -1,4 +1,4 @@
-// Four spring bones as vectors, a bone a lane, and one by one.
+// Four spring bones, a bone a lane, and taken apart one by one.
 #pragma once
 
 #include "math/joint.h"

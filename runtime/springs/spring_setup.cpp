@@ -1,4 +1,4 @@
-// Spring bones: from chains to groups of four.
+// Makes spring bones: from chains to groups of four.
 #include <cmath>
 #include <cstring>
 
@@ -24,6 +24,7 @@ std::size_t groups_of(Span<const SpringChain> chains) {
   return (bones + 3) / 4;
 }
 
+// Whether `joint` is `above` or below it, at any depth.
 bool is_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
   while (joint > above) {  // a parent has the lower number
     if (joint < skeleton.root_count) return false;
@@ -85,6 +86,7 @@ void set_roots(Span<const SpringChain> chains, SpringRoot* roots) {
   });
 }
 
+// Whether springs change the joint's matrix.
 bool among(const Springs& springs, std::uint32_t joint) {
   std::uint32_t low = 0, high = springs.below_count;
   while (low < high) {
@@ -98,7 +100,7 @@ bool among(const Springs& springs, std::uint32_t joint) {
   return low < springs.below_count && springs.below[low].first <= joint;
 }
 
-// Every joint that hangs below a chain of which something is shown; a chain's first joint, too.
+// Finds every joint in or below a chain that shows something.
 void find_below(const Skeleton& skeleton, Springs& springs) {
   springs.below_count = 0;
   for (std::uint32_t joint = 0; joint < skeleton.joint_count; ++joint) {

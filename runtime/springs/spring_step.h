@@ -6,21 +6,20 @@
 
 namespace marrow {
 
-// No acceleration beyond what a step can take: that of a bone of 3 mm in the gravity of the earth.
-inline constexpr float kMostField = 3000.0f;  // 1/s²
+// The strongest field that a step can take, in 1/s²: that of the earth's gravity on a bone of 3 mm.
+inline constexpr float kMostField = 3000.0f;
 
-// How a step of a bone is weighed.
+// The strengths of a step's parts.
 struct SpringStrengths {
-  f32x4 decay;  // of the velocity in half a step
+  f32x4 decay;  // factor on the velocity in half a step
   f32x4 first_kick, drift, last_kick;
 };
 
-// For y'' + 2 γ y' + |F| y = 0 the step has the trace and the determinant of the exact solution, hence its frequency
-// and its decay, and takes a velocity to the exact place: with x = γ h, q = |F| h² - x² and both kicks the same
+// For y'' + 2 γ y' + |F| y = 0 the step has the trace and the determinant of the exact solution, and so its frequency
+// and decay; and it takes a velocity to the exact place. With x = γ h, q = |F| h² - x² and both kicks the same:
 //   drift = h sin √q / √q,   1 - kick |F| drift = cos √q / cosh x,   decay = e^-x.
-// What keeps the trace is free: first kick (1 - β), last kick (1 + β e^2x). β makes a release from rest exact, too, as
-// |F| h² goes to 0: 1 - β = (1 + e^-2x) (1 / (1 - e^-2x) - 1 / 2x).
-// damping: 2 γ.
+// The trace leaves one choice free: first kick (1 - β), last kick (1 + β e^2x). β makes a release from rest exact too,
+// as |F| h² goes to 0: 1 - β = (1 + e^-2x) (1 / (1 - e^-2x) - 1 / 2x). damping: 2 γ.
 inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f), h = splat(step_s);
   const f32x4 most = splat(2.8f), highest = splat(4.2f), least = splat(1e-3f);
@@ -31,16 +30,16 @@ inline SpringStrengths spring_strengths(f32x4 damping, f32x4 field, float step_s
   const f32x4 s = sinc_of_signed_root(q);
   const f32x4 kick = splat(-step_s) * slope / (cosh * s);
   const f32x4 decay = exp_negative(zero - x), squared = decay * decay;
-  const auto damped = least < x;  // without damping β is 0, and would be a difference of infinities
+  const auto damped = least < x;  // without damping β is 0; the formula would be ∞ - ∞
   const f32x4 divisor = select(damped, x, one), lost_share = select(damped, one - squared, one);
   const f32x4 first = (one + squared) * (one / lost_share - splat(0.5f) / divisor);  // 1 - β
   const f32x4 beta = select(damped, one - first, zero);
   return {decay, kick - kick * beta, h * s, kick + kick * beta / squared};
 }
 
-// What pulls four bones in this frame, linear in time from its beginning (u = 0) to its end (1).
+// What pulls four bones in a frame, linear in time from its beginning (u = 0) to its end (1).
 struct SpringPull {
-  Vector<f32x4> animated, animated_change;  // the animated direction, up to its length
+  Vector<f32x4> animated, animated_change;  // the animated direction, of any length
   f32x4 stiffness, most_pull;
   Vector<f32x4> dragged;              // 2 ζ ω dt'/dt
   Vector<f32x4> field, field_change;  // gravity, inertia, wind
@@ -52,14 +51,14 @@ inline Vector<f32x4> animated_at(const SpringPull& pull, f32x4 u) {
   return normalised(a);
 }
 
-// The same way, no harder across the direction than `most`. Without a limit the bits stay.
+// A pull, shortened so that its part across the direction is at most `most`. Without a limit the bits stay.
 inline Vector<f32x4> no_harder(const Vector<f32x4>& spring, const Vector<f32x4>& direction, f32x4 most) {
   const Vector<f32x4> across = spring - direction * dot(spring, direction);
   const f32x4 squared = dot(across, across), one = splat(1.0f);
   return spring * select(most * most < squared, most / sqrt(squared), one);
 }
 
-// The whole field on bones that point in `direction`, the bones above being bent as they are.
+// The whole field on bones that point in `direction`. bent: see SpringGroup.
 inline Vector<f32x4> field_at(const SpringPull& pull, const Vector<f32x4>& animated, f32x4 u,
                               const Quaternion<f32x4>& bent, const Vector<f32x4>& direction) {
   const Vector<f32x4> spring = rotate_by_any(bent, two_over_squared(bent), animated * pull.stiffness + pull.dragged);
@@ -70,7 +69,7 @@ struct SpringMotion {
   Vector<f32x4> direction, velocity;
 };
 
-// Along the great circle by the angle 2 atan(|Δ| / 2), which needs no root: off by |Δ|³ / 12.
+// A move along a great circle by Δ. The angle is 2 atan(|Δ| / 2), which takes no root and is off by |Δ|³ / 12.
 struct SpringWay {
   Vector<f32x4> begin, end;  // Δ, as seen from both ends
   f32x4 scale, half;         // to - from = scale (begin - half from) = scale (end + half to)
@@ -79,7 +78,7 @@ inline SpringMotion drifted(const SpringMotion& m, f32x4 drift, SpringWay& way) 
   const Vector<f32x4> delta = m.velocity * drift;
   const f32x4 half = splat(0.5f) * dot(delta, delta), one = splat(1.0f);
   const f32x4 scale = one / (one + splat(0.5f) * half);
-  // Halfway is d + Δ/2; what the velocity is at the end is parallel to what it was.
+  // Half way is d + Δ/2. The velocity is carried along in parallel.
   const Vector<f32x4> middle = m.direction + delta * splat(0.5f);
   const SpringMotion out = {m.direction + (delta - m.direction * half) * scale,
                             m.velocity - middle * (dot(m.velocity, delta) * scale)};
@@ -87,7 +86,7 @@ inline SpringMotion drifted(const SpringMotion& m, f32x4 drift, SpringWay& way) 
   return out;
 }
 
-// The field's part along the bone, and the rest, which moves it.
+// A field's part along the bone, and the rest, which moves the bone.
 struct SpringForce {
   f32x4 along;
   Vector<f32x4> across;
@@ -97,20 +96,20 @@ inline SpringForce force_on(const Vector<f32x4>& field, const Vector<f32x4>& dir
   return {along, field - direction * along};
 }
 
-// Twice the work of the forces on a way, by their mean. Not by the field itself: most of that is along the bone, and
-// its rounding would be more than the energy of a small swing.
+// Twice the work of the mean force on a way. Taken from the parts of the field: most of the field is along the bone,
+// and its rounding would exceed the energy of a small swing.
 inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const SpringWay& way) {
   return way.scale * (dot(begin.across, way.begin) + dot(end.across, way.end) + way.half * (end.along - begin.along));
 }
 
-// The same between any two directions: where a collider has cut the way short.
+// The same between any two directions, for a way that a collider has cut short.
 inline f32x4 twice_work(const SpringForce& begin, const SpringForce& end, const Vector<f32x4>& from,
                         const Vector<f32x4>& to) {
   return dot(begin.across + from * begin.along + end.across + to * end.along, to - from);
 }
 
-// Columns of ½ (1 + K), K Davenport's symmetric matrix: the projection on the rotations that take `from` to `to`, both
-// unit; the identity where `from` is 0. Slightly more than a half, so that nothing vanishes where they are opposite.
+// The columns of ½ (1 + K), with K Davenport's symmetric matrix: the projection onto the rotations that take `from` to
+// `to`, both unit; the identity where `from` is 0. The ½ is a little more, so that nothing vanishes for opposite ones.
 struct NearestRotation {
   f32x4 columns[kLanes][4];
 };
@@ -131,7 +130,7 @@ inline void nearest_rotation(const Vector<f32x4>& from, const Vector<f32x4>& to,
     out[0][c] = a, out[1][c] = b, out[2][c] = d, out[3][c] = e;
   }
 }
-// How the bones above each are bent; `above` is taken on from bone to bone, and begins anew with a chain.
+// The rotation above each bone, see SpringGroup::bent. above: the last of them, to go on from; a chain begins anew.
 inline Quaternion<f32x4> bend(const NearestRotation& nearest, const bool (&begins)[kLanes], f32x4& above) {
   f32x4 rows[kLanes];
   for (int i = 0; i < kLanes; ++i) {
@@ -144,7 +143,7 @@ inline Quaternion<f32x4> bend(const NearestRotation& nearest, const bool (&begin
   return join_rotations(rows);
 }
 
-// Held down so that the kinetic energy grows by no more than the field's work.
+// A velocity, shortened so that the kinetic energy grows by no more than the field's work.
 inline Vector<f32x4> no_faster(const Vector<f32x4>& velocity, const Vector<f32x4>& was, f32x4 twice_work) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
   f32x4 most = dot(was, was) + twice_work;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kShortestBone_m = 1e-6f, kLongestBone_m = 1e9f;
 
-// One call: what all bones share.
+// What all bones of a call share.
 struct SpringCall {
   const Skeleton& skeleton;
   const SpringFrame& frame;
@@ -24,16 +24,17 @@ struct SpringCall {
   int steps = 0;                        // 0: no time goes by
   float step_s = 0;                     // of each
   float frame_s = 0;                    // since the last frame that was simulated
-  bool moved = false;                   // some chain is moved along
+  bool moved = false;                   // some chain is moved rigidly
   PlacedCollider* colliders = nullptr;  // as many as the frame has
 };
 
+// The matrix of what is above a joint: scene_from_parent.
 const Affine& above(const SpringCall& call, std::uint32_t joint) {
   return joint < call.skeleton.root_count ? call.skeleton.scene_from_root[joint]
                                           : call.scene_from_joint[call.skeleton.parents[joint]];
 }
 
-// Not finite if a number of the matrix is not (or their sum is not, far beyond any scene).
+// A sum that is not finite if some number of the matrix is not, or if numbers are far beyond any scene.
 f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
@@ -100,14 +101,14 @@ void find_turn(SpringRoot& root, const Columns& world, const Affine& parent) {
   for (int i = 0; i < 3; ++i) store_wide(root.turn[i], turn(was, is.axis[i]));
 }
 
-// Component by component.
+// Each component held within ±most.
 f32x4 held_within(f32x4 v, f32x4 most) {
   const f32x4 least = -most;
   return without_w(select(v < least, least, select(v < most, v, most)));
 }
 
-// The velocity and the acceleration at both ends of this frame, of the curve of degree three through the places at them
-// whose velocity at the end is that of the parabola through the last three places.
+// Finds the first joint's velocity and acceleration at both ends of the frame: those of the cubic curve between its two
+// places, which ends with the velocity of the parabola through the last three places.
 void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
   const float dt = call.frame_s;
   const f32x4 mean = (position - load_wide(root.position)) * (1.0f / dt);
@@ -164,11 +165,11 @@ const SpringRoot& root_of(const SpringCall& call, const SpringGroup& group, int 
   return call.springs.roots[group.root[i]];
 }
 
-// The bones of a group, in the animated pose, in the world.
+// The bones of a group in the animated pose; world.
 struct SpringBones {
   Vector<f32x4> animated;  // unit, or 0
   f32x4 length, over_length;
-  bool begins[kLanes];  // a chain
+  bool begins[kLanes];  // the bone is the first of a chain
 };
 
 Vector<f32x4> in_world(const SpringCall& call, const Vector<f32x4>& v) {
@@ -200,7 +201,7 @@ SpringBones gather(const SpringCall& call, const SpringGroup& group, std::uint16
   return out;
 }
 
-// Lanes that have not begun, or whose bone had no length, stand as animated.
+// Puts bones that have not begun, or had no length, where the animation has them.
 void begin(const SpringBones& bones, SpringGroup& group) {
   const Vector<f32x4> d = load_vectors(group.direction);
   const auto has_motion = splat(0.25f) < dot(d, d), has_length = splat(0.0f) < bones.over_length;
@@ -210,7 +211,7 @@ void begin(const SpringBones& bones, SpringGroup& group) {
   store_vectors(group.animated, select(has_motion, load_vectors(group.animated), bones.animated));
 }
 
-// SpringBones of chains that are moved along: as if the animation stood still meanwhile.
+// Moves chains rigidly that are to be, as if the animation stood still meanwhile.
 void move_along(const SpringCall& call, const SpringBones& bones, SpringGroup& group) {
   f32x4 animated[kLanes];
   split(bones.animated, animated);
@@ -223,7 +224,7 @@ void move_along(const SpringCall& call, const SpringBones& bones, SpringGroup& g
   }
 }
 
-// One row of each one's chain, turned into vectors.
+// One row of each bone's chain, as vectors.
 template <class Row>
 Vector<f32x4> of_roots(const SpringCall& call, SpringGroup& group, const Row& row) {
   const float* rows[kLanes];
@@ -237,7 +238,7 @@ SpringPull pull_of(const SpringCall& call, SpringGroup& group, const SpringBones
   const Vector<f32x4> was = load_vectors(group.animated);
   const Vector<f32x4> weight = in_all_lanes(load_wide(call.frame.gravity)) * load_aligned(group.gravity);
   const f32x4 drag = load_aligned(group.drag);
-  // At one end of the frame.
+  // The field at one end of the frame.
   const auto field = [&](int end) {
     const Vector<f32x4> air = of_roots(call, group, [end](const SpringRoot& r) { return r.air[end]; });
     const auto acceleration = of_roots(call, group, [end](const SpringRoot& r) { return r.acceleration[end]; });
@@ -255,13 +256,13 @@ SpringPull pull_of(const SpringCall& call, SpringGroup& group, const SpringBones
   return pull;
 }
 
-// What goes from bone to bone down a chain, in one step.
+// What is handed from bone to bone down a chain in one step.
 struct Descent {
-  f32x4 bent;
-  f32x4 joint;
+  f32x4 bent;   // see SpringGroup
+  f32x4 joint;  // where the next bone begins
 };
 
-// outwards: across the direction, away from what it touches; 0 where it touches nothing.
+// Turns bones out of colliders. outwards: across the direction, away from what a bone touches; 0 if it touches nothing.
 void collide_bones(const SpringCall& call, SpringGroup& group, const SpringBones& bones, SpringMotion& m, f32x4& at,
                    Vector<f32x4>& outwards) {
   f32x4 d[kLanes], v[kLanes], o[kLanes];
@@ -291,7 +292,7 @@ void step_bones(const SpringCall& call, const SpringBones& bones, SpringGroup& g
   Quaternion<f32x4> bent = load_rotations(group.bent);
   const f32x4 zero = splat(0.0f), damping = load_aligned(group.damping) + load_aligned(group.drag);
   const bool may_touch = !call.frame.colliders.empty();
-  Vector<f32x4> was, from, outwards;  // before the drift; what it touches
+  Vector<f32x4> was, from, outwards;  // was, from: before the drift; outwards: see collide_bones()
   SpringStrengths s{};
   SpringForce force;
   SpringWay way;
@@ -328,8 +329,8 @@ void step_bones(const SpringCall& call, const SpringBones& bones, SpringGroup& g
   store_rotations(group.bent, bent);
 }
 
-// A direction in the world as the joints above the bones see it; transposed matrices will do, since lengths are ignored
-// and the animated direction goes the same way.
+// Takes directions of the world to the spaces above the bones. By transposed matrices, since lengths do not matter and
+// the animated direction goes the same way.
 struct IntoParents {
   IntoParents(const SpringCall& call, SpringGroup& group) {
     const Affine* parents[kLanes];
@@ -347,13 +348,13 @@ struct IntoParents {
   f32x4 world[3];
 };
 
-// From one unit direction to another, and of that the part `weight`.
+// The part `weight` of the turn from one unit direction to another.
 Quaternion<f32x4> part_of_arc(Vector<f32x4> from, Vector<f32x4> to, f32x4 weight) {
   const f32x4 zero = splat(0.0f), one = splat(1.0f);
   Quaternion<f32x4> q = quaternion(cross(from, to), one + dot(from, to));
   const f32x4 squared = dot(q, q);
   q = q * inverse_length(squared);
-  // Opposite: half a turn about anything across.
+  // Opposite directions: half a turn about some axis across them.
   if (const auto opposite = squared < splat(1e-10f); any(opposite)) {
     const f32x4 x = x_of(from), y = y_of(from), l = inverse_length(x * x + y * y);
     const auto upright = splat(1e3f) < l;

@@ -5,7 +5,9 @@
 #include <iterator>
 
 int main(int argc, char** argv) {
-  std::ifstream stream(argc > 1 ? argv[1] : "hero.mrw", std::ios::binary);
+  const char* const path = argc > 1 ? argv[1] : "hero.mrw";
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::perror(path), 1;
   const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
   marrow::OwnedFile file;
   marrow::OwnedCharacter newt;

@@ -1491,36 +1491,35 @@ mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_
     uint32_t joint, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // ---- Part limits ----------------------------------------------------------------------------------------------------
-// Joint limits: how far a joint may turn from its parent, and the nearest rotation where it has turned farther.
+// Joint limits: how far a joint may turn against its parent, and the nearest rotation within that.
 
-// Rotations no farther outside than this keep their bits.
+// Rotations outside by no more than this keep their bits.
 #define MRW_LIMIT_TOLERANCE_RAD 1e-5f
 
 // The widest swing of a cone: 170°.
 #define MRW_WIDEST_SWING_RAD 2.9670597f
 
-// A limit as people think of it.
+// A limit as people describe it, by angles.
 typedef struct mrw_limit_description mrw_limit_description;
 struct mrw_limit_description {
   mrw_limit_kind kind;  // its shape
-  mrw_axis_order order;  // of euler
-  float zero[4];  // the local rotation where all angles are 0: most often the joint's rest
-  float axis[3];  // the limit's x in the joint's axes: a hinge's axis, or what a cone points along
-  float across[3];  // its y, made perpendicular to x
-  // hinge: the first is the angle. Cone: the first is the twist; of the second and third, swings about y and z, `most`
-  // is the half-width, and `least` its negative. Euler: the three angles.
+  mrw_axis_order order;  // of a euler limit
+  float zero[4];  // the local rotation at which all angles are 0: most often the joint's rest
+  float axis[3];  // the limit's x in the joint's axes: a hinge's axis, a cone's middle
+  float across[3];  // the limit's y; made perpendicular to x
+  // Hinge: the first is the angle. Cone: the first is the twist; the second and third are swings about y and z, whose
+  // `least` is the negative of `most`. Euler: the three angles.
   float least_rad[3];
   float most_rad[3];  // as least_rad
   mrw_rate_limit rate;  // 0: none
 };
 void mrw_limit_description_init(mrw_limit_description* out);
 
-// Limits over time. What follows a target with limited speed and acceleration: plain numbers, one for each rotation or
-// point that follows. A new one and one whose numbers no call has left begin anew: the next call takes its target as it
-// is, at rest.
+// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower, and one with
+// numbers that no call leaves, begins anew: the next call puts it on its target, at rest.
 typedef struct mrw_rotation_follower mrw_rotation_follower;
 struct mrw_rotation_follower {
-  float rotation[4];  // where it is: x y z w
+  float rotation[4];  // x y z w
   float target[4];  // of the last call
   float velocity[3];  // radians a second, about the parent's axes
   float frame_s;  // of the last call
@@ -1528,10 +1527,10 @@ struct mrw_rotation_follower {
 };
 void mrw_rotation_follower_init(mrw_rotation_follower* out);
 
-// A point that follows another.
+// A point that follows another likewise.
 typedef struct mrw_point_follower mrw_point_follower;
 struct mrw_point_follower {
-  float point[3];  // where it is, metres
+  float point[3];  // metres
   float target[3];  // of the last call
   float velocity[3];  // metres a second
   float frame_s;  // of the last call
@@ -1539,7 +1538,7 @@ struct mrw_point_follower {
 };
 void mrw_point_follower_init(mrw_point_follower* out);
 
-// Angles least_rad … most_rad; all of them if that is a turn or more.
+// The range of angles least_rad … most_rad; all angles if that is a turn or more.
 // Precondition: -2π ≤ least_rad ≤ most_rad ≤ 2π. Off by at most 1e-6 rad; the same bits everywhere.
 mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range* out) MRW_NODISCARD;
 
@@ -1551,27 +1550,28 @@ mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joi
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
 //
-// What is inside, or outside by no more than MRW_LIMIT_TOLERANCE_RAD, keeps its bits, so a second call changes nothing.
-// What comes out is inside within the same tolerance.
+// A rotation that is inside, or outside by no more than MRW_LIMIT_TOLERANCE_RAD, keeps its bits, so a second call
+// changes nothing. The result is inside within the same tolerance.
 //
-// Outside it is the nearest rotation for a hinge; for a cone the nearest swing, and of the twists the nearest with it;
-// for euler boxes one round of exact searches along each angle from the clamped angles. docs/ik/limits.md has how near
-// that is. The nearest rotation jumps where one side of the range is as far as the other. So that the result moves
-// continuously, over the last quarter of the way from the limit to there it moves through the middle of the range: of a
-// turn about an axis to the angle opposite the middle, of a swing to 180°, where in its place the twist is lost; and of
-// euler angles to ±90° of the second, where the third and the first are one. Distances are as tangents of a quarter of
-// the angle. A range of all angles is a circle, to which nothing leads continuously: it jumps at a swing of 180°, and
-// an euler limit whose second angle reaches ±90° jumps there, by no more than twice what the rotation is outside.
+// For a hinge the result is the nearest rotation; for a cone the nearest swing, with the nearest twist for that swing;
+// for a euler limit one round of exact searches along each angle from the clamped angles. docs/ik/limits.md says how
+// near that is. Clamping is discontinuous half way round, where both ends of the range are equally far. So the last
+// quarter before that point eases through the middle of the range. For a turn about an axis that point is the angle
+// opposite the middle; for a swing it is 180°, where the twist is lost; for euler angles it is ±90° of the second,
+// where the first and the third are one. Distances are measured as tangents of a quarter of the angle. A range of all
+// angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second angle may be ±90°
+// jumps there, by no more than twice what the rotation is outside.
 //
 // Errors: MRW_BAD_ARGUMENT if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
 mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]) MRW_NODISCARD;
 
-// By how many radians mrw_clamp_rotation() would turn the rotation; 0 for what keeps its bits, and for what it refuses.
+// The angle by which mrw_clamp_rotation() would turn the rotation, in radians; 0 if the rotation would keep its bits or
+// be refused.
 float mrw_limit_excess(const mrw_joint_limit* limit, const float local[4]);
 
-// mrw_clamp_rotation() for each limit's joint; all other joints keep their bits, and so do rotations that are not
-// finite. local: of a skeleton that has all the joints. Errors: MRW_BAD_ARGUMENT if it has not; nothing is written.
+// Does mrw_clamp_rotation() for the joint of each limit. All other joints keep their bits, and so do rotations that are
+// not finite. local: of a skeleton that has all those joints. Errors: MRW_BAD_ARGUMENT if not; nothing is written.
 // Cost: mrw_clamp_rotation() a limit. Thread-safe on different poses.
 mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_soa_transform* local,
     size_t local_count) MRW_NODISCARD;
@@ -1579,84 +1579,82 @@ mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in an mrw_skeleton. Cost: a binary search.
 const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint);
 
-// Moves `state` for dt_s towards a target that went straight from where it was in the last call to `target`; the result
+// Moves `state` on by dt_s towards a target that went straight from its place in the last call to `target`. The result
 // is state.rotation or state.point.
 //
-// A follower that is on its target stays on it, to the bit, as long as the target keeps within the limits. Else it goes
-// the quickest way there that they allow, and brakes in time: towards a target at rest it neither passes it nor swings
-// about it, unless it is too fast already or comes from aside. Braking uses nine tenths of the acceleration; the last
-// part, of 0.9 acceleration / 120² s⁻², is approached as exp(-120 t / s). Without a limit of acceleration it goes with
-// the speed until it is there; without any limit it is on its target.
-// Rotations go the shorter way round, along the great circle if they come from rest. Where their target passes aside
-// they may exceed the acceleration by a few hundredths.
+// A follower on its target stays on it, to the bit, as long as the target keeps within the limits. Otherwise it takes
+// the quickest way that the limits allow, and brakes in time: it does not overshoot a target at rest, unless it was too
+// fast already or moved sideways. Braking uses nine tenths of the acceleration; the last 0.9 acceleration / 120² s⁻² of
+// the way is approached as exp(-120 t / s). Without a limit of acceleration it moves at the speed limit until it is
+// there; without any limit it is always on its target. Rotations go the shorter way round, from rest along the great
+// circle. While the target passes by sideways they may exceed the acceleration by a few per cent.
 //
-// The path is the same at any frame rate but for how its target is sampled: time goes in even steps of at most 1/960 s,
-// each with constant acceleration. At rates that divide 960 Hz paths to a target at rest agree to rounding, at others
-// from 15 to 240 Hz within the larger of 1e-4 rad (m) and 0.1 % of the way; moving targets: docs/ik/limits.md.
+// The path does not depend on the frame rate, except for how that samples the target: time advances in even steps of at
+// most 1/960 s with constant acceleration. At rates that divide 960 Hz, paths to a target at rest agree to rounding; at
+// others from 15 to 240 Hz, within the larger of 1e-4 rad (m) and 0.1 % of the way. Moving targets: docs/ik/limits.md.
 //
-// dt_s of 0 changes nothing; what is above 0.25 s counts as 0.25 s, and less than a nanosecond as that. So all that a
-// follower keeps is finite.
-// Errors: MRW_BAD_ARGUMENT if a number is not finite, dt_s or a limit below 0, a limit from 1e18 on, a target from 1e15
-// m on, the target's quaternion has no length; nothing is written. Cost: on the target, a comparison and a logarithm of
-// a quaternion; else a square root or two each step. No trigonometry of a library; the same bits everywhere.
-// Thread-safe on different states.
+// dt_s of 0 changes nothing. More than 0.25 s counts as 0.25 s, and less than a nanosecond as a nanosecond: so a
+// follower's numbers stay finite.
+// Errors: MRW_BAD_ARGUMENT if a number is not finite, dt_s or a limit is below 0, a limit is 1e18 or more, a target is
+// 1e15 m away or more, or the target's quaternion has no length; nothing is written. Cost: on the target, a comparison
+// and a logarithm of a quaternion; else a square root or two each step. No trigonometry of a library; the same bits
+// everywhere. Thread-safe on different states.
 mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[4], float dt_s,
     const mrw_rate_limit* limit) MRW_NODISCARD;
 mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
     const mrw_rate_limit* limit) MRW_NODISCARD;
 
-// mrw_follow_rotation() for the joints whose limit has a rate: in, the pose's rotations are the targets; out, what
-// follows. All others keep their bits. To stay inside the limits call mrw_limit_pose() before, for the targets, and
-// after, for the way there may lead outside.
-// states: one a limit. Errors: MRW_BAD_ARGUMENT if there are too few, a joint is beyond the pose, or dt_s is below 0 or
-// not finite; nothing is written. Joints whose rotation is not finite keep it.
+// Does mrw_follow_rotation() for the joints whose limit has a rate: the pose's rotations are the targets, and become
+// what follows them. All others keep their bits. To stay inside the limits, call mrw_limit_pose() before, for the
+// targets, and after, since the way there may lead outside.
+// states: one a limit. Errors: MRW_BAD_ARGUMENT if there are too few, a joint is not in the pose, or dt_s is below 0 or
+// not finite; nothing is written. A rotation that is not finite stays as it is.
 mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_rotation_follower* states,
     size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count) MRW_NODISCARD;
 
 // ---- Part ik --------------------------------------------------------------------------------------------------------
-// Stage 3½, inverse kinematics in closed form: a limb of two bones reaches for a point, a joint or a chain of them
-// looks at one.
+// Inverse kinematics in closed form, for poses after mrw_local_to_model(): a limb of two bones reaches a point, or a
+// joint or a chain of joints looks at one.
 //
-// Each comes in two forms. A kernel takes scene matrices and gives turns of joints, to be multiplied onto their local
-// rotations from the right (local · turn); it knows no skeleton. A whole call takes a pose, changes local rotations and
-// brings the scene matrices of all that hangs below up to date. What both are asked is one plain struct.
+// Each comes in two forms. A kernel (mrw_turn_two_bone, aim) takes scene matrices and gives turns, to be multiplied
+// onto the joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes
+// a pose, changes its local rotations, and updates the scene matrices of all that hangs below. Both take the same
+// struct.
 //
-// Vectors named "scene" are in the space of scene_from_joint, "local" ones in the joint's own; neither need be of unit
-// length. Uniform scales, and scales of the joints themselves, are exact. Joints scaled unevenly from above are not
-// rigid when they turn: kernels and aims come near only; mrw_solve_two_bone() reckons with it. The same call gives the
-// same bits on every processor.
-// Thread-safe on different outputs; no allocation.
+// "Scene" vectors are in the space of scene_from_joint, "local" ones in the joint's own; they may be of any length.
+// Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does not turn rigidly:
+// kernels and aims are then approximate, mrw_solve_two_bone() is not. The same call gives the same bits on every
+// processor. Thread-safe on different outputs; no allocation.
 
-// What is asked of a limb: start, middle and end joint, such as hip, knee and ankle.
+// The goal of a limb, whose joints are start, middle and end: hip, knee and ankle, say.
 typedef struct mrw_two_bone mrw_two_bone;
 struct MRW_ALIGN(16) mrw_two_bone {
   float target[3];  // where the end joint is to be; scene, metres
-  float weight;  // 0 … 1: 0 changes no bit, 1 reaches; between, both turns are blended
-  // The direction, from the start joint, to whose side the middle joint points; scene. Zero: the side it has in the
-  // pose, carried along the shortest way. Less than 0.1 rad off the direction of the target a pole says little, and
-  // the answer goes over to a side of 37° from that of the pose: a target that goes over the pole in the plane of the
-  // pose swings the limb round, and does not make it jump.
+  float weight;  // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
+  // The direction from the start joint in which the middle joint is to point; scene. Zero: it stays on the side that it
+  // has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the pole counts
+  // less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb swings
+  // round and does not jump.
   float pole[3];
-  float twist_rad;  // turns the limb about the line from start to target, away from the pole; a few turns at most
-  // About what the middle joint bends, by positive angles; in its local space. Says which way a straight limb bends,
-  // and which way it is to bend if the pose has it bent the other way. Zero: as in the pose, and a straight limb
-  // towards the pole.
+  float twist_rad;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
+  // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
+  // bends, and turns round a limb that the pose has bent the wrong way. Zero: the limb bends as in the pose, and a
+  // straight one towards the pole.
   float bend_axis[3];
-  // The share of the limb's length from which on it stretches ever more slowly, 0 … 1, so that the middle joint does
-  // not snap when the target goes out of reach. 1: straight to full stretch, and the target is reached exactly to
-  // there; 0.97 is a usual choice.
+  // 0 … 1: from this share of its length on the limb straightens ever more slowly, so that the middle joint does not
+  // snap when the target goes out of reach. 1: targets are reached exactly up to full length. 0.97 is a usual choice.
   float soft;
-  float max_stretch;  // ≥ 1: the bones may be this many times as long, if the target is reached no other way
+  float max_stretch;  // ≥ 1: for a target out of reach, the bones become longer by up to this factor
 };
 void mrw_two_bone_init(mrw_two_bone* out);
 
-// Unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
+// The turns of a limb: unit quaternions x, y, z, w with w ≥ 0, in the joints' local spaces.
 typedef struct mrw_two_bone_turns mrw_two_bone_turns;
 struct MRW_ALIGN(16) mrw_two_bone_turns {
   float start[4];  // of the start joint
   float mid[4];  // of the middle joint
-  float stretch;  // for the translations of all joints from below start down to end; 1: unless max_stretch > 1
-  bool reached;  // The target is within reach: at weight 1 the end comes to it within 1e-4 of the limb's length.
+  float stretch;  // the factor on the translations of all joints from below start down to end
+  bool reached;  // At weight 1 the end comes to within 1e-4 of the limb's length of the target.
 };
 
 // The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
@@ -1677,17 +1675,17 @@ struct mrw_two_bone_limb {
 };
 void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
 
-// What is asked of a joint that looks or points at something: an eye, a head, a gun.
+// The goal of a joint that looks or points at something: an eye, a head, a gun.
 typedef struct mrw_aim mrw_aim;
 struct MRW_ALIGN(16) mrw_aim {
   float target[3];  // scene, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 aims
-  // The scene direction to whose side of the target's direction `up` is turned. Zero: nothing is; the shortest way to
-  // the target is taken. Less than 0.1 rad off the target's direction it says little, as an mrw_two_bone's pole.
+  // The direction towards which `up` is turned about the line to the target; scene. Zero: the joint turns to the target
+  // by the shortest arc. Within 0.1 rad of the target's direction the pole counts less and less, as an mrw_two_bone's.
   float pole[3];
-  float twist_rad;  // turns about the direction of the target, on top; a few turns at most
-  float forward[3];  // what is to go through the target; in the joint's local space
-  float up[3];  // local; not along forward. Of no use without a pole
+  float twist_rad;  // turns about the line to the target, on top of the pole; a few turns at most
+  float forward[3];  // the direction that is to point at the target; in the joint's local space
+  float up[3];  // local, not along forward; ignored without a pole
   float offset[3];  // where forward begins: an eye before the head's joint; local
 };
 void mrw_aim_init(mrw_aim* out);
@@ -1696,55 +1694,55 @@ void mrw_aim_init(mrw_aim* out);
 typedef struct mrw_aim_turn mrw_aim_turn;
 struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
-  // The target can be seen: at weight 1 the ray from the offset along forward goes through it. It cannot where the
-  // target is nearer to the joint than the ray ever gets, or than the offset, or where forward has no length.
+  // At weight 1 the ray from the offset along forward goes through the target. It cannot if the target is nearer to the
+  // joint than the ray ever gets, or than the offset, or if forward has no length.
   bool reached;
 };
 
-// Method: the law of cosines in half-angles from lengths, (s - x)(s + x) and (x - m)(x + m), s and m the sum and the
-// difference of the lengths; then the shortest arc to the target and a turn about it, in one quaternion.
-// Of a bone of no length the rest is still done; nothing becomes infinite. A target at the start joint folds the limb.
-// The turns are about the axes of the matrices. Where a joint's own scale mirrors it, its turn's x changes sign if just
-// one of that scale's y and z is negative, y by z and x, z by x and y; the whole call does so.
-// Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
-// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
-// Cost: 400 instructions on x86-64, 326 on AArch64; about as much again where the limb is nearly straight or bent the
-// wrong way, the target more than 140° off or near the pole, or there is a twist.
+// Method: half-angles by the law of cosines from (s - x)(s + x) and (x - m)(x + m), with s and m the sum and difference
+// of the bones' lengths, x the distance to the target; then the shortest arc to the target and a turn about it, in one
+// quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes infinite. A target at the
+// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
+// the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
+// whole call does so. Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that
+// are not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰. Cost: 430
+// instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way, the
+// target is more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
     mrw_two_bone_turns* out) MRW_NODISCARD;
 
-// Four limbs at once, to the same numbers, at 60 % of the instructions each. Fill up with copies.
-// Errors: as above, for all four if one is bad.
+// Solves four limbs at once, with the same bits, at 60 % of the instructions each. Fewer limbs: fill up with copies.
+// Errors: as above; if one goal is bad, none is solved.
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
-// The whole call. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the weight
-// is 0. reached: may be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or
-// the joints are not a chain; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
-// Where the limb changes its shape as it turns, by uneven scale above it or of its start joint, it is bent by secants
-// and then turned: three to five times the cost, at most twelve. The target is met nevertheless; reached says if not.
+// Solves a limb of a pose. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless
+// the weight is 0. reached: may be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is
+// too short or the joints are not a chain; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
+// Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
+// five times the cost, at most twelve. The target is still reached, or `reached` is false.
 // May be null: reached.
 mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
     mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
     bool* reached) MRW_NODISCARD;
 
-// Method: the point where the ray is as far from the joint as the target is turned onto it by the shortest arc and a
-// turn about it, in one quaternion.
+// Method: takes the point of the ray that is as far from the joint as the target, and turns it onto the target by the
+// shortest arc and a turn about it, in one quaternion.
 // Errors: MRW_BAD_ARGUMENT, and nothing is written, for numbers that are not finite (or too large to be squared), or a
 // weight outside 0 … 1.
-// Cost: 219 instructions on x86-64, 180 on AArch64.
+// Cost: 226 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
-// The whole call. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the weight
-// is 0. reached: may be null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such joint;
-// nothing is written. Cost: the kernel's, and mrw_local_to_model_below(joint).
+// Aims a joint of a pose. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the
+// weight is 0. reached: may be null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such
+// joint; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(joint).
 // May be null: reached.
 mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
     size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
 
-// The same for a chain that shares the turn, such as spine, neck and head: joints from the lowest up to the one that
-// looks, each below the one before it, whose forward, up and offset are meant; it does what the others leave.
-// falloff: each joint's share of the turn, of what the next one has; 1: all alike, 0: the last alone.
+// Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
+// skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
+// falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
 // Errors: as above, and MRW_BAD_ARGUMENT if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
 mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
@@ -1752,10 +1750,9 @@ mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joint
     size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
 
 // ---- Part ik_solve --------------------------------------------------------------------------------------------------
-// Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, one interface for all
-// methods.
+// Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, with a choice of methods.
 
-// How mrw_solve_ik() solves; docs/ik/solvers.md says which is for what.
+// The methods of mrw_solve_ik(); docs/ik/solvers.md says which to take.
 typedef uint8_t mrw_ik_method;
 enum {
   MRW_IK_METHOD_FABRIK = 0,
@@ -1768,62 +1765,63 @@ enum {
 typedef uint8_t mrw_ik_stop;
 enum {
   MRW_IK_STOP_REACHED = 0,  // the error is less than the tolerance
-  MRW_IK_STOP_STALLED = 1,  // nothing moved any more: the target is out of reach, or goals contradict each other
-  MRW_IK_STOP_ITERATIONS = 2,  // max_iterations are over
+  MRW_IK_STOP_STALLED = 1,  // nothing moves any more: a goal is out of reach, or goals conflict
+  MRW_IK_STOP_ITERATIONS = 2,  // max_iterations are used up
 };
 
-// Where a point of a joint shall be, how the joint shall be turned, or both. What counts of a goal is its weights: 0
-// and it does not, of twice the weight and it gives way half as far where goals contradict each other.
+// A position for a point of a joint, a rotation for the joint, or both. A part of weight 0 is ignored. Where goals
+// conflict, doubling a weight halves that part's error.
 typedef struct mrw_ik_goal mrw_ik_goal;
 struct mrw_ik_goal {
   uint16_t joint;  // of the skeleton
-  uint8_t priority;  // 0 first; what is less urgent never disturbs what is more so. Jacobian methods only
-  float offset[3];  // the point of the joint that shall reach `position`; the joint's space, metres
+  uint8_t priority;  // 0 is the most urgent; less urgent goals never disturb it. Jacobian methods only
+  float offset[3];  // the point of the joint that is to reach `position`; the joint's space, metres
   float position[3];  // scene space, metres
   float rotation[4];  // of the joint's axes, in scene space: a unit quaternion x, y, z, w
   float position_weight;  // 0 … 100
-  float rotation_weight;  // metres a radian: the distance that is as bad as being turned wrong by a radian
+  float rotation_weight;  // metres a radian: an error of one radian counts as one of so many metres
 };
 void mrw_ik_goal_init(mrw_ik_goal* out);
 
-// What is asked of a pose.
+// What mrw_solve_ik() is to do with a pose.
 typedef struct mrw_ik_problem mrw_ik_problem;
 struct mrw_ik_problem {
-  const mrw_ik_goal* goals;  // at least one that counts
+  const mrw_ik_goal* goals;  // at least one
   size_t goal_count;
-  const uint16_t* joints;  // that may turn: ascending, so that parents come first. Others are stiff
+  const uint16_t* joints;  // the joints that may turn, in ascending order
   size_t joint_count;
-  const float* stiffness;  // one of each of `joints`: 0 turns freely … 1 not at all; empty: all are free
+  const float* stiffness;  // one for each of `joints`: 0 turns freely … 1 not at all; empty: all are free
   size_t stiffness_count;
-  const mrw_joint_limit* limits;  // Joints ascending, as in a skeleton; those of joints that do not turn are left out.
+  // By joint in ascending order, as a skeleton's. Limits of joints that do not turn are ignored.
+  const mrw_joint_limit* limits;
   size_t limit_count;
-  // Where a chain with one goal shall bend to, as a knee forward: the middle of its joints faces this point as nearly
-  // as a turn about the line from the first joint to the goal lets it. Of weight 0 … 1. FABRIK and CCD only.
+  // The point towards which a chain with one goal bends, as a knee forward: the chain is turned about the line from its
+  // first joint to the goal until its joints face this point. pole_weight is 0 … 1. FABRIK and CCD only.
   // scene space, metres
   float pole[3];
   float pole_weight;  // 0: no pole
-  // By how many metres joints[0] is moved as easily as a joint is turned by a radian: the pelvis of a full body. 0: it
-  // stays. Jacobian methods only.
+  // How far joints[0] moves as easily as a joint turns by a radian, in metres: the pelvis of a full body. 0: it stays.
+  // Jacobian methods only.
   float root_travel_m;
 };
 void mrw_ik_problem_init(mrw_ik_problem* out);
 
-// How it is solved.
+// How mrw_solve_ik() solves.
 typedef struct mrw_ik_options mrw_ik_options;
 struct mrw_ik_options {
   mrw_ik_method method;  // see docs/ik/solvers.md
-  // How many poses to start from at most, as long as the goals are not reached: the one that there is, then others in
-  // which joints are turned at random, by `seed`. For sets of limits in which one start ends in a corner. More than 1
-  // costs as many times as much where goals are out of reach, and the result may jump as goals move.
+  // The most poses to start from: the given one, and while the goals are not reached, others with joints turned at
+  // random by `seed`. For sets of limits in which one start ends in a corner. Goals out of reach then cost as many
+  // times as much, and the result may jump as goals move.
   uint8_t starts;
-  uint16_t max_iterations;  // the most there are
-  float tolerance_m;  // an error (see mrw_ik_report) of less ends the iteration
-  float damping;  // of the Jacobian methods: more is calmer and slower
-  uint32_t seed;  // of `starts` and of mrw_solve_ik_genetic: the same seed, the same result
-  float weight;  // 0 leaves every bit as it was; between, rotations lie between
-  // Of FABRIK and CCD with one goal: where it is beyond reach, the bones from the first joint that turns to the goal's
-  // become longer, by up to this factor; and shorter, by up to as much, where it is too near for them. 1: they keep
-  // their lengths. Changes local translations of the joints on the way.
+  uint16_t max_iterations;  // in each start
+  float tolerance_m;  // iteration ends at an error (see mrw_ik_report) of no more than this
+  float damping;  // for the Jacobian methods: more is calmer and slower
+  uint32_t seed;  // for `starts` and mrw_solve_ik_genetic: the same seed gives the same result
+  float weight;  // 0 … 1: 0 changes no bit; between, rotations are blended
+  // For FABRIK and CCD with one goal: if the goal is out of reach, the bones from the first joint that turns to the
+  // goal's become longer, or shorter if it is too near, by up to this factor. 1: bones keep their lengths. Changes the
+  // local translations of joints on the way.
   float stretch;
 };
 void mrw_ik_options_init(mrw_ik_options* out);
@@ -1832,33 +1830,32 @@ void mrw_ik_options_init(mrw_ik_options* out);
 typedef struct mrw_ik_report mrw_ik_report;
 struct mrw_ik_report {
   float error_m;  // √Σ (position_weight · distance)² + (rotation_weight · angle)² of the goals, as for weight 1
-  uint32_t iterations;  // that it took
-  mrw_ik_stop why;  // why it took no more
+  uint32_t iterations;  // of all starts
+  mrw_ik_stop why;  // why it stopped
 };
 
-// Bytes of scratch memory that mrw_solve_ik needs; 0 of a problem without goals or joints that could be read.
+// Bytes of scratch memory that mrw_solve_ik needs; 0 if the problem's goals or joints cannot be read.
 // May be null: options.
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem, const mrw_ik_options* options);
 
-// Turns the joints so that the goals are reached, or as nearly as may be, starting from the pose that is there.
+// Turns the joints from the given pose so that the goals are reached, or as nearly as can be.
 //
-// local: at least mrw_skeleton_soa_size(skeleton), parent_from_joint; changed: rotations of problem.joints, and the
-// translation of joints[0] if it may travel. scene_from_joint: at least skeleton.joint_count, of this pose
-// (mrw_local_to_model); brought up to date for what hangs below the joints that turn. scratch: at least
-// mrw_ik_scratch_bytes(), of any alignment. report: may be null.
-// A rotation in scene space is the product of the rotations from the root down; scale has no part in it.
-// Errors, and nothing is written: MRW_BAD_ARGUMENT if a list is too short, an index out of range, `joints` not
-// ascending, there are more than MRW_MAX_JOINTS goals, or a goal that no joint turns, a number not finite, a weight or
-// a stiffness out of range, or the pose not finite on the way to a goal.
+// local: parent_from_joint, at least mrw_skeleton_soa_size(skeleton). Rotations of problem.joints are changed, and the
+// translation of joints[0] if it may travel. scene_from_joint: of this pose (mrw_local_to_model), at least
+// skeleton.joint_count; updated for what hangs below the joints that turn. scratch: at least mrw_ik_scratch_bytes(), of
+// any alignment. report: may be null. A joint's rotation in scene space is the product of the rotations from the root
+// down; scale has no part in it. Errors: MRW_BAD_ARGUMENT, and nothing is written, if a list is too short, an index is
+// out of range, `joints` do not ascend, there are more than MRW_MAX_JOINTS goals, a goal hangs on no joint that turns,
+// a number is not finite, a weight or a stiffness is out of range, or the pose is not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 // May be null: options, report.
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
-// The same with FABRIK and CCD alone, and with the Jacobian methods alone: what is not named is not linked. Scratch
-// memory is that of mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, or options.method is one of
-// the others.
+// mrw_solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others.
+// Scratch memory as by mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, and MRW_BAD_ARGUMENT if
+// options.method is one of the others.
 // May be null: options, report.
 mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
@@ -1867,87 +1864,87 @@ mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* lo
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
-// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
-// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+// mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
+// and the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
 //
-// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
-// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
-// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
-// docs/ik.md: tens of microseconds a generation.
+// A memetic algorithm: poses compete by their error; the better ones are crossed and changed at random, and the best
+// improve by cyclic coordinate descent. options.max_iterations counts generations, options.seed starts the random
+// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel. Each
+// pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
+// Cost: tens of microseconds a generation, see docs/ik.md.
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem);
 
-// The same by evolution, for sets of limits in which the other methods end in a corner; too slow for every frame, and
-// the result jumps as goals move. A function of its own, so that what does not call it does not link it.
+// mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
+// and the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
 //
-// A memetic algorithm: poses compete by their error; joints of the better ones are crossed and changed at random, and
-// the best learn by cyclic coordinate descent. options.max_iterations are generations, options.seed what chance begins
-// with; options.method, starts, damping and stretch, and the problem's pole and root travel, have no meaning. Each pose
-// keeps to limits; stiff joints stay, and what is less stiff turns as any other. The same bits everywhere. Cost:
-// docs/ik.md: tens of microseconds a generation.
+// A memetic algorithm: poses compete by their error; the better ones are crossed and changed at random, and the best
+// improve by cyclic coordinate descent. options.max_iterations counts generations, options.seed starts the random
+// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel. Each
+// pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
+// Cost: tens of microseconds a generation, see docs/ik.md.
 // May be null: options, report.
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
     mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // ---- Part feet ------------------------------------------------------------------------------------------------------
-// Stage 3½, feet on the ground: soles follow rays, planted feet stay where they are, the pelvis gives way.
+// Feet on the ground, for poses after mrw_local_to_model(): soles stand on what rays hit, planted feet stay, the pelvis
+// gives way.
 
-// A leg. Other joints may lie between these: a hind leg of three bones is hip, knee and paw, and what is between keeps
-// its angle.
+// A leg. Other joints may lie between the three, and keep their angles: a hind leg of three bones is hip, knee and paw.
 typedef struct mrw_foot mrw_foot;
 struct mrw_foot {
   uint32_t hip;  // joints of the skeleton
   uint32_t knee;  // joints of the skeleton
   uint32_t ankle;  // joints of the skeleton
-  float sole[3];  // what stands on the ground, in the ankle's space: below the ball of the foot, say
+  float sole[3];  // the point that stands on the ground, below the ball of the foot, say; ankle's space
   float bend_axis[3];  // of the knee; see mrw_two_bone
   float weight;  // 0 … 1
 };
 void mrw_foot_init(mrw_foot* out);
 
-// Two legs or more. The clips have been made for level ground, through the scene's origin.
+// The legs of a character, whose clips are made for level ground through the scene's origin.
 typedef struct mrw_feet mrw_feet;
 struct mrw_feet {
   const mrw_foot* feet;  // two or more
   size_t foot_count;
-  uint32_t pelvis;  // moved up and down, with all that hangs on it, the hips too; none: stays
-  float lower_m;  // ≥ 0: by how much at most it goes down, or up; world
-  float reach;  // 0 … 1: it goes down, too, where a leg would be longer than this share of its bones
-  float slope_rad;  // 0 … 1.5: by how much at most a foot leans with the ground
-  float ease_s;  // > 0: the time in which all but 2 % of a step in the ground, or of a release, is over
+  uint32_t pelvis;  // moves up and down with all that hangs on it, hips included; MRW_NO_JOINT: none does
+  float lower_m;  // ≥ 0: the most that the pelvis goes down, or up; world
+  float reach;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
+  float slope_rad;  // 0 … 1.5: the most that a foot leans with the ground
+  float ease_s;  // > 0: the time after which 2 % of a step in the ground, or of a release, is left
 };
 void mrw_feet_init(mrw_feet* out);
 
-// What the game knows of a foot in this frame; world.
+// What the game says of a foot in this frame; world.
 typedef struct mrw_foot_ground mrw_foot_ground;
 struct mrw_foot_ground {
   bool hit;  // false: as if the ground were level at the height of the scene's origin
   float point[3];  // of a ray along `up` through mrw_foot_sole(), or anywhere on the plane that it hit
   float normal[3];  // of any length; steeper than 80°: no hit
-  bool planted;  // the sole stays at its place until this is false again
+  bool planted;  // the sole stays where it is for as long as this is true
 };
 void mrw_foot_ground_init(mrw_foot_ground* out);
 
-// The motion of one foot: plain numbers. A new one and one whose numbers are out of hand begin where the animation has
+// The motion of one foot: plain numbers. A new one, and one with numbers out of range, begins where the animation has
 // the foot. World; on a moving platform, let the world be the platform.
 typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
   float place[3];  // of the sole, as shown last
   float offset[3];  // of the sole from its target
   float offset_speed[3];  // of the sole from its target
-  float lean[3];  // of the ground's normal that the foot leans by from the ground's own
-  float lean_speed[3];  // of the ground's normal that the foot leans by from the ground's own
-  float point[3];  // the ground, last
-  float normal[3];  // the ground, last
-  float heading[3];  // level: of the ankle's axis `axis` when it was planted
+  float lean[3];  // what is added to the ground's normal to give the foot's
+  float lean_speed[3];  // what is added to the ground's normal to give the foot's
+  float point[3];  // the ground in the last frame
+  float normal[3];  // the ground in the last frame
+  float heading[3];  // level direction of the ankle's axis `axis` when it was planted
   float turn[4];  // about up, from the animated to the planted heading
-  float turn_share;  // how much of it is left
-  float turn_share_speed;  // how much of it is left
-  uint8_t axis;  // whether it is planted, and was begun
-  uint8_t planted;  // whether it is planted, and was begun
-  uint8_t begun;  // whether it is planted, and was begun
-  uint8_t hit;  // whether its ray found ground
+  float turn_share;  // how much of `turn` is left
+  float turn_share_speed;  // how much of `turn` is left
+  uint8_t axis;  // of heading; whether it is planted; whether it has begun
+  uint8_t planted;  // of heading; whether it is planted; whether it has begun
+  uint8_t begun;  // of heading; whether it is planted; whether it has begun
+  uint8_t hit;  // whether its ray hit ground
   uint8_t reached;  // whether the leg was long enough
 };
 void mrw_foot_motion_init(mrw_foot_motion* out);
@@ -1959,28 +1956,27 @@ struct mrw_feet_frame {
   mrw_affine world_from_scene;  // Where the character stands: a turn, one scale above 0, a shift.
   float up[3];  // a unit vector; world
   bool teleported;  // feet begin anew, none is planted where it was
-  float weight;  // 0 … 1, times each foot's; the motion goes on
+  float weight;  // 0 … 1, times each foot's; motions go on at 0 too
 };
 void mrw_feet_frame_init(mrw_feet_frame* out);
 
-// Where a ray for a foot is to go through: its sole as animated, in the world.
+// The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: MRW_BAD_ARGUMENT if the list is too short, there is no such joint, or the place is not finite or beyond 1e6.
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
     size_t scene_from_joint_count, float sole_world[3]) MRW_NODISCARD;
 
-// Places the feet: turns hips, knees and ankles, shifts the pelvis, and brings the matrices of what hangs below up to
-// date. Call it after mrw_local_to_model(), and cast the rays before it, from the same pose.
+// Places the feet: turns hips, knees and ankles, shifts the pelvis, and updates the matrices of what hangs below. Call
+// it after mrw_local_to_model(), and cast the rays before it, from the same pose.
 //
 // local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count. ground, motion:
 // one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
-// plane about its sole. What is planted keeps its place across `up`, and its heading; along `up` it moves as animated,
-// so that a heel can rise. A step in the ground (another plane than in the last frame), and on release the way to the
-// target, are an offset from the target that dies away as a critically damped spring at rest does, with the speed
-// that it had: exact whatever the frame rate, and without a jump in place or speed. The pelvis moves by the lowest
-// sole's ground, and as much further down as the legs need to reach. Ankles keep their animated attitude but for lean
-// and heading. See docs/ik/feet.md.
+// plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
+// so that a heel can rise. Where the ground's plane changes, and where a foot is released, the sole keeps an offset
+// from its target, which dies away as a critically damped spring does, from the speed that the foot had: exact at any
+// frame rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if
+// legs are too short. Ankles keep their animated attitude but for lean and heading. See docs/ik/feet.md.
 //
 // Errors: MRW_BAD_ARGUMENT if a list is too short, joints are not as they should be, or a number is not finite, out of
 // its range or beyond 1e6; nothing is written.
@@ -1993,33 +1989,34 @@ mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, co
     size_t scene_from_joint_count) MRW_NODISCARD;
 
 // ---- Part springs ---------------------------------------------------------------------------------------------------
-// Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
+// Spring bones, for poses after mrw_local_to_model(): hair, tails and capes swing behind the animated pose.
 //
-// Chains and colliders are mrw_spring_chain and mrw_spring_collider in part file: a game's own, or those that an asset
-// came with, mrw_file_spring() and mrw_file_spring_colliders().
+// Chains and colliders are mrw_spring_chain and mrw_spring_collider of part file: a game's own, or an asset's by
+// mrw_file_spring() and mrw_file_spring_colliders().
 
-#define MRW_MAX_SPRING_STEP_S (1.0f / 60)  // frames are cut into equal steps no longer than this …
+#define MRW_MAX_SPRING_STEP_S (1.0f / 60)  // a frame is cut into equal steps no longer than this
 
-#define MRW_MAX_SPRING_STEPS 8  // … and time beyond so many is left out
+#define MRW_MAX_SPRING_STEPS 8  // the time of a frame beyond so many steps is dropped
 
-#define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are saved up
+#define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are added up until they are this long
 
-// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in springs/spring_state.h.
+// Settings and motion of four bones, and of one chain: plain bytes in the caller's memory. Defined in
+// springs/spring_state.h.
 typedef struct mrw_spring_group mrw_spring_group;
 typedef struct mrw_spring_root mrw_spring_root;
 typedef struct mrw_joint_range mrw_joint_range;
 
-// Chains of one character. To keep or to copy a motion, copy the memory.
+// The chains of one character. To keep or copy a motion, copy the memory.
 typedef struct mrw_springs mrw_springs;
 struct mrw_springs {
-  mrw_spring_group* groups;  // four bones each
-  mrw_spring_root* roots;  // a chain each
-  mrw_joint_range* below;  // joints whose matrices springs change
-  uint32_t group_count;  // of each of them
-  uint32_t root_count;  // likewise
-  uint32_t below_count;  // likewise
+  mrw_spring_group* groups;  // one for four bones
+  mrw_spring_root* roots;  // one a chain
+  mrw_joint_range* below;  // the joints whose matrices springs change
+  uint32_t group_count;  // length of groups
+  uint32_t root_count;  // length of roots
+  uint32_t below_count;  // length of below
   uint32_t joint_count;  // of the skeleton
-  float saved_s;  // time of frames that were too short
+  float saved_s;  // time of short frames, added up
 };
 void mrw_springs_init(mrw_springs* out);
 
@@ -2027,63 +2024,63 @@ void mrw_springs_init(mrw_springs* out);
 typedef struct mrw_spring_frame mrw_spring_frame;
 struct mrw_spring_frame {
   float dt_s;  // since the last frame
-  // Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+  // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
   mrw_affine world_from_scene;
   float gravity[3];  // m/s², world
   float wind[3];  // m/s, world; acts by `drag`
   const mrw_spring_collider* colliders;  // at most MRW_MAX_SPRING_COLLIDERS
   size_t collider_count;
-  float teleport_m;  // chains whose first joint moves further than this in one frame are moved along …
-  bool teleported;  // … and so are all if this is set
+  float teleport_m;  // a chain whose first joint moves further than this in a frame is moved rigidly
+  bool teleported;  // all chains are moved rigidly in this frame
   float weight;  // 0 … 1, times each joint's
 };
 void mrw_spring_frame_init(mrw_spring_frame* out);
 
-// What mrw_make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+// Bytes of memory that mrw_make_springs needs: 352 for four bones, 272 a chain, 2 a joint of the skeleton; 0 without
+// chains.
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count);
 
-// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+// Makes springs in `memory`, which they use from then on. They begin at rest in the first pose.
 //
 // memory: at least mrw_springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
 // Errors: MRW_BAD_ARGUMENT if a setting is out of its range, a joint is not in the skeleton or not below the one before
-// it, a chain has no bone, or the memory does not do; nothing is written.
+// it, a chain has no bone, or the memory is too small or off its boundary; nothing is written.
 mrw_status mrw_make_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     void* memory, size_t memory_bytes, mrw_springs* out) MRW_NODISCARD;
 
-// New settings for the same joints, in the midst of motion. Errors: as mrw_make_springs, or not the same joints.
+// Changes the settings, keeping the motion. Errors: as mrw_make_springs, and MRW_BAD_ARGUMENT if the joints are not the
+// same.
 mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
     mrw_springs* springs) MRW_NODISCARD;
 
-// The next frame begins at rest in its pose.
+// Lets the springs begin anew: at rest in the next frame's pose.
 void mrw_reset_springs(mrw_springs* springs);
 
-// Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+// Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
 //
-// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count;
-// mrw_local_to_model() has made the one from the other. Springs never read what they have written: give them the
-// animated pose of every frame.
+// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count, which belong
+// together (mrw_local_to_model). Springs never read what they have written: give them the animated pose in every frame.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
-// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
-// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-// harder than mrw_spring_joint.most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in
-// proportion to the sine of the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone
-// feels those above it, they do not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the
-// common frequency, less than the upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A
-// chain below another's joint is carried by it, but does not feel its swing.
+// without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
+// the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
+// chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+// harder than mrw_spring_joint.most_pull, if that is set: under a greater load the bone yields. The pull ω² t grows
+// with the sine of the angle: for small angles as a linear spring's, and to nothing at half a turn. A bone feels the
+// bones above it; they do not feel it. So of equal bones in a chain a lower one swings 1 / (2 ζ) as far at the common
+// frequency, less than the upper one if ζ is above ½. The joint turns by the shortest arc that takes the bone there. A
+// chain below a joint of another chain is carried along, but does not feel that one's swing.
 //
 // Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
-// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
-// whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
-// energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
-// What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
-// is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
-// vector a joint.
+// before and half after. Drift and kicks are so strong that small swings have the exact frequency and decay at any
+// step: so a path depends on the frame rate only as that samples the animation. The energy |u|²/2 - F·d is limited to
+// the work done, so it never grows without input. What hangs on a bone turns by the rotation nearest to its parent's
+// that takes the animated direction to the simulated one: a projection (P. Davenport's matrix; see G. Wahba, SIAM
+// Review 7(3), 1965), and one product of matrix and vector a joint.
 //
-// Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
-// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+// Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
+// stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.
 // Errors: MRW_BAD_ARGUMENT if a list is too short, the skeleton has another count of joints, a number is not finite or
 // out of its range, or there are more than MRW_MAX_SPRING_COLLIDERS; nothing is written.
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;

@@ -1,7 +1,7 @@
-// Stage 3½, spring bones: hair, tails and capes swing behind the animated pose.
+// Spring bones, for poses after local_to_model(): hair, tails and capes swing behind the animated pose.
 //
-// Chains and colliders are SpringChain and SpringCollider in file.h: a game's own, or those that an asset came with,
-// File::spring() and File::spring_colliders().
+// Chains and colliders are SpringChain and SpringCollider of file.h: a game's own, or an asset's by File::spring() and
+// File::spring_colliders().
 #pragma once
 
 #include "marrow/api.h"
@@ -9,83 +9,84 @@
 
 namespace marrow {
 
-inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // frames are cut into equal steps no longer than this …
-inline constexpr int kMaxSpringSteps = 8;             // … and time beyond so many is left out
-inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are saved up
+inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // a frame is cut into equal steps no longer than this
+inline constexpr int kMaxSpringSteps = 8;             // the time of a frame beyond so many steps is dropped
+inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are added up until they are this long
 
-// Four bones and one chain: settings and motion, plain bytes in the caller's memory. Defined in springs/spring_state.h.
+// Settings and motion of four bones, and of one chain: plain bytes in the caller's memory. Defined in
+// springs/spring_state.h.
 struct SpringGroup;
 struct SpringRoot;
 struct JointRange;
 
-// Chains of one character. To keep or to copy a motion, copy the memory.
+// The chains of one character. To keep or copy a motion, copy the memory.
 struct Springs {
-  SpringGroup* groups = nullptr;  // four bones each
-  SpringRoot* roots = nullptr;    // a chain each
-  JointRange* below = nullptr;    // joints whose matrices springs change
-  std::uint32_t group_count = 0;  // of each of them
-  std::uint32_t root_count = 0;   // likewise
-  std::uint32_t below_count = 0;  // likewise
+  SpringGroup* groups = nullptr;  // one for four bones
+  SpringRoot* roots = nullptr;    // one a chain
+  JointRange* below = nullptr;    // the joints whose matrices springs change
+  std::uint32_t group_count = 0;  // length of groups
+  std::uint32_t root_count = 0;   // length of roots
+  std::uint32_t below_count = 0;  // length of below
   std::uint32_t joint_count = 0;  // of the skeleton
-  float saved_s = 0;              // time of frames that were too short
+  float saved_s = 0;              // time of short frames, added up
 };
 
-// What make_springs needs: 352 bytes for four bones, 272 a chain, 2 a joint of the skeleton; 0 without chains.
+// Bytes of memory that make_springs needs: 352 for four bones, 272 a chain, 2 a joint of the skeleton; 0 without
+// chains.
 MARROW_API std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chains);
 
-// Lays springs out in `memory`, which they use from then on, at rest in whatever pose comes first.
+// Makes springs in `memory`, which they use from then on. They begin at rest in the first pose.
 //
 // memory: at least springs_bytes(), on a boundary of 16 bytes. `chains` is not needed afterwards.
 // Errors: bad_argument if a setting is out of its range, a joint is not in the skeleton or not below the one before it,
-// a chain has no bone, or the memory does not do; nothing is written.
+// a chain has no bone, or the memory is too small or off its boundary; nothing is written.
 MARROW_API Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory,
                                Springs& out);
 
-// New settings for the same joints, in the midst of motion. Errors: as make_springs, or not the same joints.
+// Changes the settings, keeping the motion. Errors: as make_springs, and bad_argument if the joints are not the same.
 MARROW_API Status set_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Springs& springs);
 
-// The next frame begins at rest in its pose.
+// Lets the springs begin anew: at rest in the next frame's pose.
 MARROW_API void reset_springs(Springs& springs);
 
 // What simulate_springs() is told of a frame.
 struct SpringFrame {
   float dt_s = 0;  // since the last frame
-  // Where the character stands: a turn, one scale, a shift. Motion in the world is felt, by this and by the pose.
+  // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
   Affine world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float gravity[3] = {0, -9.81f, 0};          // m/s², world
   float wind[3] = {0, 0, 0};                  // m/s, world; acts by `drag`
   Span<const SpringCollider> colliders = {};  // at most kMaxSpringColliders
-  float teleport_m = 1.0f;  // chains whose first joint moves further than this in one frame are moved along …
-  bool teleported = false;  // … and so are all if this is set
+  float teleport_m = 1.0f;  // a chain whose first joint moves further than this in a frame is moved rigidly
+  bool teleported = false;  // all chains are moved rigidly in this frame
   float weight = 1.0f;      // 0 … 1, times each joint's
 };
 
-// Moves the springs on by a frame and bends `local` by them; the matrices of what hangs below are brought up to date.
+// Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
 //
-// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count; local_to_model() has made
-// the one from the other. Springs never read what they have written: give them the animated pose of every frame.
+// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count, which belong together
+// (local_to_model). Springs never read what they have written: give them the animated pose in every frame.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
-// of which the part along d is borne by the bone, whose length L never changes. t is the animated direction, turned
-// with the bones above it as they swing; t' the same without what those do; V and A are velocity and acceleration of
-// the chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-// harder than SpringJoint::most_pull, if that is set: a load that is more makes it yield. The pull ω² t is in
-// proportion to the sine of the angle: as much as a linear spring's for small ones, nothing at half a turn. A bone
-// feels those above it, they do not feel it; so of equal bones in a chain the lower swings 1 / (2 ζ) as far at the
-// common frequency, less than the upper from ζ = ½ on. A turn of the joint is the shortest that takes the bone there. A
-// chain below another's joint is carried by it, but does not feel its swing.
+// without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
+// the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
+// chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
+// harder than SpringJoint::most_pull, if that is set: under a greater load the bone yields. The pull ω² t grows with
+// the sine of the angle: for small angles as a linear spring's, and to nothing at half a turn. A bone feels the bones
+// above it; they do not feel it. So of equal bones in a chain a lower one swings 1 / (2 ζ) as far at the common
+// frequency, less than the upper one if ζ is above ½. The joint turns by the shortest arc that takes the bone there. A
+// chain below a joint of another chain is carried along, but does not feel that one's swing.
 //
 // Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
-// before and half after. Drift and kicks have the strengths with which small swings have the exact frequency and decay,
-// whatever the step; so a path does not depend on the frame rate but for how the animation's frames cut its curves. The
-// energy |u|²/2 - F·d is held down to the work done, so that it never grows without input.
-// What hangs on a bone turns by the nearest rotation to its parent's that takes the one direction to the other, which
-// is a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965) and costs one product of matrix and
-// vector a joint.
+// before and half after. Drift and kicks are so strong that small swings have the exact frequency and decay at any
+// step: so a path depends on the frame rate only as that samples the animation. The energy |u|²/2 - F·d is limited to
+// the work done, so it never grows without input. What hangs on a bone turns by the rotation nearest to its parent's
+// that takes the animated direction to the simulated one: a projection (P. Davenport's matrix; see G. Wahba, SIAM
+// Review 7(3), 1965), and one product of matrix and vector a joint.
 //
-// Scales that are not one scale, above a joint: directions are then approximate, lengths still kept. A bone shorter
-// than a micrometre stays as it is. A weight of 0 leaves the bits of a joint, and, all 0, those of the matrices.
+// Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
+// stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.
 // Errors: bad_argument if a span is too short, the skeleton has another count of joints, a number is not finite or out
 // of its range, or there are more than kMaxSpringColliders; nothing is written.
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
