@@ -1705,9 +1705,9 @@ struct MRW_ALIGN(16) mrw_aim_turn {
 // start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
 // the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
 // whole call does so. Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that
-// are not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰. Cost: 430
-// instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way, the
-// target is more than 140° off or near the pole, or there is a twist.
+// are not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
+// the target is more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
     mrw_two_bone_turns* out) MRW_NODISCARD;
 

@@ -58,9 +58,9 @@ struct TwoBoneJoints {
 // start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
 // the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
 // whole call does so. Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are
-// not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰. Cost: 416
-// instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way, the
-// target is more than 140° off or near the pole, or there is a twist.
+// not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
+// the target is more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
 // Solves four limbs at once, with the same bits, at 60 % of the instructions each. Fewer limbs: fill up with copies.
