@@ -310,7 +310,7 @@ Bounds File::bounds(std::uint32_t clip, std::uint32_t mesh) const {
     for (std::uint32_t c = 0; c < clip; ++c) row += skeleton_of_clip(c) == skeleton;
     for (std::uint32_t m = 0; m < mesh; ++m) column += skeleton_of_mesh(m) == skeleton;
     if (row >= header.clip_count || column >= header.mesh_count) return {};
-    return decode_bounds(layout(header).codes.in(base)[std::uint64_t{row} * header.mesh_count + column]);
+    return decode_bounds(layout(header).codes.in(base)[std::size_t{row} * header.mesh_count + column]);
   }
   return {};
 }

@@ -80,7 +80,7 @@ const char* take_coded_header(ByteReader& reader, const Head& head, format::Code
   return nullptr;
 }
 
-constexpr const char *kWrongSize = "a clip that is too short or too long",
+constexpr const char *kWrongClipSize = "a clip that is too short or too long",
                      *kTooLarge = "a clip that is too short, or larger than a file";
 
 // One step of a clip, over what `work` has of it.
@@ -111,7 +111,7 @@ class ClipStep {
       if (w_.sizes.read == format::segment_count(w_.sizes.header)) w_.stage = Stage::symbols;
     }
     if (w_.stage == Stage::symbols) {
-      if (w_.reader.failed()) return kWrongSize;
+      if (w_.reader.failed()) return kWrongClipSize;
       Memory memory{scratch_.data, 0, scratch_.size};
       const SegmentScratch whole = take_segment_scratch(memory, w_.sizes.header.track_count, w_.sizes.most_frames);
       if (memory.failed) return "memory_bytes too small";
@@ -142,7 +142,7 @@ class ClipStep {
     codec = head_.is_coded() ? format::kCodecSegments : format::kCodecRaw;
     if (!head_.has_symbols()) {
       done = true;
-      return reader_.failed() || reader_.left() != 0 ? kWrongSize : nullptr;
+      return reader_.failed() || reader_.left() != 0 ? kWrongClipSize : nullptr;
     }
     if (head_.is_coded())
       if (const char* const rule = take_coded_header(reader_, head_, w_.sizes.header)) return rule;
@@ -224,7 +224,7 @@ class ClipStep {
         return "a segment that is none";
     }
     done = w_.stage == Stage::frames && (!head_.is_coded() || w_.segments.segment == format::segment_count(coded));
-    return !done || w_.decoder.at_end() ? nullptr : kWrongSize;
+    return !done || w_.decoder.at_end() ? nullptr : kWrongClipSize;
   }
 
   // Elements from where the stage is, of so much work each; then the next stage.
@@ -267,7 +267,7 @@ const char* measure_clip_record(Span<const std::byte> record, ClipNeeds& out) {
   const Head head = take_head(reader);
   if (!head.has_symbols()) return nullptr;
   const format::ClipLayout l = layout(head.header);
-  if (l.tracks - l.reference > reader.left()) return kWrongSize;
+  if (l.tracks - l.reference > reader.left()) return kWrongClipSize;
   reader.take_bytes(static_cast<std::size_t>(l.tracks - l.reference));
   SegmentSizes sizes;
   if (head.is_coded()) {
