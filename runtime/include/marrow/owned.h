@@ -20,25 +20,33 @@ namespace marrow {
 // A block of memory on a boundary of 16 bytes.
 class OwnedBlock {
  public:
+  // Of no bytes.
   OwnedBlock() = default;
+  // Of at least so many zero bytes. Cost: an allocation.
   explicit OwnedBlock(std::size_t bytes) : memory_(block_bytes(bytes)) {}
-  OwnedBlock(OwnedBlock&&) = default;
-  OwnedBlock& operator=(OwnedBlock&&) = default;
+  // Leaves `other` empty.
+  OwnedBlock(OwnedBlock&& other) = default;
+  // As that.
+  OwnedBlock& operator=(OwnedBlock&& other) = default;
 
+  // Where the bytes are. They stay there when the block is moved.
   Span<std::byte> span() { return block_in({memory_.data(), memory_.size()}); }
 
  private:
   std::vector<std::byte> memory_;
 };
 
+// A file that owns its bytes, with its animations.
 struct OwnedFile : File {
-  Animations animations = {};
-  DataError error = {};  // of the last make_owned() that failed
-  OwnedBlock block, animations_block;
+  Animations animations = {};   // of the file's own clips
+  DataError error = {};         // of the last make_owned() that failed
+  OwnedBlock block;             // what the file is a view of
+  OwnedBlock animations_block;  // what `animations` are views of
 };
 
+// A character that owns its poses and palettes.
 struct OwnedCharacter : Character {
-  OwnedBlock block;
+  OwnedBlock block;  // what it is views of
 };
 
 // Ends the program, with a line on stderr, where a call failed.
@@ -80,6 +88,7 @@ inline Status make_owned(Span<const std::byte> bytes, Span<const MeshDecoder> de
   status = unpack(bytes, decoders, out.block.span(), file, &out.error);
   return status == Status::ok ? load_owned(file, out) : status;
 }
+// As streams and texts have them.
 inline Status make_owned(Span<const char> bytes, Span<const MeshDecoder> decoders, OwnedFile& out) {
   return make_owned({reinterpret_cast<const std::byte*>(bytes.data), bytes.size}, decoders, out);
 }
