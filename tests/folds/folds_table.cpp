@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 
 #include "commands/compare/study.h"
+#include "common/evenly.h"
 #include "common/parallel.h"
 #include "cook/gltf/read.h"
 #include "deform/elastic/elastic.h"
@@ -160,15 +161,6 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
   return out;
 }
 
-// Of every n-th.
-template <class T>
-std::vector<T> some(const std::vector<T>& of, std::size_t most) {
-  std::vector<T> out;
-  const std::size_t count = std::min(most, of.size());
-  for (std::size_t i = 0; i < count; ++i) out.push_back(of[i * of.size() / count]);
-  return out;
-}
-
 void print_rings(const Study& study, const std::vector<Named>& all) {
   std::vector<deform::MotionPose> twists;
   for (const deform::MotionPose& p : study.motion.poses)
@@ -211,8 +203,8 @@ void print_rows(const Study& study, const std::vector<Named>& all, std::size_t m
   const deform::SkinnedMesh& mesh = study.source.mesh;
   const deform::FoldMeter meter(mesh);
   std::vector<Pose> clips, joints;
-  for (const HeldPose& p : some(study.rounds.front().held, most)) clips.push_back(p.pose);
-  for (const deform::MotionPose& p : some(study.motion.poses, most)) joints.push_back(p.pose());
+  for (const HeldPose& p : evenly(study.rounds.front().held, most)) clips.push_back(p.pose);
+  for (const deform::MotionPose& p : evenly(study.motion.poses, most)) joints.push_back(p.pose());
   const auto truth = [&](const std::vector<Pose>& poses) {
     std::vector<Positions> out(poses.size());
     for_each_in_parallel(poses.size(), [&](std::size_t i) { study.source.elastic(poses[i], out[i]); });
