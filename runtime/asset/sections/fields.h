@@ -108,14 +108,17 @@ struct Unheard {
   constexpr void align() {}
 };
 
+// More elements than any file holds: a product of two counts may be more, and wrap when it is times their size.
+inline constexpr std::uint64_t kTooMany = std::uint64_t{1} << 48;
+
 // Says where arrays stand.
 class LayOut : public Unheard {
  public:
   constexpr explicit LayOut(std::uint64_t at) : end_(at) {}
   template <class T>
   constexpr void array(const Field&, Array<T>& out, std::uint64_t count, Floats = Floats::any) {
-    out = {end_, count};
-    end_ += count * sizeof(T);
+    out = {end_, count < kTooMany ? count : kTooMany};
+    end_ += out.bytes();
   }
   template <class T, class EachRecord>
   constexpr void records(const Field& field, Array<T>& out, std::uint64_t count, const EachRecord&) {
@@ -132,7 +135,7 @@ class LayOut : public Unheard {
 template <class Header>
 struct LayoutOf;
 
-// Counts are products of 32-bit numbers, so their sums do not overflow.
+// Of counts too large for any file, more bytes than a section may have.
 template <class Header>
 constexpr void lay_out(const Header& h, typename LayoutOf<Header>::Type& l) {
   LayOut v(sizeof h);

@@ -74,7 +74,7 @@ TEST_F(LoadBounds, AreRefusedByTheirRules) {
   static_assert(1824726041ull * 1263665316ull * 8 == 32);
   std::uint64_t both = 0;
   std::memcpy(&both, huge, sizeof both);
-  refuse(4, both, "1 to as many as clips");
+  refuse(4, both, "section size differs from its counts");
   const std::uint32_t one_clip[] = {1, 4};
   std::memcpy(&both, one_clip, sizeof both);
   refuse(4, both, "1 to as many as meshes");
