@@ -1,5 +1,5 @@
 // The empty studio: a backdrop that is lighter behind the character, and a ground with its shadow that fades into it.
-uniform mat4 scene_from_clip;
+uniform mat4 model_from_clip;
 uniform vec3 scene_centre;  // of the character
 in vec2 position_clip;
 out vec4 frag_colour;
@@ -14,7 +14,7 @@ vec3 backdrop(vec2 p) {
 
 // How much sky the ground sees, 0 … 1: what stands within reach above it, counted less the higher it is.
 float ground_openness(vec3 position, float turn) {
-  vec3 p = (sky_from_scene * vec4(position, 1.0)).xyz;
+  vec3 p = (sky_from_model * vec4(position, 1.0)).xyz;
   float reach = 0.28 * scene_radius / sky_extent.x;
   float closed = 0.0;
   for (int i = 0; i < 24; ++i) {
@@ -27,7 +27,7 @@ float ground_openness(vec3 position, float turn) {
 }
 
 void main() {
-  vec4 far_point = scene_from_clip * vec4(position_clip, 1.0, 1.0);
+  vec4 far_point = model_from_clip * vec4(position_clip, 1.0, 1.0);
   vec3 ray = normalize(far_point.xyz / far_point.w - camera_position);
   vec3 back = backdrop(position_clip);
   vec3 colour = back;

@@ -1,5 +1,5 @@
 // A character's vertices for a light: positions, and where its texture has holes.
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 
 #if MARROW_UV
 out vec2 uv;
@@ -9,5 +9,5 @@ void main() {
 #if MARROW_UV
   uv = in_uv;
 #endif
-  gl_Position = clip_from_scene * vec4(marrow_skin().position, 1.0);
+  gl_Position = clip_from_model * vec4(marrow_skin().position, 1.0);
 }

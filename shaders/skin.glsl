@@ -389,7 +389,7 @@ uniform highp sampler2D marrow_previous_distances;
 #endif
 #endif
 
-// Scene space. What the mesh lacks is zero.
+// Model space. What the mesh lacks is zero.
 struct MarrowVertex {
   vec3 position;
   vec3 normal;

@@ -1,6 +1,6 @@
 // The photographer's studio that surface.frag and backdrop.frag share: lights, shadow maps, film.
 //
-// Colours are linear; the frame buffer encodes sRGB. Directions are unit and point towards the light, scene space.
+// Colours are linear; the frame buffer encodes sRGB. Directions are unit and point towards the light, model space.
 precision highp float;
 precision highp sampler2DShadow;
 
@@ -8,9 +8,9 @@ uniform vec3 camera_position;
 uniform float scene_radius;   // of the character, scene units
 uniform float ground_height;  // y of the ground, scene units
 uniform vec3 key_direction;
-uniform mat4 key_from_scene;  // → [0, 1]³ of the shadow map
+uniform mat4 key_from_model;  // → [0, 1]³ of the shadow map
 uniform vec2 key_extent;      // scene units: width of the map, depth of its range
-uniform mat4 sky_from_scene;  // the same, straight down: what keeps the sky from the ground
+uniform mat4 sky_from_model;  // the same, straight down: what keeps the sky from the ground
 uniform vec2 sky_extent;
 uniform sampler2DShadow key_shadow;
 uniform sampler2D key_depth;
@@ -35,7 +35,7 @@ vec2 sunflower(int i, int n, float turn) {
 // How much of the key light arrives, 0 … 1. The penumbra widens with the distance to what casts the shadow.
 // softness: tangent of the light's angular radius. bias: scene units.
 float key_visibility(vec3 position, float softness, float bias, float turn) {
-  vec3 p = (key_from_scene * vec4(position, 1.0)).xyz;
+  vec3 p = (key_from_model * vec4(position, 1.0)).xyz;
   if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThan(p.xy, vec2(1.0)))) return 1.0;
   float depth = p.z - bias / key_extent.y;  // above 1 on the ground behind the character: still in its shadow
   float search = softness * scene_radius / key_extent.x;

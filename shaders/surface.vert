@@ -1,5 +1,5 @@
 // A character's vertices for the camera: skinned position and normal, colour and texture coordinates passed on.
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 
 out vec3 position_scene;
 #if MARROW_NORMAL
@@ -27,5 +27,5 @@ void main() {
   vertex_colour *= in_colour;
 #endif
 #endif
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }

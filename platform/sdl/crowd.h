@@ -32,7 +32,7 @@ struct Crowd {
       must(create_crowd_mesh(stage.gl, stage.caps, mesh, {}, frames, kCrowd, block_of(gles3::crowd_mesh_bytes(mesh)),
                              meshes[i]),
            "the crowd on the GPU", programs.log.data);
-      must(build_crowd_programs(stage.gl, stage.caps, meshes[i], gles3::Deformer::ssd, 255, programs), "its programs");
+      must(create_crowd_programs(stage.gl, stage.caps, meshes[i], gles3::Deformer::ssd, 255, programs), "its programs");
     }
     marrow::Span<std::byte> records = block_of(kCrowd * gles3::kCrowdInstanceBytes);
     must(create_crowd(stage.gl, stage.caps, kCrowd, records, instances), "the crowd's instances");
@@ -40,7 +40,7 @@ struct Crowd {
     for (int i = 0; i < int(kCrowd); ++i) {  // eight columns; each newt has a moment of the walk, and a hue of its own
       const float away = 2.2f + 1.6f * float(i % 4), x = i % 8 < 4 ? -away : away;
       const float z = -2.3f - 1.95f * float(i / 8) - 0.95f * float(i % 2);
-      newts[i].scene_from_character = {{{1, 0, 0, x}, {0, 1, 0, hill(x, 0)}, {0, 0, 1, z}}};
+      newts[i].world_from_model = {{{1, 0, 0, x}, {0, 1, 0, hill(x, 0)}, {0, 0, 1, z}}};
       newts[i].a = {0, walk_s * std::fmod(0.618f * float(i), 1.0f)};
       newts[i].colour[i % 3] = 1 - 0.22f * float(i * 7 % 5);
     }

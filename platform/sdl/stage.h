@@ -95,7 +95,7 @@ inline STAGE_HILL;
 inline const std::string kLight = R"(
 precision highp float;
 uniform highp sampler2DShadow shadows;
-uniform mat4 sun_from_scene;
+uniform mat4 sun_from_model;
 uniform vec3 eye, to_sun;
 out vec4 pixel;
 const vec3 kHaze = vec3(0.95, 0.66, 0.46);
@@ -104,7 +104,7 @@ void put(vec3 c) {
   pixel = vec4(mix(1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, 12.92 * c, lessThanEqual(c, vec3(0.0031308))), 1.0);
 }
 void show(vec3 colour, vec3 at, vec3 normal, float gloss) {
-  vec3 spot = 0.5 + 0.5 * (sun_from_scene * vec4(at + 0.015 * normal, 1.0)).xyz;
+  vec3 spot = 0.5 + 0.5 * (sun_from_model * vec4(at + 0.015 * normal, 1.0)).xyz;
   float lit = 0.0;
   for (int i = 0; i < 4; ++i) {
     vec3 beside = vec3(i % 2 == 0 ? 1.0 : -1.0, i / 2 == 0 ? 1.0 : -1.0, 0.0) / 3000.0;
@@ -120,7 +120,7 @@ void show(vec3 colour, vec3 at, vec3 normal, float gloss) {
 }
 )";
 inline const std::string kSkinVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 at, normal, colour, hue;
 void main() {
   MarrowVertex v = marrow_skin();
@@ -131,7 +131,7 @@ void main() {
   colour = in_colour.rgb;
 #endif
   hue = vec3(1.0) - marrow_instance_colour().rgb;
-  gl_Position = clip_from_scene * vec4(at, 1.0);
+  gl_Position = clip_from_model * vec4(at, 1.0);
 }
 )";
 inline const std::string kSkinFragment = kLight + R"(
@@ -145,13 +145,13 @@ void main() {
 }
 )";
 inline const char* const kShadowVertex = R"(
-uniform mat4 clip_from_scene;
-void main() { gl_Position = clip_from_scene * vec4(marrow_skin().position, 1.0); }
+uniform mat4 clip_from_model;
+void main() { gl_Position = clip_from_model * vec4(marrow_skin().position, 1.0); }
 )";
 inline const char* const kShadowFragment = "void main() {}\n";
 // A grid without buffers. It moves by whole cells, so that its corners stay where they are in the world.
 inline const char* const kGroundVertex = "#version 300 es\nprecision highp float;\n" STAGE_TEXT(STAGE_HILL) R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 uniform float walked;
 out vec3 at;
 void main() {
@@ -160,7 +160,7 @@ void main() {
   ivec2 place = ivec2(cell % 120, cell / 120) + ivec2(right, back);
   at.xz = 0.25 * vec2(place) - vec2(15.0, 31.0 + mod(walked, 0.25));
   at.y = hill(at.x, at.z + walked);
-  gl_Position = clip_from_scene * vec4(at, 1.0);
+  gl_Position = clip_from_model * vec4(at, 1.0);
 }
 )";
 inline const std::string kGroundFragment = "#version 300 es\n" + kLight + STAGE_TEXT(STAGE_HILL) + R"(
@@ -247,7 +247,7 @@ struct Stage {
   int screen = 0;                     // its framebuffer, which on iOS is not 0
   unsigned sky = 0, ground = 0, shadow_map = 0, shadow_target = 0;
   Vector eye = {{1.2f, 1.55f, 3.3f}}, to_sun = unit({{-0.62f, 0.75f, 0.42f}});
-  Matrix clip_from_scene = {}, sun_from_scene = {};
+  Matrix clip_from_model = {}, sun_from_model = {};
 
   void open();
   void open_context();
@@ -347,7 +347,7 @@ inline void Stage::begin_shadows() {
   constexpr Vector middle = {{0, 0.6f, -5.5f}};
   Vector sun = middle;
   for (int i = 0; i < 3; ++i) sun.v[i] += 20 * to_sun.v[i];
-  sun_from_scene = look(sun, to_sun, 10.5f, 10.5f, 1, 40, false);
+  sun_from_model = look(sun, to_sun, 10.5f, 10.5f, 1, 40, false);
   gl.BindFramebuffer(GL_FRAMEBUFFER, shadow_target);
   gl.Viewport(0, 0, kShadowSide, kShadowSide);
   gl.Enable(GL_DEPTH_TEST);
@@ -357,7 +357,7 @@ inline void Stage::begin_shadows() {
 inline void Stage::begin_picture(float walked) {
   SDL_GL_GetDrawableSize(window, &width, &height);  // of a screen with small pixels, more than the window's size
   const float tall = 0.36f, wide = tall * float(width) / float(std::max(height, 1));
-  clip_from_scene = look(eye, {{0.27f, 0.2f, 1}}, wide, tall, 0.2f, 80, true);
+  clip_from_model = look(eye, {{0.27f, 0.2f, 1}}, wide, tall, 0.2f, 80, true);
   gl.BindFramebuffer(GL_FRAMEBUFFER, unsigned(screen));
   gl.Viewport(0, 0, width, height);
   clear(GL_DEPTH_BUFFER_BIT);
@@ -376,9 +376,9 @@ inline void Stage::begin_picture(float walked) {
 inline void Stage::use(unsigned program, Role role) const {
   gl.UseProgram(program);
   const auto place = [&](const char* name) { return gl.GetUniformLocation(program, name); };
-  gl.UniformMatrix4fv(place("clip_from_scene"), 1, GL_FALSE, (role == kShadow ? sun_from_scene : clip_from_scene).m);
+  gl.UniformMatrix4fv(place("clip_from_model"), 1, GL_FALSE, (role == kShadow ? sun_from_model : clip_from_model).m);
   if (role == kShadow) return;
-  gl.UniformMatrix4fv(place("sun_from_scene"), 1, GL_FALSE, sun_from_scene.m);
+  gl.UniformMatrix4fv(place("sun_from_model"), 1, GL_FALSE, sun_from_model.m);
   gl.Uniform3fv(place("eye"), 1, eye.v);
   gl.Uniform3fv(place("to_sun"), 1, to_sun.v);
   gl.Uniform1i(place("shadows"), kShadowUnit);

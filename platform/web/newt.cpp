@@ -17,7 +17,7 @@ namespace gles3 = marrow::gles3;
 using marrow::Status;
 
 constexpr const char* kVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 position_scene, normal_scene;
 out vec4 colour;
 void main() {
@@ -29,7 +29,7 @@ void main() {
 #else
   colour = vec4(1.0);
 #endif
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }
 )";
 // A little light from the camera. The canvas does not encode sRGB, so this does.
@@ -128,11 +128,11 @@ Status open(marrow::Span<const std::byte> bytes, const gles3::SkinnerOptions& ho
 Status draw_mesh(const marrow::CharacterMesh& m, gles3::Skinner& skinner, const float (&position)[3],
                  const float (&clip)[16]) {
   const gles3::Api& gl = game.gl;
-  Status status = pose(skinner, 0, game.body.skeletons[m.mesh.skeleton].scene_from_joint, m.weights);
+  Status status = pose(skinner, 0, game.body.skeletons[m.mesh.skeleton].model_from_joint, m.weights);
   if (status == Status::ok) status = update(gl, skinner, game.programs, 1);
   const gles3::Program& program = program_of(skinner, game.programs, 0);
   gl.UseProgram(program.id);
-  gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "clip_from_scene"), 1, GL_FALSE, clip);
+  gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "clip_from_model"), 1, GL_FALSE, clip);
   gl.Uniform3fv(gl.GetUniformLocation(program.id, "camera_position"), 1, position);
   gl.Uniform4fv(gl.GetUniformLocation(program.id, "base_colour"), 1, m.mesh.base_colour);
   (m.mesh.double_sided ? gl.Disable : gl.Enable)(GL_CULL_FACE);
@@ -144,7 +144,7 @@ Status draw_body(int width, int height, float distance) {
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const marrow::Affine& pelvis = game.body.skeletons[0].scene_from_joint[0];
+  const marrow::Affine& pelvis = game.body.skeletons[0].model_from_joint[0];
   float position[3], clip[16];
   look_at({pelvis.rows[0][3], pelvis.rows[1][3], pelvis.rows[2][3]}, distance,
           static_cast<float>(width) / static_cast<float>(height), position, clip);

@@ -18,7 +18,7 @@ void list(const Joints& outfit, const Joints& body, std::uint32_t reached, Misfi
       out.add(Misfit::other_parent, found);
     }
   }
-  for (std::uint32_t j = 0; j < outfit.count && outfit.parents[j] == kNoParent; ++j)
+  for (std::uint32_t j = 0; j < outfit.count && outfit.parents[j] == kNoJoint; ++j)
     if (body.find(outfit.name(j), j) == body.count) out.add(Misfit::missing, j);
   if (out.count() > 0) return;
   const std::uint32_t first = reached < body.count ? outfit.find(body.name(reached), reached) : 0;
@@ -41,7 +41,7 @@ Status bind_outfit(const File& outfit, std::uint32_t skeleton, const File& body,
   bool loose = false;  // a root that is none of the body's
   for (std::uint32_t j = 0; j < own.joint_count; ++j) {
     const bool root = j < own.root_count;
-    const std::uint16_t above = root ? kNoParent : body_joints[own.parents[j]];
+    const std::uint16_t above = root ? kNoJoint : body_joints[own.parents[j]];
     const bool hangs_alike = next < there.joint_count && there.parents[next] == above && (root || above != kNoJoint);
     const bool same = hangs_alike && std::strcmp(worn.name(j), wearer.name(next)) == 0;
     body_joints[j] = same ? static_cast<std::uint16_t>(next++) : kNoJoint;

@@ -2,7 +2,7 @@
 #include "asset/checker.h"
 #include "asset/sections/examples_section.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 
 namespace marrow {
 
@@ -50,7 +50,7 @@ bool check_space(Checker& c, const ExampleSpace& s) {
 }  // namespace
 
 Status File::example_space(std::uint32_t index, ExampleSpace& out, DataError* error) const {
-  MARROW_MARK;
+  MARROW_ZONE;
   if (error != nullptr) *error = {Status::bad_argument, 0, "an index below example_space_count()"};
   MARROW_REQUIRE(index < example_space_count());
   const Span<const std::byte> block(block_, reinterpret_cast<const format::Header*>(block_)->file_bytes);

@@ -10,7 +10,7 @@ namespace {
 void check_joints(Checker& c, Span<const std::uint16_t> parents, Span<const std::uint32_t> names,
                   std::uint32_t root_count) {
   for (std::uint32_t j = 0; j < parents.size && c.good(); ++j) {
-    if (j < root_count ? parents[j] != kNoParent : parents[j] >= j) c.fail(&parents[j], "parents come before children");
+    if (j < root_count ? parents[j] != kNoJoint : parents[j] >= j) c.fail(&parents[j], "parents come before children");
     if (j > root_count && parents[j] < parents[j - 1]) c.fail(&parents[j], "joints are breadth-first");
     c.name({}, names[j]);
   }
@@ -61,7 +61,7 @@ void check(Checker& c, const format::ReferenceHeader& h) {
   if (!check_fields(c, h, l)) return;
   const Span<const std::uint16_t> parents = c.in(l.parents);
   std::uint32_t roots = 0;
-  while (roots < h.joint_count && parents[roots] == kNoParent) ++roots;
+  while (roots < h.joint_count && parents[roots] == kNoJoint) ++roots;
   if (roots == 0) c.fail(parents.data, "the first joint has no parent");
   check_joints(c, parents, c.in(l.names), roots);
 }

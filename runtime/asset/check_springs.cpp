@@ -10,7 +10,7 @@ bool is_below(const std::uint16_t* parents, std::uint32_t joint, std::uint32_t a
   for (std::uint32_t n = 0; n < format::kLongestSpringBone && joint > above; ++n) {  // a parent has the lower number
     joint = parents[joint];
     if (joint == above) return true;
-    if (joint == kNoParent) return false;
+    if (joint == kNoJoint) return false;
   }
   return false;
 }

@@ -5,7 +5,7 @@
 #include "asset/misfits.h"
 #include "asset/skeleton_hash.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 
 namespace marrow {
 namespace {
@@ -16,7 +16,7 @@ void list(const Joints& wanted, const std::uint32_t* rest_hashes, const Joints& 
     const std::uint32_t found = there.find(wanted.name(j), j);
     if (found == there.count) {
       out.add(Misfit::missing, j);
-    } else if ((wanted.parents[j] == kNoParent) != (there.parents[found] == kNoParent) ||
+    } else if ((wanted.parents[j] == kNoJoint) != (there.parents[found] == kNoJoint) ||
                std::strcmp(wanted.parent_name(j), there.parent_name(found)) != 0) {
       out.add(Misfit::other_parent, j);
     } else if (rest_hashes[j] != rest_hash(rest, found)) {
@@ -42,7 +42,7 @@ std::uint64_t skeleton_hash(const File& file, std::uint32_t index) {
 
 Status bind_clips(const File& pack, std::uint32_t reference, const File& character, std::uint32_t skeleton,
                   Span<JointMisfit> misfits, std::size_t* misfit_count) {
-  MARROW_MARK;
+  MARROW_ZONE;
   if (misfit_count != nullptr) *misfit_count = 0;
   MARROW_REQUIRE(reference < pack.reference_count());
   MARROW_REQUIRE(skeleton < character.skeleton_count());

@@ -2,7 +2,7 @@
 #include "asset/sections/examples_section.h"
 #include "core/builtins.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/finite.h"
 
 namespace marrow {
@@ -50,7 +50,7 @@ Status find_example_channels(const File& file, const ExampleSpace& space, const 
 }
 
 Status evaluate_examples(const ExampleSpace& space, Span<const float> parameters, Span<float> weights) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_space(space, weights.size));
   MARROW_REQUIRE(holds(weights));
   const std::size_t dimensions = space.parameters.size;

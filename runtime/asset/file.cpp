@@ -45,7 +45,7 @@ Skeleton File::skeleton(std::uint32_t index) const {
   s.name = text(header.name);
   s.joint_count = header.joint_count;
   s.root_count = header.root_count;
-  s.scene_from_root = l.roots.in(base).data;
+  s.model_from_root = l.roots.in(base).data;
   s.rest = l.rest.in(base).data;
   s.parents = l.parents.in(base).data;
   s.names = l.names.in(base).data;

@@ -16,7 +16,7 @@ struct Joints {
 
   const char* name(std::uint32_t joint) const { return file.text(names[joint]); }
   // "": none.
-  const char* parent_name(std::uint32_t joint) const { return parents[joint] == kNoParent ? "" : name(parents[joint]); }
+  const char* parent_name(std::uint32_t joint) const { return parents[joint] == kNoJoint ? "" : name(parents[joint]); }
   // The joint called so, `likely` if it is; else the first; `count` if there is none.
   std::uint32_t find(const char* wanted, std::uint32_t likely) const {
     if (likely < count && std::strcmp(name(likely), wanted) == 0) return likely;

@@ -3,8 +3,8 @@
 
 #include "asset/checker.h"
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 
 namespace marrow {
 namespace format {
@@ -95,7 +95,7 @@ DataError check_file(Span<const std::byte> block, Span<const SectionKind> kinds,
 }
 
 Status load(Span<const std::byte> block, File& out, DataError* error) {
-  MARROW_MARK;
+  MARROW_ZONE;
   if (error != nullptr) {
     const char* const off = off_boundary(block.data);
     *error = {Status::bad_argument, 0, off != nullptr ? off : "a block that is not null"};

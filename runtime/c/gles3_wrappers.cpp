@@ -174,11 +174,11 @@ void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh) 
   marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::GpuMesh>(mesh));
 }
 
-mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
+mrw_status mrw_gles3_create_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
     const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
     size_t log_bytes) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::ProgramKey>(key) && leads_to<gles3::ProgramSource>(source) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::build_program(of<gles3::Api>(api), of<gles3::ProgramKey>(key), of<gles3::ProgramSource>(source), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
+  return code(marrow::gles3::create_program(of<gles3::Api>(api), of<gles3::ProgramKey>(key), of<gles3::ProgramSource>(source), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
 }
 
 void mrw_gles3_destroy_program(const mrw_gles3_api* api, mrw_gles3_program* program) {
@@ -303,11 +303,11 @@ mrw_status mrw_gles3_upload_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_
   return code(marrow::gles3::upload_skinned(of<gles3::Api>(api), to<gles3::SkinnedMesh>(mesh), of<SkinOutput>(vertices)));
 }
 
-mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
+mrw_status mrw_gles3_create_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_program_key* key, mrw_gles3_preskin method, uint32_t palette_binding, mrw_gles3_program* out,
     char* log, size_t log_bytes) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<gles3::ProgramKey>(key) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::build_preskin(of<gles3::Api>(api), of<gles3::Caps>(caps), of<gles3::ProgramKey>(key), static_cast<gles3::Preskin>(method), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
+  return code(marrow::gles3::create_preskin(of<gles3::Api>(api), of<gles3::Caps>(caps), of<gles3::ProgramKey>(key), static_cast<gles3::Preskin>(method), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
 }
 
 mrw_status mrw_gles3_preskin_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
@@ -354,10 +354,10 @@ void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skin
   marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::Skinner>(skinner));
 }
 
-mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, const float* weights, size_t weight_count) {
-  MRW_NEEDS(leads_to<gles3::Skinner>(skinner) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::pose(to<gles3::Skinner>(skinner), instance, span<const Affine>(scene_from_joint, scene_from_joint_count), span<const float>(weights, weight_count)));
+mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, const float* weights, size_t weight_count) {
+  MRW_NEEDS(leads_to<gles3::Skinner>(skinner) && is_list<Affine>(model_from_joint, model_from_joint_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::pose(to<gles3::Skinner>(skinner), instance, span<const Affine>(model_from_joint, model_from_joint_count), span<const float>(weights, weight_count)));
 }
 
 mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) {
@@ -419,15 +419,15 @@ mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_cr
 }
 
 mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
-    double time_s, uint32_t joint, mrw_affine* scene_from_joint) {
-  MRW_NEEDS(leads_to<gles3::CrowdFrames>(frames) && leads_to<gles3::CrowdInstance>(instance) && leads_to<Affine>(scene_from_joint), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::crowd_joint(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, joint, to<Affine>(scene_from_joint)));
+    double time_s, uint32_t joint, mrw_affine* model_from_joint) {
+  MRW_NEEDS(leads_to<gles3::CrowdFrames>(frames) && leads_to<gles3::CrowdInstance>(instance) && leads_to<Affine>(model_from_joint), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::crowd_joint(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, joint, to<Affine>(model_from_joint)));
 }
 
 mrw_status mrw_gles3_crowd_pose(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
-    double time_s, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<gles3::CrowdFrames>(frames) && leads_to<gles3::CrowdInstance>(instance) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::crowd_pose(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, span<Affine>(scene_from_joint, scene_from_joint_count)));
+    double time_s, mrw_affine* model_from_joint, size_t model_from_joint_count) {
+  MRW_NEEDS(leads_to<gles3::CrowdFrames>(frames) && leads_to<gles3::CrowdInstance>(instance) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::crowd_pose(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, span<Affine>(model_from_joint, model_from_joint_count)));
 }
 
 uint32_t mrw_gles3_crowd_palettes_that_fit(const mrw_gles3_caps* caps, uint32_t joints) {
@@ -470,16 +470,16 @@ mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* cr
   return code(marrow::gles3::set_instances(of<gles3::Api>(api), to<gles3::Crowd>(crowd), of<gles3::CrowdFrames>(frames), first, span<const gles3::CrowdInstance>(instances, instance_count)));
 }
 
-mrw_status mrw_gles3_build_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
+mrw_status mrw_gles3_create_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
     size_t log_bytes) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::build_crowd_program(of<gles3::Api>(api), to<gles3::Program>(out), span<char>(log, log_bytes)));
+  return code(marrow::gles3::create_crowd_program(of<gles3::Api>(api), to<gles3::Program>(out), span<char>(log, log_bytes)));
 }
 
-mrw_status mrw_gles3_build_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
+mrw_status mrw_gles3_create_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer, uint8_t features, mrw_gles3_program_set* programs) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<gles3::CrowdMesh>(mesh) && leads_to<gles3::ProgramSet>(programs), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::build_crowd_programs(of<gles3::Api>(api), of<gles3::Caps>(caps), of<gles3::CrowdMesh>(mesh), static_cast<gles3::Deformer>(deformer), features, to<gles3::ProgramSet>(programs)));
+  return code(marrow::gles3::create_crowd_programs(of<gles3::Api>(api), of<gles3::Caps>(caps), of<gles3::CrowdMesh>(mesh), static_cast<gles3::Deformer>(deformer), features, to<gles3::ProgramSet>(programs)));
 }
 
 const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer,

@@ -531,10 +531,10 @@ mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_
 }
 
 mrw_status mrw_follow_body(const mrw_skeleton* skeleton, const uint16_t* body_joints, size_t body_joint_count,
-    const mrw_affine* body_scene_from_joint, size_t body_scene_from_joint_count, const mrw_soa_transform* local,
-    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint16_t>(body_joints, body_joint_count) && is_list<Affine>(body_scene_from_joint, body_scene_from_joint_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::follow_body(of<Skeleton>(skeleton), span<const std::uint16_t>(body_joints, body_joint_count), span<const Affine>(body_scene_from_joint, body_scene_from_joint_count), span<const SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
+    const mrw_affine* body_model_from_joint, size_t body_model_from_joint_count, const mrw_soa_transform* local,
+    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint16_t>(body_joints, body_joint_count) && is_list<Affine>(body_model_from_joint, body_model_from_joint_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
+  return code(marrow::follow_body(of<Skeleton>(skeleton), span<const std::uint16_t>(body_joints, body_joint_count), span<const Affine>(body_model_from_joint, body_model_from_joint_count), span<const SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count)));
 }
 
 mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s) {
@@ -632,9 +632,9 @@ size_t mrw_arc_length_count(size_t key_count, uint32_t steps) {
   return marrow::arc_length_count(key_count, steps);
 }
 
-mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) {
+mrw_status mrw_make_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) {
   MRW_NEEDS(leads_to<Curve>(curve) && is_list<float>(out, out_count), MRW_BAD_ARGUMENT);
-  return code(marrow::build_arc_length(of<Curve>(curve), steps, span<float>(out, out_count)));
+  return code(marrow::make_arc_length(of<Curve>(curve), steps, span<float>(out, out_count)));
 }
 
 mrw_status mrw_time_at_distance(const mrw_curve* curve, const mrw_arc_length* table, float distance, float* time_s) {
@@ -776,10 +776,10 @@ mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_t
 }
 
 mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count,
     bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_two_bone(of<Skeleton>(skeleton), of<TwoBoneLimb>(limb), of<TwoBone>(goal), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_two_bone(of<Skeleton>(skeleton), of<TwoBoneLimb>(limb), of<TwoBone>(goal), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
 }
 
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) {
@@ -788,16 +788,16 @@ mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_tu
 }
 
 mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
-    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_aim(of<Skeleton>(skeleton), joint, of<Aim>(goal), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
+    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count, bool* reached) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_aim(of<Skeleton>(skeleton), joint, of<Aim>(goal), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
 }
 
 mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
-    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint32_t>(joints, joint_count) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_look_at(of<Skeleton>(skeleton), span<const std::uint32_t>(joints, joint_count), of<Aim>(goal), falloff, span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), reached));
+    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
+    size_t model_from_joint_count, bool* reached) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint32_t>(joints, joint_count) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_look_at(of<Skeleton>(skeleton), span<const std::uint32_t>(joints, joint_count), of<Aim>(goal), falloff, span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
 }
 
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem,
@@ -807,24 +807,24 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 }
 
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_chain(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_chain(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_body(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_body(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem) {
@@ -833,23 +833,23 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 }
 
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
-mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float sole_world[3]) {
-  MRW_NEEDS(leads_to<Foot>(foot) && leads_to<Affine>(world_from_scene) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<float>(sole_world), MRW_BAD_ARGUMENT);
-  return code(marrow::foot_sole(of<Foot>(foot), of<Affine>(world_from_scene), span<const Affine>(scene_from_joint, scene_from_joint_count), array<float, 3>(sole_world)));
+mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_model, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float sole_world[3]) {
+  MRW_NEEDS(leads_to<Foot>(foot) && leads_to<Affine>(world_from_model) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<float>(sole_world), MRW_BAD_ARGUMENT);
+  return code(marrow::foot_sole(of<Foot>(foot), of<Affine>(world_from_model), span<const Affine>(model_from_joint, model_from_joint_count), array<float, 3>(sole_world)));
 }
 
 mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
     const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list<FootGround>(ground, ground_count) && is_list<FootMotion>(motion, motion_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::place_feet(of<Skeleton>(skeleton), of<Feet>(feet), of<FeetFrame>(frame), span<const FootGround>(ground, ground_count), span<FootMotion>(motion, motion_count), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list<FootGround>(ground, ground_count) && is_list<FootMotion>(motion, motion_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
+  return code(marrow::place_feet(of<Skeleton>(skeleton), of<Feet>(feet), of<FeetFrame>(frame), span<const FootGround>(ground, ground_count), span<FootMotion>(motion, motion_count), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count)));
 }
 
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count) {
@@ -875,9 +875,9 @@ void mrw_reset_springs(mrw_springs* springs) {
 }
 
 mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::simulate_springs(of<Skeleton>(skeleton), of<SpringFrame>(frame), to<Springs>(springs), span<SoaTransform>(local, local_count), span<Affine>(scene_from_joint, scene_from_joint_count)));
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
+  return code(marrow::simulate_springs(of<Skeleton>(skeleton), of<SpringFrame>(frame), to<Springs>(springs), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count)));
 }
 
 mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
@@ -925,36 +925,36 @@ mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* pa
   return code(marrow::evaluate_examples(of<ExampleSpace>(space), span<const float>(parameters, parameter_count), span<float>(weights, weight_count)));
 }
 
-mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
-  return code(marrow::joint_lines(of<Skeleton>(skeleton), span<const Affine>(scene_from_joint, scene_from_joint_count), axis_m, to<DebugLines>(lines)));
+mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float axis_m, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::joint_lines(of<Skeleton>(skeleton), span<const Affine>(model_from_joint, model_from_joint_count), axis_m, to<DebugLines>(lines)));
 }
 
 mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits, size_t limit_count,
-    const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<JointLimit>(limits, limit_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
-  return code(marrow::limit_lines(of<Skeleton>(skeleton), span<const JointLimit>(limits, limit_count), span<const SoaTransform>(local, local_count), span<const Affine>(scene_from_joint, scene_from_joint_count), size_m, to<DebugLines>(lines)));
+    const mrw_soa_transform* local, size_t local_count, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float size_m, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<JointLimit>(limits, limit_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::limit_lines(of<Skeleton>(skeleton), span<const JointLimit>(limits, limit_count), span<const SoaTransform>(local, local_count), span<const Affine>(model_from_joint, model_from_joint_count), size_m, to<DebugLines>(lines)));
 }
 
 mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, float size_m, float tolerance_m,
     mrw_debug_lines* lines) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<IkGoal>(goals, goal_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
-  return code(marrow::goal_lines(of<Skeleton>(skeleton), span<const IkGoal>(goals, goal_count), span<const Affine>(scene_from_joint, scene_from_joint_count), size_m, tolerance_m, to<DebugLines>(lines)));
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<IkGoal>(goals, goal_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::goal_lines(of<Skeleton>(skeleton), span<const IkGoal>(goals, goal_count), span<const Affine>(model_from_joint, model_from_joint_count), size_m, tolerance_m, to<DebugLines>(lines)));
 }
 
 mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
-  return code(marrow::spring_lines(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count), span<const Affine>(scene_from_joint, scene_from_joint_count), to<DebugLines>(lines)));
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringChain>(chains, chain_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::spring_lines(of<Skeleton>(skeleton), span<const SpringChain>(chains, chain_count), span<const Affine>(model_from_joint, model_from_joint_count), to<DebugLines>(lines)));
 }
 
 mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders, size_t collider_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringCollider>(colliders, collider_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
-  return code(marrow::collider_lines(of<Skeleton>(skeleton), span<const SpringCollider>(colliders, collider_count), span<const Affine>(scene_from_joint, scene_from_joint_count), to<DebugLines>(lines)));
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_debug_lines* lines) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SpringCollider>(colliders, collider_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<DebugLines>(lines), MRW_BAD_ARGUMENT);
+  return code(marrow::collider_lines(of<Skeleton>(skeleton), span<const SpringCollider>(colliders, collider_count), span<const Affine>(model_from_joint, model_from_joint_count), to<DebugLines>(lines)));
 }
 
 mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) {
@@ -963,16 +963,16 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) {
 }
 
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
-    size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
+    size_t bind_count, const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_affine* out,
     size_t out_count, const mrw_helper* helpers, size_t helper_count, const float* centres, size_t centre_count) {
-  MRW_NEEDS(is_list<std::uint16_t>(joints, joint_count) && is_list<Affine>(bind, bind_count) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count) && is_list<Helper>(helpers, helper_count) && is_list<float>(centres, centre_count), MRW_BAD_ARGUMENT);
-  return code(marrow::build_palette(span<const std::uint16_t>(joints, joint_count), span<const Affine>(bind, bind_count), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count), span<const Helper>(helpers, helper_count), span<const float>(centres, centre_count)));
+  MRW_NEEDS(is_list<std::uint16_t>(joints, joint_count) && is_list<Affine>(bind, bind_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && is_list<Affine>(out, out_count) && is_list<Helper>(helpers, helper_count) && is_list<float>(centres, centre_count), MRW_BAD_ARGUMENT);
+  return code(marrow::build_palette(span<const std::uint16_t>(joints, joint_count), span<const Affine>(bind, bind_count), span<const Affine>(model_from_joint, model_from_joint_count), span<Affine>(out, out_count), span<const Helper>(helpers, helper_count), span<const float>(centres, centre_count)));
 }
 
-mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* model_from_joint, size_t model_from_joint_count,
     mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(scene_from_joint, scene_from_joint_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
-  return code(marrow::build_palette(of<Mesh>(mesh), span<const Affine>(scene_from_joint, scene_from_joint_count), span<Affine>(out, out_count)));
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<Affine>(model_from_joint, model_from_joint_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
+  return code(marrow::build_palette(of<Mesh>(mesh), span<const Affine>(model_from_joint, model_from_joint_count), span<Affine>(out, out_count)));
 }
 
 bool mrw_turns_inside_out(const mrw_affine* map) {
@@ -985,20 +985,20 @@ bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_coun
   return marrow::turns_inside_out(span<const Affine>(palette, palette_count));
 }
 
-size_t mrw_reach_bytes(const mrw_mesh* mesh) {
+size_t mrw_extents_bytes(const mrw_mesh* mesh) {
   MRW_NEEDS(leads_to<Mesh>(mesh), 0);
-  return marrow::reach_bytes(of<Mesh>(mesh));
+  return marrow::extents_bytes(of<Mesh>(mesh));
 }
 
-mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<std::byte>(memory, memory_bytes) && leads_to<Reach>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::make_reach(of<Mesh>(mesh), span<std::byte>(memory, memory_bytes), to<Reach>(out)));
+mrw_status mrw_make_extents(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_mesh_extents* out) {
+  MRW_NEEDS(leads_to<Mesh>(mesh) && is_list<std::byte>(memory, memory_bytes) && leads_to<MeshExtents>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::make_extents(of<Mesh>(mesh), span<std::byte>(memory, memory_bytes), to<MeshExtents>(out)));
 }
 
-mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
+mrw_status mrw_palette_bounds(const mrw_mesh_extents* extents, const mrw_affine* palette, size_t palette_count,
     const float* weights, size_t weight_count, mrw_bounds* out) {
-  MRW_NEEDS(leads_to<Reach>(reach) && is_list<Affine>(palette, palette_count) && is_list<float>(weights, weight_count) && leads_to<Bounds>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::palette_bounds(of<Reach>(reach), span<const Affine>(palette, palette_count), span<const float>(weights, weight_count), to<Bounds>(out)));
+  MRW_NEEDS(leads_to<MeshExtents>(extents) && is_list<Affine>(palette, palette_count) && is_list<float>(weights, weight_count) && leads_to<Bounds>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::palette_bounds(of<MeshExtents>(extents), span<const Affine>(palette, palette_count), span<const float>(weights, weight_count), to<Bounds>(out)));
 }
 
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,

@@ -2,9 +2,9 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "marrow/character.h"
 #include "marrow/clip_pack.h"
 
@@ -108,7 +108,7 @@ std::size_t animations_bytes(const File& file, const File& clips) {
 }
 
 Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(memory, animations_bytes(file, clips)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (clips.reference_count() == 0 && clips.sections().data != file.sections().data) return Status::mismatch;

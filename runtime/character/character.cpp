@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "marrow/local_to_model.h"
 #include "marrow/palette.h"
 #include "marrow/sample.h"
@@ -43,7 +43,7 @@ void take_skeletons(const File& file, const CharacterOptions& options, Memory& m
     CharacterSkeleton made;
     made.skeleton = file.skeleton(s);
     made.local = memory.take<SoaTransform>(made.skeleton.soa_size());
-    made.scene_from_joint = memory.take<Affine>(made.skeleton.joint_count);
+    made.model_from_joint = memory.take<Affine>(made.skeleton.joint_count);
     take_layers(options.layers, memory, made);
     if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
     if (!out.skeletons.empty()) out.skeletons[s] = made;
@@ -214,7 +214,7 @@ std::size_t character_bytes(const File& file, const CharacterOptions& options) {
 }
 
 Status make_character(const File& file, const CharacterOptions& options, Span<std::byte> memory, Character& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(options.layers > 0);
   MARROW_REQUIRE(holds(memory, character_bytes(file, options)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
@@ -234,22 +234,22 @@ Status make_character(const File& file, const CharacterOptions& options, Span<st
 }
 
 Status sample_character(Character& character, Span<const AnimationLayer> layers) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_layers(character, layers));
   return sample_layers(character, layers);
 }
 
 Status local_to_model(Character& character) {
-  MARROW_MARK;
+  MARROW_ZONE;
   for (const CharacterSkeleton& s : character.skeletons) {
-    const Status status = local_to_model(s.skeleton, s.local, s.scene_from_joint);
+    const Status status = local_to_model(s.skeleton, s.local, s.model_from_joint);
     if (status != Status::ok) return status;
   }
   return Status::ok;
 }
 
 Status pose_character(Character& character, Span<const AnimationLayer> layers) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_layers(character, layers));
   const Status status = sample_layers(character, layers);
   return status == Status::ok ? local_to_model(character) : status;
@@ -268,11 +268,11 @@ Status add_expression(Character& character, const AnimationLayer& expression) {
 }
 
 Status finish_character(Character& character) {
-  MARROW_MARK;
+  MARROW_ZONE;
   if (!character.options.skin) return Status::ok;
   for (const CharacterMesh& m : character.meshes) MARROW_REQUIRE(all_finite(m.weights.data, m.weights.size));
   for (CharacterMesh& m : character.meshes) {
-    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].scene_from_joint, m.palette);
+    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].model_from_joint, m.palette);
     if (status == Status::ok && !m.weights.empty()) status = morph(m.weights, m.morphed);
     if (status == Status::ok && !m.coordinates.empty()) status = morph_coordinates(m.morphed, m.coordinates);
     if (status != Status::ok) return status;

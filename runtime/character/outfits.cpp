@@ -2,9 +2,9 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "marrow/character.h"
 #include "marrow/outfit.h"
 
@@ -42,7 +42,7 @@ BadCall check_outfit(const Outfit& outfit, const Character& body, const Characte
     const Skeleton& own = worn.skeletons[s].skeleton;
     MARROW_CHECK(follows.body_skeleton < body.skeletons.size);
     MARROW_CHECK(holds(follows.body_joints, own.joint_count));
-    const std::size_t joints = body.skeletons[follows.body_skeleton].scene_from_joint.size;
+    const std::size_t joints = body.skeletons[follows.body_skeleton].model_from_joint.size;
     for (std::uint32_t j = 0; j < own.joint_count; ++j)
       MARROW_CHECK(follows.body_joints[j] == kNoJoint ? j >= own.root_count : follows.body_joints[j] < joints);
   }
@@ -58,7 +58,7 @@ std::size_t outfit_bytes(const File& outfit) {
 }
 
 Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(memory, outfit_bytes(outfit)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   if (outfit.skeleton_count() == 0) return Status::mismatch;
@@ -77,14 +77,14 @@ Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory,
 }
 
 Status follow_body(const Outfit& outfit, const Character& body, Character& worn) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_outfit(outfit, body, worn));
   for (std::size_t s = 0; s < worn.skeletons.size; ++s) {
     const OutfitSkeleton& follows = outfit.skeletons[s];
     const CharacterSkeleton& own = worn.skeletons[s];
     const Status status =
-        follow_body(own.skeleton, follows.body_joints, body.skeletons[follows.body_skeleton].scene_from_joint,
-                    own.local, own.scene_from_joint);
+        follow_body(own.skeleton, follows.body_joints, body.skeletons[follows.body_skeleton].model_from_joint,
+                    own.local, own.model_from_joint);
     if (status != Status::ok) return status;
   }
   return Status::ok;

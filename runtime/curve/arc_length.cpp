@@ -31,7 +31,7 @@ BadCall check_table(const Curve& curve, std::uint32_t steps, Span<const float> l
   return {};
 }
 
-// How far `x` is on the way, 0 … 1: also in a table that build_arc_length() has not written.
+// How far `x` is on the way, 0 … 1: also in a table that make_arc_length() has not written.
 float part_of(float from, float to, float x) {
   const float part = (x - from) / (to - from);
   return part > 0.0f ? (part < 1.0f ? part : 1.0f) : 0.0f;
@@ -39,7 +39,7 @@ float part_of(float from, float to, float x) {
 
 }  // namespace
 
-Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
+Status make_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out) {
   MARROW_REQUIRE_GOOD(check_counts(curve));
   if (!has_length(curve)) return Status::unsupported;
   MARROW_REQUIRE_GOOD(check_table(curve, steps, out));

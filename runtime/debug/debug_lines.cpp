@@ -32,8 +32,8 @@ class Pen {
       lines_.room[lines_.count++] = l;
     }
   }
-  void axes(const Affine& scene, float size, const Colour* colours) const {
-    for (int i = 0; i < 3; ++i) line(origin(scene), origin(scene) + along(scene, kAxes[i], size), colours[i]);
+  void axes(const Affine& model, float size, const Colour* colours) const {
+    for (int i = 0; i < 3; ++i) line(origin(model), origin(model) + along(model, kAxes[i], size), colours[i]);
   }
   void cross(const Vector3& centre, float size, const Colour& colour) const {
     for (const Vector3& axis : kAxes) line(centre - axis * size, centre + axis * size, colour);
@@ -52,9 +52,9 @@ class Pen {
     }
   }
 
-  // A direction of the space that `scene` takes to the scene, so long there.
-  static Vector3 along(const Affine& scene, const Vector3& direction, float size) {
-    const Vector3 d = linear(scene) * direction;
+  // A direction of the space that `model` takes to model space, so long there.
+  static Vector3 along(const Affine& model, const Vector3& direction, float size) {
+    const Vector3 d = linear(model) * direction;
     const float squared = dot(d, d);
     return has_direction(squared) ? d * (size / sqrt(squared)) : Vector3{};
   }
@@ -63,8 +63,8 @@ class Pen {
   DebugLines& lines_;
 };
 
-Vector3 point_of(const Affine& scene, const float (&point)[3]) {
-  return origin(scene) + linear(scene) * vector3(point);
+Vector3 point_of(const Affine& model, const float (&point)[3]) {
+  return origin(model) + linear(model) * vector3(point);
 }
 
 bool is_length(float x) {
@@ -78,10 +78,10 @@ bool has_room(const DebugLines& lines) {
 // One joint's limit, in the space that the joint turns in.
 class LimitPen {
  public:
-  LimitPen(const Pen& pen, const JointLimit& limit, const Affine& scene_from_parent, const Vector3& at, float size)
+  LimitPen(const Pen& pen, const JointLimit& limit, const Affine& model_from_parent, const Vector3& at, float size)
       : pen_(pen),
         limit_(limit),
-        scene_(scene_from_parent),
+        scene_(model_from_parent),
         at_(at),
         size_(size),
         parent_from_limit_(conjugate(rotation(limit.limit_from_parent))) {}
@@ -158,23 +158,23 @@ class LimitPen {
 
 }  // namespace
 
-Status joint_lines(const Skeleton& skeleton, Span<const Affine> scene_from_joint, float axis_m, DebugLines& lines) {
+Status joint_lines(const Skeleton& skeleton, Span<const Affine> model_from_joint, float axis_m, DebugLines& lines) {
   MARROW_REQUIRE(has_room(lines));
-  MARROW_REQUIRE(holds(scene_from_joint, skeleton.joint_count));
+  MARROW_REQUIRE(holds(model_from_joint, skeleton.joint_count));
   MARROW_REQUIRE(is_length(axis_m));
   const Pen pen(lines);
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
     const std::uint16_t parent = skeleton.parents[j];
-    if (parent != kNoParent) pen.line(origin(scene_from_joint[parent]), origin(scene_from_joint[j]), kBoneColour);
-    if (axis_m > 0) pen.axes(scene_from_joint[j], axis_m, kAxisColours);
+    if (parent != kNoJoint) pen.line(origin(model_from_joint[parent]), origin(model_from_joint[j]), kBoneColour);
+    if (axis_m > 0) pen.axes(model_from_joint[j], axis_m, kAxisColours);
   }
   return Status::ok;
 }
 
 Status limit_lines(const Skeleton& skeleton, Span<const JointLimit> limits, Span<const SoaTransform> local,
-                   Span<const Affine> scene_from_joint, float size_m, DebugLines& lines) {
+                   Span<const Affine> model_from_joint, float size_m, DebugLines& lines) {
   MARROW_REQUIRE(has_room(lines));
-  MARROW_REQUIRE(holds(local, skeleton.soa_size()) && holds(scene_from_joint, skeleton.joint_count));
+  MARROW_REQUIRE(holds(local, skeleton.soa_size()) && holds(model_from_joint, skeleton.joint_count));
   MARROW_REQUIRE(holds(limits));
   MARROW_REQUIRE(is_length(size_m));
   for (const JointLimit& limit : limits) MARROW_REQUIRE(limit.joint < skeleton.joint_count);
@@ -182,21 +182,21 @@ Status limit_lines(const Skeleton& skeleton, Span<const JointLimit> limits, Span
   for (const JointLimit& limit : limits) {
     if (!is_valid(limit)) continue;
     const std::uint16_t j = limit.joint, parent = skeleton.parents[j];
-    const Affine& above = parent == kNoParent ? skeleton.scene_from_root[j] : scene_from_joint[parent];
-    LimitPen(pen, limit, above, origin(scene_from_joint[j]), size_m).draw(rotation_of(local, j));
+    const Affine& above = parent == kNoJoint ? skeleton.model_from_root[j] : model_from_joint[parent];
+    LimitPen(pen, limit, above, origin(model_from_joint[j]), size_m).draw(rotation_of(local, j));
   }
   return Status::ok;
 }
 
-Status goal_lines(const Skeleton& skeleton, Span<const IkGoal> goals, Span<const Affine> scene_from_joint, float size_m,
+Status goal_lines(const Skeleton& skeleton, Span<const IkGoal> goals, Span<const Affine> model_from_joint, float size_m,
                   float tolerance_m, DebugLines& lines) {
   MARROW_REQUIRE(has_room(lines));
-  MARROW_REQUIRE(holds(scene_from_joint, skeleton.joint_count) && holds(goals));
+  MARROW_REQUIRE(holds(model_from_joint, skeleton.joint_count) && holds(goals));
   MARROW_REQUIRE(is_length(size_m) && is_length(tolerance_m));
   for (const IkGoal& goal : goals) MARROW_REQUIRE(goal.joint < skeleton.joint_count);
   const Pen pen(lines);
   for (const IkGoal& goal : goals) {
-    const Vector3 there = vector3(goal.position), here = point_of(scene_from_joint[goal.joint], goal.offset);
+    const Vector3 there = vector3(goal.position), here = point_of(model_from_joint[goal.joint], goal.offset);
     const Vector3 way = there - here;
     const Colour& colour = dot(way, way) <= tolerance_m * tolerance_m ? kInsideColour : kOutsideColour;
     if (goal.rotation_weight > 0) {
@@ -209,10 +209,10 @@ Status goal_lines(const Skeleton& skeleton, Span<const IkGoal> goals, Span<const
   return Status::ok;
 }
 
-Status spring_lines(const Skeleton& skeleton, Span<const SpringChain> chains, Span<const Affine> scene_from_joint,
+Status spring_lines(const Skeleton& skeleton, Span<const SpringChain> chains, Span<const Affine> model_from_joint,
                     DebugLines& lines) {
   MARROW_REQUIRE(has_room(lines));
-  MARROW_REQUIRE(holds(scene_from_joint, skeleton.joint_count) && holds(chains));
+  MARROW_REQUIRE(holds(model_from_joint, skeleton.joint_count) && holds(chains));
   for (const SpringChain& chain : chains) {
     MARROW_REQUIRE(holds(chain.joints));
     for (const SpringJoint& j : chain.joints) MARROW_REQUIRE(j.joint < skeleton.joint_count);
@@ -220,32 +220,32 @@ Status spring_lines(const Skeleton& skeleton, Span<const SpringChain> chains, Sp
   const Pen pen(lines);
   for (const SpringChain& chain : chains) {
     for (std::size_t i = 1; i < chain.joints.size; ++i)
-      pen.line(origin(scene_from_joint[chain.joints[i - 1].joint]), origin(scene_from_joint[chain.joints[i].joint]),
+      pen.line(origin(model_from_joint[chain.joints[i - 1].joint]), origin(model_from_joint[chain.joints[i].joint]),
                kSpringColour);
     const Vector3 tip = vector3(chain.tip);
     if (chain.joints.empty() || !(dot(tip, tip) > 0)) continue;
-    const Affine& last = scene_from_joint[chain.joints[chain.joints.size - 1].joint];
+    const Affine& last = model_from_joint[chain.joints[chain.joints.size - 1].joint];
     pen.line(origin(last), point_of(last, chain.tip), kSpringColour);
   }
   return Status::ok;
 }
 
 Status collider_lines(const Skeleton& skeleton, Span<const SpringCollider> colliders,
-                      Span<const Affine> scene_from_joint, DebugLines& lines) {
+                      Span<const Affine> model_from_joint, DebugLines& lines) {
   MARROW_REQUIRE(has_room(lines));
-  MARROW_REQUIRE(holds(scene_from_joint, skeleton.joint_count) && holds(colliders));
+  MARROW_REQUIRE(holds(model_from_joint, skeleton.joint_count) && holds(colliders));
   for (const SpringCollider& c : colliders) MARROW_REQUIRE(c.joint < skeleton.joint_count);
   const Pen pen(lines);
   for (const SpringCollider& c : colliders) {
-    const Affine& scene = scene_from_joint[c.joint];
+    const Affine& model = model_from_joint[c.joint];
     float most = 0;
     for (int i = 0; i < 3; ++i) {
-      const Vector3 axis = column(scene, i);
+      const Vector3 axis = column(model, i);
       const float squared = dot(axis, axis);
       most = squared > most ? squared : most;
     }
     const float radius = c.radius_m * sqrt(most);
-    const Vector3 from = point_of(scene, c.from), to = point_of(scene, c.to), way = to - from;
+    const Vector3 from = point_of(model, c.from), to = point_of(model, c.to), way = to - from;
     pen.ball(from, radius, kColliderColour);
     if (!(dot(way, way) > 0)) continue;
     pen.ball(to, radius, kColliderColour);

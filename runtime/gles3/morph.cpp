@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/changes.h"
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
@@ -143,7 +143,7 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");
   TargetValues targets;
   MARROW_REQUIRE_GOOD(choose_targets(mesh, gpu, weights, targets));

@@ -1,6 +1,6 @@
 // Every frame: palettes into one uniform buffer, at offsets that the driver accepts.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
@@ -57,7 +57,7 @@ void begin_frame(const Api& api, PaletteRing& ring) {
 }
 
 Status push_palette(const Api& api, PaletteRing& ring, Span<const Affine> palette, std::uint32_t& offset) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(palette, 1) && palette.size <= kPaletteJoints);
   MARROW_REQUIRE(ring.alignment > 0 && "a ring from create_palette_ring()");
   const std::uint32_t bytes = 48 * static_cast<std::uint32_t>(palette.size);

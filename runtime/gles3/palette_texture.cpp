@@ -1,6 +1,6 @@
 // Every frame: all palettes into one texture, for meshes of any number of joints and for instanced drawing.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
@@ -49,7 +49,7 @@ void destroy(const Api& api, PaletteTexture& texture) {
 }
 
 Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(palettes, 1));
   if (palettes.size > texture.capacity) return Status::unsupported;
   texture.current = (texture.current + 1) % 3;

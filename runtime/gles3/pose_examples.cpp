@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/changes.h"
 #include "gles3/gl_constants.h"
 #include "gles3/texture.h"
@@ -137,7 +137,7 @@ std::uint32_t distance_matrices(const Geometry& g) {
 }
 
 Status pack_distances(const Geometry& g, Span<const Affine> palette, Span<Affine> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::size_t examples = g.pose_space.examples.size, stride = std::size_t{4} * distance_texels(g);
   MARROW_REQUIRE(examples > 0 && "a geometry with examples");
   MARROW_REQUIRE(holds(palette, g.joint_count));
@@ -158,7 +158,7 @@ Status pack_distances(const Geometry& g, Span<const Affine> palette, Span<Affine
 
 Status bind_examples(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances, std::uint32_t first,
                      std::uint32_t texture_unit, const Program& program) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(mesh.example_texture != 0 && "prepared for this deformer");
   MARROW_REQUIRE(program.examples >= 0 && "a program of Deformer::psd, in use");
   MARROW_REQUIRE(first < distances.count && mesh.distances <= distances.count - first);

@@ -1,7 +1,7 @@
 // Once a mesh: compact attributes into vertex buffers, and the bind matrices that undo their quantisation.
 #include "gles3/prepare.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/attributes.h"
 #include "gles3/compile.h"
 #include "gles3/encode.h"
@@ -196,7 +196,7 @@ std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& option
 
 Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                Span<std::byte> scratch, Span<Affine> bind, GpuMesh& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
   MARROW_REQUIRE(holds(bind, mesh.joint_count));
@@ -248,7 +248,7 @@ void destroy(const Api& api, GpuMesh& mesh) {
 }
 
 Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, std::uint32_t instances) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::uint32_t array = deformer == Deformer::as     ? mesh.as_array
                               : deformer == Deformer::none ? 0
                                                            : mesh.ssd_array;

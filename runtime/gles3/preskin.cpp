@@ -1,6 +1,6 @@
 // Every frame: a mesh's vertices through a palette into a buffer, by transform feedback or by compute shader.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/gl_size.h"
 #include "gles3/skinned.h"
@@ -61,8 +61,8 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
 
 }  // namespace
 
-Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
-                     std::uint32_t palette_binding, Program& out, Span<char> log) {
+Status create_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
+                      std::uint32_t palette_binding, Program& out, Span<char> log) {
   MARROW_REQUIRE(holds(log));
   clear(log);
   MARROW_REQUIRE(key.palettes < Palettes::crowd);
@@ -91,7 +91,7 @@ Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Pr
 }
 
 Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program, const SkinnedMesh& to) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const bool as = deformer == Deformer::as;
   const std::uint32_t array = as ? mesh.as_array : mesh.ssd_array;
   MARROW_REQUIRE(skins(deformer) && array != 0 && "prepared for this deformer");

@@ -1,6 +1,6 @@
 // Once a context: the skinning text and a role's own text → a linked program.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
 #include "gles3/self_test/self_test_key.h"
@@ -206,9 +206,9 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   return Status::ok;
 }
 
-Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
-                     Program& out, Span<char> log) {
-  MARROW_MARK;
+Status create_program(const Api& api, const ProgramKey& key, const ProgramSource& source, std::uint32_t palette_binding,
+                      Program& out, Span<char> log) {
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(log));
   clear(log);
   MARROW_REQUIRE(source.vertex != nullptr && source.fragment != nullptr);

@@ -13,10 +13,10 @@ bool same(const ProgramKey& a, const ProgramKey& b) {
 
 Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSetEntry& entry) {
   if (entry.role < kMostRoles)
-    return build_program(api, entry.key, set.roles[entry.role], set.palette_binding, entry.program, set.log);
-  if (entry.role == kBlendingRole) return build_crowd_program(api, entry.program, set.log);
+    return create_program(api, entry.key, set.roles[entry.role], set.palette_binding, entry.program, set.log);
+  if (entry.role == kBlendingRole) return create_crowd_program(api, entry.program, set.log);
   const auto method = static_cast<Preskin>(entry.role - kMostRoles);
-  return build_preskin(api, caps, entry.key, method, set.palette_binding, entry.program, set.log);
+  return create_preskin(api, caps, entry.key, method, set.palette_binding, entry.program, set.log);
 }
 
 }  // namespace

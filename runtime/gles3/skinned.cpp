@@ -2,7 +2,7 @@
 #include "gles3/skinned.h"
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/attributes.h"
 #include "gles3/errors.h"
 #include "gles3/gl_size.h"
@@ -83,7 +83,7 @@ Status set_previous(const Api& api, const SkinnedMesh& mesh, const SkinnedMesh& 
 }
 
 Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& vertices) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const SkinnedBlocks blocks = blocks_of(mesh);
   MARROW_REQUIRE(!vertices.positions.empty() && fits(vertices.positions, blocks.position_bytes));
   MARROW_REQUIRE(fits(vertices.normals, blocks.normal_bytes));
@@ -98,7 +98,7 @@ Status upload_skinned(const Api& api, SkinnedMesh& mesh, const SkinOutput& verti
 }
 
 void draw(const Api& api, const GpuMesh& mesh, const SkinnedMesh& skinned) {
-  MARROW_MARK;
+  MARROW_ZONE;
   api.BindVertexArray(skinned.array);
   api.DrawElements(mesh.primitive, static_cast<int>(mesh.index_count), mesh.index_type, nullptr);
   api.BindVertexArray(0);

@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
@@ -323,7 +323,7 @@ std::size_t skinner_bytes(const Mesh& mesh, const SkinnerOptions& options) {
 
 Status create_skinner(const Api& api, const Caps& caps, const Mesh& mesh, const SkinnerOptions& options,
                       ProgramSet& programs, Span<std::byte> memory, Skinner& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(options.instances > 0);
   MARROW_REQUIRE(skins(options.deformer) && options.path <= SkinningPath::cpu);
   MARROW_REQUIRE_GOOD(check_roles(programs));
@@ -359,19 +359,19 @@ void destroy(const Api& api, Skinner& s) {
   s = {};
 }
 
-Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> scene_from_joint, Span<const float> weights) {
+Status pose(Skinner& s, std::uint32_t instance, Span<const Affine> model_from_joint, Span<const float> weights) {
   MARROW_REQUIRE_GOOD(check_made(s));
   MARROW_REQUIRE(instance < s.options.instances);
   MARROW_REQUIRE(holds(weights, s.mesh.geometry.targets.size));
-  MARROW_REQUIRE(holds(scene_from_joint));
-  for (std::uint32_t i = 0; i < s.mesh.joint_count; ++i) MARROW_REQUIRE(s.mesh.joints[i] < scene_from_joint.size);
+  MARROW_REQUIRE(holds(model_from_joint));
+  for (std::uint32_t i = 0; i < s.mesh.joint_count; ++i) MARROW_REQUIRE(s.mesh.joints[i] < model_from_joint.size);
   const Span<const Affine> bind = s.options.path == SkinningPath::cpu
                                       ? Span<const Affine>(s.mesh.inverse_bind, s.mesh.joint_count)
                                       : Span<const Affine>(s.bind);
   for (std::size_t t = 0; t < s.mesh.geometry.targets.size; ++t)
     s.weights[instance * s.mesh.geometry.targets.size + t] = weights[t];
   const Span<Affine> palette = palette_of(s, instance);
-  const Status status = build_palette({s.mesh.joints, s.mesh.joint_count}, bind, scene_from_joint, palette,
+  const Status status = build_palette({s.mesh.joints, s.mesh.joint_count}, bind, model_from_joint, palette,
                                       s.mesh.helpers, s.mesh.helper_centres);
   if (status != Status::ok || s.distances.empty() || s.options.path == SkinningPath::cpu) return status;
   const std::size_t size = distance_matrices(s.mesh.geometry);
@@ -386,7 +386,7 @@ Status reset_motion(Skinner& s, std::uint32_t instance) {
 }
 
 Status update(const Api& api, Skinner& s, const ProgramSet& programs, std::uint32_t count) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_made(s));
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(count <= s.options.instances);
@@ -429,7 +429,7 @@ const Program& program_of(const Skinner& s, const ProgramSet& programs, std::uin
 
 Status draw(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program, std::uint32_t first,
             std::uint32_t count) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_made(s));
   if (s.lost) return Status::gl_error;
   MARROW_REQUIRE(first <= s.updated && count <= s.updated - first);

@@ -115,7 +115,7 @@ float share_of(std::size_t i, std::size_t count, float falloff) {
   return share / sum;
 }
 
-inline Vector<One> to_scene(const Affine& joint, const float (&v)[3]) {
+inline Vector<One> to_model(const Affine& joint, const float (&v)[3]) {
   return transposed_times(wide_rows(joint), wide(v));
 }
 // v, turned by the inverse of q.
@@ -124,8 +124,8 @@ inline Vector<One> turned_back(Quaternion<One> q, Vector<One> v) {
   return v + (t * w_of(q) + cross(t, axis_part(q))) * all_lanes<One>(2);
 }
 
-// Finds a joint's turn; false if the numbers are not finite. The gaze is a view in the scene. When a joint has turned,
-// the target and the pole are turned back, instead of all that hangs on the joint being turned.
+// Finds a joint's turn; false if the numbers are not finite. The gaze is a view in model space. When a joint has
+// turned, the target and the pole are turned back, instead of all that hangs on the joint being turned.
 bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   const Axes<One> axes = axes_of<false>(joint);
   const Vector<One> at = wide_origin(joint), way = gaze.way - at;
@@ -136,7 +136,7 @@ bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
   view.about.pole = to_local(axes, view.about.pole);
   if (!look<false>(view, weight, out)) return false;
   const Quaternion<One> local = {load(out.turn)};
-  const Quaternion<One> turn = quaternion(axis_to_scene(axes, axis_part(local)), w_of(local));
+  const Quaternion<One> turn = quaternion(axis_to_model(axes, axis_part(local)), w_of(local));
   gaze.way = at + turned_back(turn, way);
   gaze.about.pole = turned_back(turn, gaze.about.pole);
   return true;
@@ -146,16 +146,16 @@ bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
 // finite.
 BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                     bool for_good, AimTurn& turn) {
-  const Affine& last = pose.scene_from_joint[joints[joints.size - 1]];
+  const Affine& last = pose.model_from_joint[joints[joints.size - 1]];
   View gaze = {wide(goal.target),
-               to_scene(last, goal.forward),
-               to_scene(last, goal.up),
-               to_scene(last, goal.offset) + wide_origin(last),
+               to_model(last, goal.forward),
+               to_model(last, goal.up),
+               to_model(last, goal.offset) + wide_origin(last),
                true,
                {wide(goal.pole), is_some(goal.twist_rad), all_lanes<One>(goal.twist_rad)}};
   for (std::size_t i = 0; i < joints.size; ++i) {
     const float weight = goal.weight * share_of(i, joints.size, falloff);
-    MARROW_CHECK(turn_gaze(pose.scene_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");
+    MARROW_CHECK(turn_gaze(pose.model_from_joint[joints[i]], weight, gaze, turn) && "finite, not too large");
     if (for_good) turn_joint(pose.local, joints[i], turn.turn);
   }
   return {};
@@ -187,14 +187,14 @@ Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
 }
 
 Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
-                 Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, scene_from_joint}, {&joint, 1}, goal, 1, reached));
+                 Span<Affine> model_from_joint, bool* reached) {
+  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, model_from_joint}, {&joint, 1}, goal, 1, reached));
   return Status::ok;
 }
 
 Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                     Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, scene_from_joint}, joints, goal, falloff, reached));
+                     Span<SoaTransform> local, Span<Affine> model_from_joint, bool* reached) {
+  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, model_from_joint}, joints, goal, falloff, reached));
   return Status::ok;
 }
 

@@ -39,7 +39,7 @@ void reach_forward_by_points(IkHeuristic& h) {
   }
 }
 
-// If joint i's parent has turned by `turned` in the scene, bone i has too. What it still lacks is found in the old
+// If joint i's parent has turned by `turned` in model space, bone i has too. What it still lacks is found in the old
 // frames, turned back: so no frame waits for the one above it.
 void turn_to_points(IkHeuristic& h) {
   IkTree& tree = *h.tree;
@@ -50,12 +50,12 @@ void turn_to_points(IkHeuristic& h) {
     const bool top = part++ == h.parts.data;
     TurnSum arc;
     arc.add_arc(turn(node.frame, *part->bone), rotate(conjugate(turned), part->at - at), 1.0f);
-    const WideRotation by = normalised(arc.turn()), in_scene = top ? turned * by : by;
+    const WideRotation by = normalised(arc.turn()), in_model = top ? turned * by : by;
     turned = turned * by;
     const InverseAxes inverse(node.frame.axis);
-    const f32x4 axis = without_w(in_scene.v);
+    const f32x4 axis = without_w(in_model.v);
     const f32x4 in_frame = along(inverse.direction(axis), inverse.sign * length3(axis));
-    set_turned(node, node.rotation * quaternion(in_frame, w_lane(in_scene)));
+    set_turned(node, node.rotation * quaternion(in_frame, w_lane(in_model)));
   }
   update(h);
 }
@@ -106,7 +106,7 @@ void reach_forward(IkHeuristic& h) {
   const IkPart* part = h.parts.data;
   for (IkNode& node : tree.nodes) {
     Columns above = node.above;
-    if (node.parent != kNoParent) multiply(tree.nodes[node.parent].frame, above, above);
+    if (node.parent != kNoJoint) multiply(tree.nodes[node.parent].frame, above, above);
     const WideRotation by = forward_turn(h, node, (part++)->first, above);
     const float ease = node.ease_root * node.ease_root;
     set_turned(node, part_of(by, ease) * node.rotation);

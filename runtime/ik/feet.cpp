@@ -1,7 +1,7 @@
 #include "marrow/feet.h"
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "ik/turn_joint.h"
 #include "ik/two_bone.h"
 #include "marrow/local_to_model.h"
@@ -23,7 +23,7 @@ struct FeetCall {
   const Feet& feet;
   const FeetFrame& frame;
   f32x4 up = load_wide(frame.up);
-  Columns world = columns(frame.world_from_scene);
+  Columns world = columns(frame.world_from_model);
   // Set once the settings are checked.
   float rate = 0;         // 1/s, at which offsets die away
   float decay = 0;        // e^(-rate dt)
@@ -54,7 +54,7 @@ f32x4 at(const Columns& world, const Affine& a, const float (&point)[3]) {
 
 // A joint's position in the world.
 f32x4 place_of(const FeetCall& call, std::uint32_t joint) {
-  return transform(call.world, wide_origin(call.pose.scene_from_joint[joint]).v);
+  return transform(call.world, wide_origin(call.pose.model_from_joint[joint]).v);
 }
 
 // The inverse of a map's linear part, times the determinant.
@@ -79,7 +79,7 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
   MARROW_CHECK(in_range(ground.point));
   MARROW_CHECK(in_range(ground.normal));
   for (const std::uint32_t joint : joints) {
-    const Affine& m = call.pose.scene_from_joint[joint];
+    const Affine& m = call.pose.model_from_joint[joint];
     MARROW_CHECK(in_range(m));
     MARROW_CHECK(in_range(place_of(call, joint)));
     MARROW_CHECK(in_range(turned_by(m, load_three(foot.sole))));
@@ -97,15 +97,15 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(frame.dt_s, 0, kFarthest));
   MARROW_CHECK(within(frame.weight, 0, 1));
   MARROW_CHECK(within(squared3(call.up), 0.999f, 1.001f));
-  MARROW_CHECK(in_range(frame.world_from_scene));
-  MARROW_CHECK(inverse_of_linear(frame.world_from_scene).determinant > 1e-12f);
+  MARROW_CHECK(in_range(frame.world_from_model));
+  MARROW_CHECK(inverse_of_linear(frame.world_from_model).determinant > 1e-12f);
   MARROW_CHECK(within(call.feet.lower_m, 0, kFarthest));
-  MARROW_CHECK(within(call.feet.reach, 0, 1));
+  MARROW_CHECK(within(call.feet.leg_extension, 0, 1));
   MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
   const std::uint32_t pelvis = call.feet.pelvis;
   MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_CHECK(in_range(call.pose.scene_from_joint[pelvis]));
+  if (pelvis != kNoJoint) MARROW_CHECK(in_range(call.pose.model_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
@@ -190,7 +190,7 @@ void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, Fo
 }
 
 f32x4 sole_of(const FeetCall& call, const Foot& foot) {
-  return at(call.world, call.pose.scene_from_joint[foot.ankle], foot.sole);
+  return at(call.world, call.pose.model_from_joint[foot.ankle], foot.sole);
 }
 
 // Moves one foot's motion on by one frame.
@@ -208,7 +208,7 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
   die_away(call, m.offset, m.offset_speed);
   die_away(call, m.lean, m.lean_speed);
   f32x4 shown = target + load_three(m.offset);
-  follow_heading(call, right_axes(call.world, call.pose.scene_from_joint[foot.ankle]), given.planted, m);
+  follow_heading(call, right_axes(call.world, call.pose.model_from_joint[foot.ankle]), given.planted, m);
   if (given.planted && m.planted != 0) {
     const f32x4 place = load_three(m.place);
     shown = place + call.up * dot3(shown - place, call.up);
@@ -259,16 +259,16 @@ WideRotation shown_turn(const FeetCall& call, const FootMotion& m) {
 
 // Where the ankle is to be, so that the sole is at its place when the foot is turned so.
 f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, WideRotation turned) {
-  const f32x4 sole = turned_by(call.pose.scene_from_joint[foot.ankle], load_three(foot.sole));
+  const f32x4 sole = turned_by(call.pose.model_from_joint[foot.ankle], load_three(foot.sole));
   return load_three(m.place) - rotate(turned, turn(call.world, sole));
 }
 
-// How far the pelvis, once lifted, is too high for the leg. The leg may be Feet::reach of its bones long. If the
-// animation has it longer, it may be that long less the distance by which its ankle is moved.
+// How far the pelvis, once lifted, is too high for the leg. The leg may be Feet::leg_extension of its bones long. If
+// the animation has it longer, it may be that long less the distance by which its ankle is moved.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const f32x4 hip = place_of(call, foot.hip), knee = place_of(call, foot.knee), ankle = place_of(call, foot.ankle);
   const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, m)), animated = hip - ankle;
-  const float most = call.feet.reach * (length3(knee - hip) + length3(ankle - knee));
+  const float most = call.feet.leg_extension * (length3(knee - hip) + length3(ankle - knee));
   const float own = length3(animated) - length3(leg - animated), longest = most > own ? most : own;
   const float down = dot3(leg, call.up), square = longest * longest - (squared3(leg) - down * down);
   const float highest = square > 0 ? sqrt(square) : 0.0f;
@@ -307,7 +307,7 @@ void move_pelvis(const FeetCall& call, float lift) {
   const std::uint32_t joint = call.feet.pelvis;
   if (joint == kNoJoint || lift == 0) return;
   const f32x4 wide_way =
-      to_space_of(map_above(call.pose, joint), to_space_of(call.frame.world_from_scene, call.up * lift));
+      to_space_of(map_above(call.pose, joint), to_space_of(call.frame.world_from_model, call.up * lift));
   if (!in_range(wide_way)) return;
   const Vector3 way = narrow(wide_way);
   float(&t)[3][4] = call.pose.local[joint / 4].translation;
@@ -317,7 +317,7 @@ void move_pelvis(const FeetCall& call, float lift) {
 
 // Bends the leg to `goal` and turns the ankle to the axes `want`. Leaves a leg with numbers out of range as it is.
 void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const Columns& want, bool& reached) {
-  const Affine& ankle = call.pose.scene_from_joint[foot.ankle];
+  const Affine& ankle = call.pose.model_from_joint[foot.ankle];
   if (solve_limb_of_pose(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const WideRotation q = rotation_between(right_axes(call.world, ankle), want);
   const float mirror =
@@ -334,14 +334,14 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   if (goal.weight == 0) return;
   store(goal.bend_axis, vector3(foot.bend_axis));
   const WideRotation whole = shown_turn(call, m), turned = share_of(whole, goal.weight);
-  Columns want = right_axes(call.world, call.pose.scene_from_joint[foot.ankle]);
+  Columns want = right_axes(call.world, call.pose.model_from_joint[foot.ankle]);
   for (f32x4& axis : want.axis) axis = rotate(turned, axis);
   f32x4 target = ankle_of(call, foot, m, whole);
   // Again only under uneven scale, where the foot has another shape once the leg has turned.
   for (int i = 0; i < 3; ++i) {
-    const f32x4 in_scene = to_space_of(call.frame.world_from_scene, target - call.world.origin);
-    if (!in_range(in_scene)) return;
-    store_wide(goal.target, in_scene);
+    const f32x4 in_model = to_space_of(call.frame.world_from_model, target - call.world.origin);
+    if (!in_range(in_model)) return;
+    store_wide(goal.target, in_model);
     bool reached = false;
     turn_leg(call, foot, goal, want, reached);
     m.reached = reached ? 1 : 0;
@@ -354,19 +354,19 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
 
 }  // namespace
 
-Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
+Status foot_sole(const Foot& foot, const Affine& world_from_model, Span<const Affine> model_from_joint,
                  float (&sole_world)[3]) {
-  MARROW_REQUIRE(holds(scene_from_joint) && foot.ankle < scene_from_joint.size);
-  const f32x4 sole = at(columns(world_from_scene), scene_from_joint[foot.ankle], foot.sole);
+  MARROW_REQUIRE(holds(model_from_joint) && foot.ankle < model_from_joint.size);
+  const f32x4 sole = at(columns(world_from_model), model_from_joint[foot.ankle], foot.sole);
   MARROW_REQUIRE(in_range(sole));
   store_wide(sole_world, sole);
   return Status::ok;
 }
 
 Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
-                  Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
-  MARROW_MARK;
-  FeetCall call{{skeleton, local, scene_from_joint}, feet, frame};
+                  Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+  MARROW_ZONE;
+  FeetCall call{{skeleton, local, model_from_joint}, feet, frame};
   MARROW_REQUIRE_GOOD(check_feet(call, ground, motion));
   call.rate = kAllButTwoPercent / feet.ease_s;
   call.decay = exp_negative(-(call.rate * frame.dt_s));

@@ -4,7 +4,7 @@
 // Kinematics in Robotics and Animation), with cyclic coordinate descent in place of its gradient steps.
 #include <algorithm>
 
-#include "core/mark.h"
+#include "core/zone.h"
 #include "ik/heuristic.h"
 
 namespace marrow {
@@ -124,13 +124,13 @@ std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& 
   return scratch_bytes(count_genetic, skeleton, problem);
 }
 
-Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                         const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
-  MARROW_MARK;
+  MARROW_ZONE;
   IkOptions once = options;
   once.starts = 1;
   MARROW_REQUIRE_GOOD(
-      solve_ik_by(solve_genetic, count_genetic, {{skeleton, local, scene_from_joint}, problem, once}, scratch, report));
+      solve_ik_by(solve_genetic, count_genetic, {{skeleton, local, model_from_joint}, problem, once}, scratch, report));
   return Status::ok;
 }
 

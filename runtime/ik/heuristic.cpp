@@ -1,7 +1,7 @@
 // The iteration that FABRIK and CCD share, and the sums of turns in both.
 #include "ik/heuristic.h"
 
-#include "core/mark.h"
+#include "core/zone.h"
 #include "marrow/block.h"
 
 namespace marrow {
@@ -154,7 +154,7 @@ IkHeuristic set_up(IkTree& tree, Memory& scratch) {
   for (IkPart& part : h.parts) {
     part = IkPart{};
     part.bone = &node->above.origin;
-    if (node++->parent != kNoParent) part.on = h.parts.data + node[-1].parent;
+    if (node++->parent != kNoJoint) part.on = h.parts.data + node[-1].parent;
   }
   for (std::size_t i = 0; i < tree.tips.size; ++i) {
     h.tips[i].aim = h.aims + i;
@@ -191,12 +191,12 @@ void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport
   if (report.why == IkStop::reached && report.error_m > 1.1f * options.tolerance_m) report.why = IkStop::stalled;
 }
 
-Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                       const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(options.method <= IkMethod::ccd);
   MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, count_heuristic,
-                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
+                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 

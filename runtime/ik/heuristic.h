@@ -9,14 +9,14 @@ namespace marrow {
 struct IkAim {
   const IkNode* tip;
   f32x4 goal;             // the position to reach; in place of one out of reach, the nearest that is in reach
-  WideRotation rotation;  // the rotation in the scene that the tip's node is to have
+  WideRotation rotation;  // the rotation in model space that the tip's node is to have
   float position, turn;   // the weights squared, relative to the greatest; a radian counts as the tree's length
 };
 
 // The points of the tree: one for each node, and behind those one for each tip. What hangs on a node is a list.
 struct IkPart {
-  f32x4 at;                 // where the point is, or where it is wanted; scene
-  f32x4 before;             // what an iteration changes, before it; CCD: of a tip its node's rotation in the scene
+  f32x4 at;                 // where the point is, or where it is wanted; model space
+  f32x4 before;             // what an iteration changes, before it; CCD: of a tip its node's rotation in model space
   float length = 0;         // from the node that it hangs on
   float weight = 0;         // of the positions to be reached by it and what hangs on it
   float share = 0;          // of all weight that hangs on the same node
@@ -37,7 +37,7 @@ struct IkHeuristic {
   bool free = true;    // neither limits nor stiffness
   bool chain = false;  // one tip, with a position to reach
   bool plain = false;  // a free chain without a rotation to reach: only points move, joints turn at the end
-  WideRotation turned = no_turn();  // how a plain chain has turned as a whole; scene
+  WideRotation turned = no_turn();  // how a plain chain has turned as a whole; model space
 
   Span<IkPart> of_tips() const { return {tips, tree->tips.size}; }
   // Of a chain, which goes on from one part to the next: without the root; and without root and tip.

@@ -8,7 +8,7 @@
 // Gauss-Newton minimises Σ |x|² / ease under the constraint e = 0, with x the rotation vectors from the pose at the
 // start. Linearised, with μ the Lagrange multipliers, the Karush-Kuhn-Tucker system is step + x = Jᵀ μ, J step = e, so
 // J Jᵀ μ = e + J x. The same damping keeps it safe for goals out of reach. The pull back by x fades near the goals.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "ik/dense.h"
 #include "ik/system.h"
 #include "limits/joint_limit.h"
@@ -61,8 +61,8 @@ void pull_back(IkSystem& s, float share) {
   for (std::size_t t = 0; t < s.tasks.size; ++t) take_off(s, t, effect(s.tasks[t], s.moves, &IkMove::fixed));
 }
 
-// Bends a straight chain a little, about `axis` of the scene, if its goal is on the chain's line and nearer: no turn of
-// a joint brings the tip nearer there, and the task's block of J Jᵀ is 0 in that direction.
+// Bends a straight chain a little, about `axis` of model space, if its goal is on the chain's line and nearer: no turn
+// of a joint brings the tip nearer there, and the task's block of J Jᵀ is 0 in that direction.
 void leave_singularity(IkSystem& s, f32x4 axis) {
   const IkTree& tree = *s.tree;
   const std::size_t stride = dense_stride(s.rows);
@@ -80,7 +80,7 @@ void leave_singularity(IkSystem& s, f32x4 axis) {
     const float l = sqrt(squared), stuck = 1.0f - (felt > 0 ? felt / (all * squared) : 0.0f);
     const float bend = kBend_rad * stuck * sqrt(l / (l + task.longest));
     const f32x4 end = task.tip->frame.origin;
-    for (std::uint16_t n = task.tip->parent; n != kNoParent; n = tree.nodes[n].parent) {
+    for (std::uint16_t n = task.tip->parent; n != kNoJoint; n = tree.nodes[n].parent) {
       const IkNode& node = tree.nodes[n];
       const f32x4 arm = end - node.frame.origin, about = products(node.frame.axis, axis);
       const float inward = -dot3(arm, e), size = l * sqrt(squared3(arm) * squared3(about));
@@ -225,12 +225,12 @@ void solve_jacobian(const IkCall& call, IkTree& tree, Memory& scratch, IkReport&
   }
 }
 
-Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                      const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(options.method > IkMethod::ccd);
   MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, count_jacobian,
-                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
+                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 

@@ -1,7 +1,7 @@
 #include "marrow/ik_solve.h"
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "ik/tree.h"
 #include "marrow/block.h"
 #include "math/finite.h"
@@ -24,7 +24,7 @@ BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
 }
 
 BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
-  MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoParent);
+  MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoJoint);
   MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
   MARROW_CHECK(problem.goals.size <= kMaxJoints);  // 16 bits number tips behind the nodes
   MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
@@ -92,13 +92,13 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
   return scratch_bytes(options.method <= IkMethod::ccd ? count_heuristic : count_jacobian, skeleton, problem);
 }
 
-Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const bool heuristic = options.method <= IkMethod::ccd;
   MARROW_REQUIRE_GOOD(solve_ik_by(heuristic ? solve_heuristic : solve_jacobian,
                                   heuristic ? count_heuristic : count_jacobian,
-                                  {{skeleton, local, scene_from_joint}, problem, options}, scratch, report));
+                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
   return Status::ok;
 }
 

@@ -19,7 +19,7 @@ void add_task(const IkNode& tip, bool turn, float weight, IkEntry*& entries, IkS
   std::uint32_t length = 0;
   float bones = 0;  // their length from the tip to the top
   f32x4 from = tip.frame.origin;
-  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) {
+  for (std::uint16_t n = tip.parent; n != kNoJoint; n = tree.nodes[n].parent) {
     const f32x4 to = tree.nodes[n].frame.origin;
     bones += sqrt(dot3(from - to, from - to));
     from = to;
@@ -27,7 +27,7 @@ void add_task(const IkNode& tip, bool turn, float weight, IkEntry*& entries, IkS
   }
   s.tasks.data[s.tasks.size++] = {&tip, entries, length, turn, weight, weight * (turn ? kLongestTurn : bones), 0, 1};
   IkEntry* entry = entries + length;
-  for (std::uint16_t n = tip.parent; n != kNoParent; n = tree.nodes[n].parent) (--entry)->node = n;
+  for (std::uint16_t n = tip.parent; n != kNoJoint; n = tree.nodes[n].parent) (--entry)->node = n;
   if (entry != entries) entries->node = static_cast<std::uint16_t>(tree.nodes.size);
   entries += length;
 }
@@ -45,14 +45,14 @@ void set_entries(const IkSystem& s, const IkTask& task) {
   const IkTree& tree = *s.tree;
   f32x4 point = task.tip->above.origin;
   IkEntry* entry = task.path + task.length;
-  for (std::uint16_t n = task.tip->parent; n != kNoParent;) {
+  for (std::uint16_t n = task.tip->parent; n != kNoJoint;) {
     const IkNode& node = tree.nodes[n];
     const f32x4 factor = splat(task.weight * node.ease_root);
     --entry;
     if (task.turn) {
       set_axes(node.turned, entry->column);
       for (f32x4& c : entry->column) c = c * factor;
-    } else {  // axis × point, taken to the scene
+    } else {  // axis × point, taken to model space
       const f32x4 at = point * factor;
       const f32x4 x = splat_lane<0>(at), y = splat_lane<1>(at), z = splat_lane<2>(at);
       const f32x4(&axis)[3] = node.frame.axis;

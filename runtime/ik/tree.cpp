@@ -21,14 +21,14 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
-// Folds into `above` all joints from `joint` up to the node that `node` hangs on, or to the scene. Before that it is
+// Folds into `above` all joints from `joint` up to the node that `node` hangs on, or to model space. Before that it is
 // the map from the node's axes to the space of `joint`.
 void set_above(const PosedJoints& pose, const std::uint16_t* node_of, std::uint16_t joint, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = joint;
-  while (on != kNoParent && node_of[on] == kNoParent) on = skeleton.parents[on];
-  const bool top = on == kNoParent;
+  while (on != kNoJoint && node_of[on] == kNoJoint) on = skeleton.parents[on];
+  const bool top = on == kNoJoint;
   Columns& above = node.above;
   WideRotation turned = no_turn();
   std::uint16_t root = node.joint;
@@ -38,9 +38,9 @@ void set_above(const PosedJoints& pose, const std::uint16_t* node_of, std::uint1
     root = j;
   }
   if (top) {
-    node.parent = kNoParent;
+    node.parent = kNoJoint;
     multiply(columns(map_above(pose, node.joint)), above, above);
-    turned = rotation_of(skeleton.scene_from_root[root]) * turned;
+    turned = rotation_of(skeleton.model_from_root[root]) * turned;
   } else {
     node.parent = node_of[on];
     const f32x4 scale = wide_scale_of(local, on);
@@ -99,12 +99,12 @@ BadCall build_tree(const IkCall& call, IkTree& tree) {
   const IkProblem& problem = call.problem;
   constexpr std::uint16_t kMayTurn = 0xFFFE, kMoves = 0xFFFD;  // kMoves: may turn, and moves a goal
   std::uint16_t* const node_of = tree.node_of;
-  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoParent;
+  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) node_of[j] = kNoJoint;
   for (const std::uint16_t j : problem.joints) node_of[j] = kMayTurn;
   for (const IkGoal& goal : problem.goals) {
     bool moves = false;
-    for (std::uint16_t j = goal.joint; j != kNoParent; j = skeleton.parents[j]) {
-      if (node_of[j] == kNoParent) continue;
+    for (std::uint16_t j = goal.joint; j != kNoJoint; j = skeleton.parents[j]) {
+      if (node_of[j] == kNoJoint) continue;
       node_of[j] = kMoves;
       moves = true;
     }
@@ -115,7 +115,7 @@ BadCall build_tree(const IkCall& call, IkTree& tree) {
   for (std::size_t i = 0; i < problem.joints.size; ++i) {
     const std::uint16_t joint = problem.joints[i];
     if (node_of[joint] == kMayTurn) {
-      node_of[joint] = kNoParent;
+      node_of[joint] = kNoJoint;
       continue;
     }
     set_node(call, i, node_of, tree.nodes[count]);
@@ -198,7 +198,7 @@ void store_tree(const IkTree& tree, float weight, const PosedJoints& pose) {
   }
   if (tree.stretch != 1) stretch_bones(pose, tree, 1.0f + (tree.stretch - 1.0f) * weight);
   for (const IkNode& node : tree.nodes) {
-    if (node.parent == kNoParent) update_below(pose, node.joint);
+    if (node.parent == kNoJoint) update_below(pose, node.joint);
   }
 }
 

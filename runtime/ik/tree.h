@@ -17,16 +17,16 @@ namespace marrow {
 
 // What is read most often comes first: x86's short instructions reach 128 bytes.
 struct IkNode {
-  Columns frame;            // scene_from_frame; of a tip: the origin is the point that shall reach the goal
+  Columns frame;            // model_from_frame; of a tip: the origin is the point that shall reach the goal
   WideRotation rotation;    // the joint's local rotation
   f32x4 hinge;              // the only axis that it turns about, in its own axes; 0: any
-  WideRotation turned;      // the frame's rotation in the scene; kept only where goals ask for rotations
+  WideRotation turned;      // the frame's rotation in model space; kept only where goals ask for rotations
   const JointLimit* limit;  // or null
   float ease_root;          // √(1 - stiffness)
   std::uint16_t joint;      // of a tip: the goal's
-  std::uint16_t parent;     // a node before this one; kNoParent: nothing above moves
-  Columns above;            // constant: from this joint's axes before they turn to the parent's frame, or to the scene
-  WideRotation above_turned;  // the rotation in `above`, or above the joint in the scene
+  std::uint16_t parent;     // a node before this one; kNoJoint: nothing above moves
+  Columns above;  // constant: from this joint's axes before they turn to the parent's frame, or to model space
+  WideRotation above_turned;  // the rotation in `above`, or above the joint in model space
   WideRotation start;         // the rotation in the pose
   WideRotation best;          // the rotation of the best start so far
   Columns parent_from_frame;  // above · rotation
@@ -37,7 +37,7 @@ struct IkNode {
 struct IkTree {
   Span<IkNode> nodes;          // those that turn, parents first
   Span<IkNode> tips;           // behind them in memory: one a goal, in their order
-  std::uint16_t* node_of;      // for each joint of the skeleton its node, or kNoParent
+  std::uint16_t* node_of;      // for each joint of the skeleton its node, or kNoJoint
   bool turns = false;          // some goal asks for a rotation
   f32x4 travel = splat(0.0f);  // of node 0, in its parent joint's space; see IkProblem::root_travel_m
   float stretch = 1;           // factor on the bones below node 0, in a tree with one tip
@@ -66,16 +66,16 @@ void update_frames(IkTree& tree);
 void update_tips(IkTree& tree);
 // Sets one frame from the parent's, and from parent_from_frame.
 inline void follow_parent(const IkTree& tree, IkNode& node) {
-  if (node.parent == kNoParent) {
+  if (node.parent == kNoJoint) {
     node.frame = node.parent_from_frame;
   } else {
     multiply(tree.nodes[node.parent].frame, node.parent_from_frame, node.frame);
   }
 }
 
-// The rotation in the scene of a node's axes before they turn.
+// The rotation in model space of a node's axes before they turn.
 inline WideRotation above_turned(const IkTree& tree, const IkNode& node) {
-  return node.parent == kNoParent ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
+  return node.parent == kNoJoint ? node.above_turned : tree.nodes[node.parent].turned * node.above_turned;
 }
 // The axes of map · rotation.
 inline void turn_axes(const Columns& map, WideRotation rotation, f32x4 (&out)[3]) {
@@ -84,11 +84,11 @@ inline void turn_axes(const Columns& map, WideRotation rotation, f32x4 (&out)[3]
   for (int a = 0; a < 3; ++a) out[a] = turn(map, axes[a]);
 }
 
-// From a tip to its goal's position; scene, metres.
+// From a tip to its goal's position; model space, metres.
 inline f32x4 position_error(const IkNode& tip) {
   return load_wide(tip.goal->position) - tip.frame.origin;
 }
-// The turn that a tip lacks, as a rotation vector (axis times angle ≤ π) in the scene.
+// The turn that a tip lacks, as a rotation vector (axis times angle ≤ π) in model space.
 f32x4 rotation_error(const IkNode& tip);
 
 // See IkReport.

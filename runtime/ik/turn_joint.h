@@ -12,7 +12,7 @@ namespace marrow {
 struct PosedJoints {
   const Skeleton& skeleton;
   Span<SoaTransform> local;
-  Span<Affine> scene_from_joint;
+  Span<Affine> model_from_joint;
 };
 
 // Sets a joint's rotation to a quaternion of any length; to the identity where that is too short or not finite.
@@ -37,7 +37,7 @@ inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint
 // The pose and its matrices are there.
 [[gnu::noinline]] inline BadCall check_pose(const PosedJoints& pose) {
   MARROW_CHECK(holds(pose.local, pose.skeleton.soa_size()));
-  MARROW_CHECK(holds(pose.scene_from_joint, pose.skeleton.joint_count));
+  MARROW_CHECK(holds(pose.model_from_joint, pose.skeleton.joint_count));
   return {};
 }
 
@@ -53,15 +53,15 @@ inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint
   return {};
 }
 
-// The map of what is above a joint: scene_from_parent.
+// The map of what is above a joint: model_from_parent.
 inline const Affine& map_above(const PosedJoints& pose, std::uint32_t joint) {
   const Skeleton& skeleton = pose.skeleton;
-  return joint < skeleton.root_count ? skeleton.scene_from_root[joint] : pose.scene_from_joint[skeleton.parents[joint]];
+  return joint < skeleton.root_count ? skeleton.model_from_root[joint] : pose.model_from_joint[skeleton.parents[joint]];
 }
 
 // Updates the matrices of a joint that has turned and of all below it.
 [[gnu::noinline]] inline void update_below(const PosedJoints& pose, std::uint32_t joint) {
-  (void)local_to_model_below(pose.skeleton, pose.local, joint, pose.scene_from_joint);
+  (void)local_to_model_below(pose.skeleton, pose.local, joint, pose.model_from_joint);
 }
 
 }  // namespace marrow

@@ -1,4 +1,4 @@
-// What limbs and aims share: one direction turned onto another, and turns of the scene brought into a joint's space.
+// What limbs and aims share: one direction turned onto another, and turns of model space brought into a joint's space.
 //
 // F is One for one problem and f32x4 for four of them, a lane each, with the same bits.
 //
@@ -125,7 +125,7 @@ inline Halfway<F> halfway_round(Vector<F> from, Vector<F> normal, Vector<F> to, 
   return {select(far, out.h, way.h), select(far, half, way.half), select(far, out.along, way.along)};
 }
 
-// A quaternion of any length, in the scene or in a joint's space.
+// A quaternion of any length, in model space or in a joint's space.
 template <class F>
 struct AnyTurn {
   Vector<F> axis;
@@ -176,7 +176,7 @@ inline bool turn_onto(Vector<F> from, Vector<F> normal, Vector<F> to, const Abou
   return true;
 }
 
-// A joint's axes in the scene, the columns of its matrix, with what makes them unit vectors.
+// A joint's axes in model space, the columns of its matrix, with what makes them unit vectors.
 template <class F>
 struct Axes {
   Linear<F> rows;
@@ -214,7 +214,7 @@ inline Axes<One> axes_of(const Affine& joint) {
   return axes_of<usual>(wide_rows(joint));
 }
 
-// A direction of the scene in the joint's space without its scale. Ignore its w.
+// A direction of model space in the joint's space without its scale. Ignore its w.
 template <class F>
 inline Vector<F> direction_to_local(const Axes<F>& axes, Vector<F> v) {
   return by_component(axes.rows * v, axes.inverse_lengths);
@@ -224,9 +224,9 @@ template <class F>
 inline Vector<F> axis_to_local(const Axes<F>& axes, Vector<F> v) {
   return flip(direction_to_local(axes, v), axes.handed);
 }
-// The axis of a turn, from the joint's space to the scene.
+// The axis of a turn, from the joint's space to model space.
 template <class F>
-inline Vector<F> axis_to_scene(const Axes<F>& axes, Vector<F> v) {
+inline Vector<F> axis_to_model(const Axes<F>& axes, Vector<F> v) {
   const Vector<F> t = by_component(v, without_w(axes.inverse_lengths));
   return flip(transposed_times(axes.rows, t), axes.handed);
 }

@@ -99,8 +99,8 @@ struct UnevenLimb {
   const PosedJoints& pose;
   const TwoBoneLimb& limb;
   const TwoBoneJoints& at;
-  Affine start_parent_from_scene = inverse_of(map_above(pose, limb.start));
-  Affine mid_parent_from_scene = inverse_of(map_above(pose, limb.mid));
+  Affine start_parent_from_model = inverse_of(map_above(pose, limb.start));
+  Affine mid_parent_from_model = inverse_of(map_above(pose, limb.mid));
 };
 
 // Solves the limb in the space that `m` leads to; false if the numbers are not finite.
@@ -121,19 +121,19 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
     const Vector<One> seen = through(m, v);
     return first_lane(sqrt(dot(seen, seen)).v);
   };
-  const float want = length_through(u.start_parent_from_scene, wide(goal.target) - start);
+  const float want = length_through(u.start_parent_from_model, wide(goal.target) - start);
   TwoBone bent;
   store(bent.bend_axis, vector3(goal.bend_axis));
   float was_long = 0, was_seen = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector<One> now = wide_origin(*u.at.end) - start;
-    const float is_long = length_through(u.mid_parent_from_scene, now),
-                seen = length_through(u.start_parent_from_scene, now);
+    const float is_long = length_through(u.mid_parent_from_model, now),
+                seen = length_through(u.start_parent_from_model, now);
     const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
     if (absolute(off) <= 1e-6f * want) return;
     const float by = off * (within(slope, 0.25f * even, 4 * even) ? slope : even);
     TwoBoneTurns turns;
-    if (!solve_through(u, u.mid_parent_from_scene, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
+    if (!solve_through(u, u.mid_parent_from_model, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
     turn_joint(u.pose.local, u.limb.mid, turns.mid);
     update_below(u.pose, u.limb.mid);
     was_long = is_long, was_seen = seen;
@@ -169,8 +169,8 @@ void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) 
   bend_uneven(u, goal);
   TwoBone whole = goal;
   whole.weight = 1;
-  store_wide(whole.pole, through(u.start_parent_from_scene, wide(goal.pole)).v);
-  const bool seen = solve_through(u, u.start_parent_from_scene, whole, wide(goal.target), turns);
+  store_wide(whole.pole, through(u.start_parent_from_model, wide(goal.pole)).v);
+  const bool seen = solve_through(u, u.start_parent_from_model, whole, wide(goal.target), turns);
   turn_limb(u.pose.local, u.limb, turns);
   update_below(u.pose, u.limb.start);
   turns.reached = turns.reached && is_reached(u, goal, turns.stretch);
@@ -193,7 +193,7 @@ BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, con
   MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
   if (const BadCall bad = check_chain(pose, {chain, 3})) return bad;
-  const Affine* const joints = pose.scene_from_joint.data;
+  const Affine* const joints = pose.model_from_joint.data;
   const TwoBoneJoints at = {joints + limb.start, joints + limb.mid, joints + limb.end};
   TwoBoneTurns turns;
   if (const BadCall bad = solve_limb(at, goal, turns)) return bad;
@@ -211,8 +211,8 @@ BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, con
 }
 
 Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
-                      Span<Affine> scene_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(solve_limb_of_pose({skeleton, local, scene_from_joint}, limb, goal, reached));
+                      Span<Affine> model_from_joint, bool* reached) {
+  MARROW_REQUIRE_GOOD(solve_limb_of_pose({skeleton, local, model_from_joint}, limb, goal, reached));
   return Status::ok;
 }
 

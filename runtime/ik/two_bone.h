@@ -11,7 +11,7 @@ namespace marrow {
 // solve_two_bone() for callers that refuse in its place: returns what is wrong with the call, or nothing.
 BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
-// The bones of a limb and the way to its target, in the scene.
+// The bones of a limb and the way to its target, in model space.
 template <class F>
 struct LimbWays {
   Vector<F> upper;  // from the start joint to the middle joint
@@ -22,7 +22,7 @@ struct LimbWays {
 template <class F>
 struct LimbProblem {
   LimbWays<F> ways;
-  RowsOf<F> scene_from_start, scene_from_mid;
+  RowsOf<F> model_from_start, model_from_mid;
   Vector<F> bend_axis;  // One: w holds something finite
   Vector<F> pole;
   bool twisted;  // some twist is not 0
@@ -119,7 +119,7 @@ inline Bend<F> bend_preferred(const LimbProblem<F>& in, const Axes<F>& mid_axes,
   const F zero = all_lanes<F>(0), one = number<F>(kNumbers.one), tiny = number<F>(kNumbers.tiny);
   const Vector<F> bend_axis = without_w(in.bend_axis);
   const auto free = dot(bend_axis, bend_axis) < tiny;
-  Vector<F> wanted = axis_to_scene(mid_axes, bend_axis);
+  Vector<F> wanted = axis_to_model(mid_axes, bend_axis);
   set_where(free, wanted, cross(in.pole, upper));
   const F enough = greater(dot(wanted, wanted) * all_lanes<F>(1e-6f), tiny);
   Vector<F> axis = unit_across(wanted, upper, enough, any_across(upper));
@@ -147,7 +147,7 @@ template <bool usual, class F>
 inline bool bend_limb(const LimbProblem<F>& in, Vector<F> upper, Vector<F> lower, const Triangle<F>& triangle,
                       Bend<F>& bend) {
   const F one = number<F>(kNumbers.one), straight = number<F>(kNumbers.straight);
-  const Axes<F> mid_axes = axes_of<usual>(in.scene_from_mid);
+  const Axes<F> mid_axes = axes_of<usual>(in.model_from_mid);
   const Vector<F> normal = cross(upper, lower), local = without_w(axis_to_local(mid_axes, normal));
   const F sine = sqrt(dot(normal, normal)), inverse = one / sine, cosine = dot(upper, lower);
   const F w = one + cosine, c = triangle.half_cos, s = triangle.half_sin, side = triangle.across * inverse;
@@ -213,7 +213,7 @@ inline bool solve_limb(LimbProblem<F>& in, LimbSolution<F>& out) {
   const About<F> about = {in.pole, in.twisted, in.twist_rad};
   AnyTurn<F> whole;
   if (!turn_onto<usual>(bend.to_end, bend.normal, ways.way * z_of(inverses), about, whole)) return false;
-  Quaternion<F> start = quaternion(axis_to_local(Axes<F>(axes_of<usual>(in.scene_from_start)), whole.axis), whole.w);
+  Quaternion<F> start = quaternion(axis_to_local(Axes<F>(axes_of<usual>(in.model_from_start)), whole.axis), whole.w);
   F start_squared = squared_length(start), mid_squared = squared_length(bend.mid);
   if (!all(start_squared + mid_squared + (t.miss_squared + bend.agreed) < number<F>(kNumbers.huge))) return false;
   if (any(lesser(start_squared, mid_squared) < tiny)) {

@@ -1,6 +1,6 @@
 // Followers: rotations and points that follow a target with limited speed and acceleration.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "limits/joint_limit.h"
 #include "math/joint.h"
 
@@ -187,7 +187,7 @@ Status follow_rotation(RotationFollower& state, const float (&target)[4], float 
 }
 
 Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s, Span<SoaTransform> local) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_joints(limits, local));
   MARROW_REQUIRE(holds(states, limits.size));
   MARROW_REQUIRE(is_time(dt_s));

@@ -1,7 +1,7 @@
 #include "marrow/limits.h"
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "limits/joint_limit.h"
 #include "limits/limit_ranges.h"
 #include "math/joint.h"
@@ -161,7 +161,7 @@ float limit_excess(const JointLimit& limit, const float (&local)[4]) {
 }
 
 Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> local) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_joints(limits, local));
   for (const JointLimit& limit : limits) {
     if (limit.kind == LimitKind::none) continue;

@@ -13,9 +13,9 @@ inline Columns right_axes(f32x4 along, f32x4 aside) {
   const f32x4 x = unit3_or(along, lanes(1.0f, 0.0f, 0.0f, 0.0f)), y = unit3_or(across3(aside, x), any_across3(x));
   return {{x, y, cross3(x, y)}, splat(0.0f)};
 }
-// A joint's attitude, world · scene; mirrored or not.
-inline Columns right_axes(const Columns& world, const Affine& scene) {
-  const Columns joint = columns(scene);
+// A joint's attitude, world · model; mirrored or not.
+inline Columns right_axes(const Columns& world, const Affine& model) {
+  const Columns joint = columns(model);
   return right_axes(turn(world, joint.axis[0]), turn(world, joint.axis[1]));
 }
 

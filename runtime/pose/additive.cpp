@@ -1,5 +1,5 @@
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "marrow/blend.h"
 #include "math/quaternion.h"
 #include "pose/mask.h"
@@ -43,7 +43,7 @@ void add_layer(const AdditiveLayer& layer, std::size_t groups, SoaTransform* pos
 
 Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Span<const SoaTransform> reference,
                      Span<AdditiveTransform> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(holds(pose, groups));
   MARROW_REQUIRE(holds(reference, groups));
@@ -67,7 +67,7 @@ Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose, Sp
 }
 
 Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(holds(pose, groups));
   MARROW_REQUIRE(holds(layer.change, groups));

@@ -5,7 +5,7 @@
 
 #include "core/check.h"
 #include "core/fixed.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/quaternion.h"
 #include "pose/mask.h"
 
@@ -178,7 +178,7 @@ constexpr float kNegligible = 1e-12f;
 }  // namespace
 
 Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTransform> out, float threshold) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(holds(out, groups));
   MARROW_REQUIRE(within(threshold, 1e-6f, kMaxBlendWeight));
@@ -221,7 +221,7 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
 }
 
 Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::size_t groups = skeleton.soa_size();
   MARROW_REQUIRE(holds(pose, groups));
   MARROW_REQUIRE(holds(layer.pose, groups));

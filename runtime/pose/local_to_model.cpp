@@ -1,7 +1,7 @@
 #include "marrow/local_to_model.h"
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
 #include "pose/joint_range.h"
@@ -34,7 +34,7 @@ void transform_some(const Skeleton& skeleton, const SoaTransform* local, std::ui
   FourMatrices m;
   to_matrices(local[first / 4], m);
   for (std::uint32_t joint = first; joint < end; ++joint) {
-    const Affine& above = joint < skeleton.root_count ? skeleton.scene_from_root[joint] : out[skeleton.parents[joint]];
+    const Affine& above = joint < skeleton.root_count ? skeleton.model_from_root[joint] : out[skeleton.parents[joint]];
     const std::uint32_t lane = joint % 4;
     multiply(above, m.rows[0][lane], m.rows[1][lane], m.rows[2][lane], out[joint]);
   }
@@ -65,7 +65,7 @@ void transform_joints(const Skeleton& skeleton, const SoaTransform* local, std::
 }
 
 Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(local, skeleton.soa_size()));
   MARROW_REQUIRE(holds(out, skeleton.joint_count));
   transform_joints(skeleton, local.data, 0, skeleton.joint_count, out.data);
@@ -74,7 +74,7 @@ Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, 
 
 Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint_count,
                             Span<Affine> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(joint_count <= skeleton.joint_count);
   MARROW_REQUIRE(holds(local, soa_count(joint_count)));
   MARROW_REQUIRE(holds(out, joint_count));
@@ -85,7 +85,7 @@ Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> l
 // Breadth-first order keeps the children of neighbours together, so the descendants of each generation are one range.
 Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
                             Span<Affine> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const std::uint32_t count = skeleton.joint_count;
   const std::uint16_t* const parents = skeleton.parents;
   MARROW_REQUIRE(joint < count);

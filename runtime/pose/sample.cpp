@@ -6,8 +6,8 @@
 #include "core/builtins.h"
 #include "core/check.h"
 #include "core/fixed.h"
-#include "core/mark.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "marrow/blend.h"
 #include "math/keys.h"
 #include "math/slerp.h"
@@ -147,7 +147,7 @@ void sample_pose(const Skeleton& skeleton, const Clip& clip, float time_s, Span<
 
 Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
               const SampleOptions& options) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(!clip.additive);
   MARROW_REQUIRE_GOOD(check_pose(skeleton, clip, time_s, out, options));
   sample_pose(skeleton, clip, time_s, out, options, false, nullptr);
@@ -161,7 +161,7 @@ std::size_t sample_cache_bytes(const Clip& clip) {
 
 Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                      SampleCache& cache) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(!clip.additive);
   MARROW_REQUIRE(holds(cache.memory));
   MARROW_REQUIRE_GOOD(check_boundary(cache.memory.data));
@@ -171,7 +171,7 @@ Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, S
 }
 
 Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(clip.additive);
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
   // The pose stands where its change will; make_additive reads every group before it writes it.
@@ -183,7 +183,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
 }
 
 Status sample_channels(const Clip& clip, float time_s, Span<float> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(out, clip.channels.size));
   MARROW_REQUIRE(time_s == time_s);
   MomentFinder moment(clip, time_s);

@@ -1,5 +1,5 @@
 // Animation space, four vertices at a time.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "skin/joint_set.h"
 
 namespace marrow {
@@ -128,7 +128,7 @@ class WithTangents {
 
 Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<const Affine> palette, const SkinOutput& out,
                Span<const float> tangents) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(coordinates, as_coordinate_count(mesh.geometry)));
   MARROW_REQUIRE(tangents.empty() || holds(tangents, as_tangent_count(mesh.geometry)));
   if (tangents.empty() || out.normals.empty()) {

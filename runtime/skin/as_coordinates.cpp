@@ -1,5 +1,5 @@
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "marrow/skin.h"
 #include "skin/as_block.h"
 
@@ -12,7 +12,7 @@ std::size_t as_coordinate_count(const Geometry& geometry) {
 }
 
 Status as_coordinates(const Geometry& geometry, Span<float> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(out, as_coordinate_count(geometry)));
   const float* skin = geometry.skin;
   const float* residual = geometry.as_residual;

@@ -1,6 +1,6 @@
 // Tangents of a surface as animation-space vectors.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/linear.h"
 #include "skin/as_stand_ins.h"
 
@@ -154,7 +154,7 @@ std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts) {
 }
 
 Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(parts));
   for (const AsPart& part : parts) {
     MARROW_REQUIRE(part.mesh != nullptr && part.mesh->geometry.normals != nullptr);

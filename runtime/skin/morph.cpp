@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "marrow/skin.h"
 #include "math/vector.h"
 #include "skin/as_block.h"
@@ -202,7 +202,7 @@ Status make_morphed(const Geometry& geometry, Span<std::byte> memory, MorphedGeo
 }
 
 Status morph(Span<const float> weights, MorphedGeometry& morphed) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const Geometry& bind = morphed.bind;
   MARROW_REQUIRE(holds(weights, bind.targets.size));
   for (std::size_t t = 0; t < bind.targets.size; ++t) MARROW_REQUIRE(weights[t] - weights[t] == 0.0f);
@@ -232,7 +232,7 @@ Status morph(Span<const float> weights, MorphedGeometry& morphed) {
 }
 
 Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const Geometry& bind = morphed.bind;
   MARROW_REQUIRE(holds(coordinates, as_coordinate_count(bind)));
   if (bind.targets.empty()) return Status::ok;

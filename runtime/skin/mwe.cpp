@@ -1,5 +1,5 @@
 // Multi-weight enveloping, four vertices at a time.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/rotation.h"
 #include "skin/joint_set.h"
 
@@ -85,7 +85,7 @@ class MultiWeight {
 }  // namespace
 
 Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.mwe_residual != nullptr && aligned(g.mwe_residual));
   MARROW_REQUIRE(holds(palette, mesh.palette_size()) && g.mwe_root < mesh.palette_size());

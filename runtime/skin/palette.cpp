@@ -2,7 +2,7 @@
 
 #include "core/builtins.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/affine.h"
 #include "skin/helper.h"
 
@@ -34,19 +34,19 @@ bool blend_two(Span<const Helper> helpers, std::size_t joint_count) {
 
 }  // namespace
 
-Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> scene_from_joint,
+Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, Span<const Affine> model_from_joint,
                      Span<Affine> out, Span<const Helper> helpers, Span<const float> centres) {
-  MARROW_MARK;
-  MARROW_REQUIRE(holds(joints) && holds(helpers) && holds(scene_from_joint));
+  MARROW_ZONE;
+  MARROW_REQUIRE(holds(joints) && holds(helpers) && holds(model_from_joint));
   MARROW_REQUIRE(holds(bind, joints.size));
   MARROW_REQUIRE(holds(out, joints.size + helpers.size));
   MARROW_REQUIRE(centres.empty() || holds(centres, 3 * helpers.size));
   MARROW_REQUIRE(blend_two(helpers, joints.size) && "two joints of the palette, a share between 0 and 1");
   std::uint16_t last = 0;
   for (const std::uint16_t joint : joints) last = last < joint ? joint : last;
-  MARROW_REQUIRE(joints.empty() || last < scene_from_joint.size);
+  MARROW_REQUIRE(joints.empty() || last < model_from_joint.size);
   const auto product = [&](std::size_t i) {
-    multiply(scene_from_joint.data[joints.data[i]], bind.data[i], out.data[i]);
+    multiply(model_from_joint.data[joints.data[i]], bind.data[i], out.data[i]);
   };
   std::size_t i = 0;
   for (; i + 4 <= joints.size; i += 4) {
@@ -60,9 +60,9 @@ Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind, 
   return Status::ok;
 }
 
-Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out) {
-  MARROW_MARK;
-  return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, scene_from_joint, out,
+Status build_palette(const Mesh& mesh, Span<const Affine> model_from_joint, Span<Affine> out) {
+  MARROW_ZONE;
+  return build_palette({mesh.joints, mesh.joint_count}, {mesh.inverse_bind, mesh.joint_count}, model_from_joint, out,
                        mesh.helpers, mesh.helper_centres);
 }
 

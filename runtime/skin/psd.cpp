@@ -1,6 +1,6 @@
 // Pose-space deformation, four vertices at a time: deltas of the examples that move them, then skeletal subspace
 // deformation.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/elementary.h"
 #include "skin/joint_set.h"
 
@@ -115,7 +115,7 @@ class PoseSpaceSkin {
 }  // namespace
 
 Status skin_psd(const Mesh& mesh, Span<const float> distances, Span<const Affine> palette, const SkinOutput& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const Geometry& g = mesh.geometry;
   MARROW_REQUIRE(g.pose_space.examples.size <= kMaxPoseExamples);
   MARROW_REQUIRE(holds(distances, psd_distance_count(g)));

@@ -1,6 +1,6 @@
 // How far a pose is from the examples of pose-space deformation, four palette entries at a time.
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "marrow/skin.h"
 #include "math/rotation.h"
 
@@ -47,9 +47,9 @@ struct FourEntries {
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const std::size_t j = first + lane < count ? first + lane : count - 1;
       entry[lane] = j;
-      has_parent[lane] = parent_of[j] == kNoParent ? 0.0f : 1.0f;
+      has_parent[lane] = parent_of[j] == kNoJoint ? 0.0f : 1.0f;
       joints[lane] = palette + j;
-      parents[lane] = palette + (parent_of[j] == kNoParent ? j : parent_of[j]);
+      parents[lane] = palette + (parent_of[j] == kNoJoint ? j : parent_of[j]);
     }
   }
   Quaternion<f32x4> rotations(const std::int16_t* of_example) const {
@@ -74,7 +74,7 @@ std::size_t psd_distance_count(const Geometry& geometry) {
 }
 
 Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<float> out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   const PoseSpace& space = geometry.pose_space;
   const std::size_t joints = geometry.joint_count, examples = space.examples.size;
   MARROW_REQUIRE(holds(palette, joints));

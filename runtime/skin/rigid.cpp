@@ -1,5 +1,5 @@
 // Every vertex follows one joint, four vertices at a time.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "skin/joint_set.h"
 
 namespace marrow {
@@ -64,7 +64,7 @@ struct Rigid {
 }  // namespace
 
 Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(deform<Rigid>(mesh, mesh.geometry.skin, palette, out));
   return Status::ok;
 }

@@ -1,5 +1,5 @@
 // Skeletal subspace deformation, four vertices at a time.
-#include "core/mark.h"
+#include "core/zone.h"
 #include "skin/joint_set.h"
 
 namespace marrow {
@@ -52,7 +52,7 @@ struct Ssd {
 }  // namespace
 
 Status skin_ssd(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(deform<Ssd>(mesh, mesh.geometry.skin, palette, out));
   return Status::ok;
 }

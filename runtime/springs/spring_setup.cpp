@@ -4,8 +4,8 @@
 
 #include "asset/spring_rules.h"
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "math/finite.h"
 #include "springs/spring_state.h"
 
@@ -124,7 +124,7 @@ std::size_t springs_bytes(const Skeleton& skeleton, Span<const SpringChain> chai
 }
 
 Status make_springs(const Skeleton& skeleton, Span<const SpringChain> chains, Span<std::byte> memory, Springs& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_chains(skeleton, chains));
   const std::size_t bytes = springs_bytes(skeleton, chains), groups = groups_of(chains);
   MARROW_REQUIRE(holds(memory, bytes));

@@ -50,8 +50,8 @@ struct alignas(16) SpringRoot {
   std::uint64_t colliders;               // SpringChain::colliders
   alignas(16) float air[2][4];           // wind - V at both ends of this frame
   alignas(16) float acceleration[2][4];  // at both ends of this frame
-  Affine parent;                         // scene_from_joint of the joint above the chain, in the last frame
-  Affine world;                          // world_from_scene of the last frame
+  Affine parent;                         // model_from_joint of the joint above the chain, in the last frame
+  Affine world;                          // world_from_model of the last frame
 };
 
 static_assert(sizeof(SpringRoot) == 272);

@@ -2,7 +2,7 @@
 
 #include "asset/spring_rules.h"
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "math/rotation.h"
 #include "pose/joint_range.h"
 #include "springs/spring_colliders.h"
@@ -19,8 +19,8 @@ struct SpringCall {
   const SpringFrame& frame;
   Springs& springs;
   Span<SoaTransform> local;
-  Affine* scene_from_joint;
-  Columns world;                        // world_from_scene
+  Affine* model_from_joint;
+  Columns world;                        // world_from_model
   int steps = 0;                        // 0: no time goes by
   float step_s = 0;                     // of each
   float frame_s = 0;                    // since the last frame that was simulated
@@ -28,10 +28,10 @@ struct SpringCall {
   PlacedCollider* colliders = nullptr;  // as many as the frame has
 };
 
-// The matrix of what is above a joint: scene_from_parent.
+// The matrix of what is above a joint: model_from_parent.
 const Affine& above(const SpringCall& call, std::uint32_t joint) {
-  return joint < call.skeleton.root_count ? call.skeleton.scene_from_root[joint]
-                                          : call.scene_from_joint[call.skeleton.parents[joint]];
+  return joint < call.skeleton.root_count ? call.skeleton.model_from_root[joint]
+                                          : call.model_from_joint[call.skeleton.parents[joint]];
 }
 
 // A sum that is not finite if some number of the matrix is not, or if numbers are far beyond any scene.
@@ -40,43 +40,43 @@ f32x4 sum_of(const Affine& a) {
 }
 
 BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
-                    Span<const SoaTransform> local, Span<const Affine> scene_from_joint) {
+                    Span<const SoaTransform> local, Span<const Affine> model_from_joint) {
   MARROW_CHECK(springs.joint_count == skeleton.joint_count);
   MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(scene_from_joint, skeleton.joint_count));
+  MARROW_CHECK(holds(model_from_joint, skeleton.joint_count));
   MARROW_CHECK(within(frame.dt_s, 0.0f, 1e9f));
   MARROW_CHECK(within(frame.teleport_m, 0.0f, 1e6f));
   MARROW_CHECK(within(frame.weight, 0.0f, 1.0f));
   MARROW_CHECK(good_point(frame.gravity));
   MARROW_CHECK(good_point(frame.wind));
   MARROW_CHECK(holds(frame.colliders) && frame.colliders.size <= kMaxSpringColliders);
-  f32x4 sum = sum_of(frame.world_from_scene);
+  f32x4 sum = sum_of(frame.world_from_model);
   for (const SpringCollider& c : frame.colliders) {
     MARROW_CHECK(c.joint < skeleton.joint_count);
     MARROW_CHECK(good_collider(c));
-    sum = sum + sum_of(scene_from_joint[c.joint]);
+    sum = sum + sum_of(model_from_joint[c.joint]);
   }
   for (std::uint32_t r = 0; r < springs.root_count; ++r) {
     const std::uint32_t joint = springs.roots[r].first;
-    sum = sum + sum_of(joint < skeleton.root_count ? skeleton.scene_from_root[joint]
-                                                   : scene_from_joint[skeleton.parents[joint]]);
+    sum = sum + sum_of(joint < skeleton.root_count ? skeleton.model_from_root[joint]
+                                                   : model_from_joint[skeleton.parents[joint]]);
   }
   for (std::uint32_t g = 0; g < springs.group_count; ++g) {
     for (int lane = 0; lane < 4; ++lane) {
       const std::uint16_t joint = springs.groups[g].joint[lane], end = springs.groups[g].end[lane];
       if (joint == kNoBone) continue;
-      sum = sum + sum_of(scene_from_joint[joint]);
-      if (end != kNoBone) sum = sum + sum_of(scene_from_joint[end]);
+      sum = sum + sum_of(model_from_joint[joint]);
+      if (end != kNoBone) sum = sum + sum_of(model_from_joint[end]);
     }
   }
-  MARROW_CHECK(all_finite(sum) && "world_from_scene and scene_from_joint");
+  MARROW_CHECK(all_finite(sum) && "world_from_model and model_from_joint");
   return {};
 }
 
 void place_colliders(SpringCall& call) {
   for (std::size_t i = 0; i < call.frame.colliders.size; ++i) {
     const SpringCollider& c = call.frame.colliders[i];
-    const Columns joint = columns(call.scene_from_joint[c.joint]);
+    const Columns joint = columns(call.model_from_joint[c.joint]);
     const f32x4 from = load_wide(c.from);
     PlacedCollider& out = call.colliders[i];
     out.from = turn(call.world, transform(joint, from));
@@ -138,7 +138,7 @@ void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
 }
 
 f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
-  return turn(call.world, wide_origin(call.scene_from_joint[joint]).v);
+  return turn(call.world, wide_origin(call.model_from_joint[joint]).v);
 }
 
 void prepare_root(SpringCall& call, SpringRoot& root) {
@@ -158,7 +158,7 @@ void prepare_root(SpringCall& call, SpringRoot& root) {
   if (begins) root.frames = 1;
   store_wide(root.position, position);
   root.parent = parent;
-  root.world = call.frame.world_from_scene;
+  root.world = call.frame.world_from_model;
 }
 
 const SpringRoot& root_of(const SpringCall& call, const SpringGroup& group, int i) {
@@ -178,20 +178,20 @@ Vector<f32x4> in_world(const SpringCall& call, const Vector<f32x4>& v) {
 }
 
 SpringBones gather(const SpringCall& call, const SpringGroup& group, std::uint16_t& chain) {
-  f32x4 in_scene[kLanes];
+  f32x4 in_model[kLanes];
   SpringBones out;
   for (int i = 0; i < kLanes; ++i) {
     const std::uint16_t joint = group.joint[i], end = group.end[i], root = group.root[i];
-    in_scene[i] = splat(0.0f);
+    in_model[i] = splat(0.0f);
     out.begins[i] = false;
     if (joint == kNoBone) continue;
-    const Affine& from = call.scene_from_joint[joint];
-    in_scene[i] = end != kNoBone ? wide_origin(call.scene_from_joint[end]).v - wide_origin(from).v
+    const Affine& from = call.model_from_joint[joint];
+    in_model[i] = end != kNoBone ? wide_origin(call.model_from_joint[end]).v - wide_origin(from).v
                                  : turn(columns(from), load_wide(call.springs.roots[root].tip));
     out.begins[i] = root != chain;
     chain = root;
   }
-  const Vector<f32x4> bone = in_world(call, join_vectors(in_scene));
+  const Vector<f32x4> bone = in_world(call, join_vectors(in_model));
   const f32x4 squared = dot(bone, bone);
   const f32x4 shortest = splat(kShortestBone_m * kShortestBone_m), longest = splat(kLongestBone_m * kLongestBone_m);
   const f32x4 over = only_where(shortest < squared, only_where(squared < longest, inverse_length(squared)));
@@ -392,11 +392,11 @@ int steps_of(float dt_s) {
 }  // namespace
 
 Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs, Span<SoaTransform> local,
-                        Span<Affine> scene_from_joint) {
-  MARROW_MARK;
-  MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, scene_from_joint));
+                        Span<Affine> model_from_joint) {
+  MARROW_ZONE;
+  MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, model_from_joint));
   PlacedCollider colliders[kMaxSpringColliders];
-  SpringCall call{skeleton, frame, springs, local, scene_from_joint.data, columns(frame.world_from_scene)};
+  SpringCall call{skeleton, frame, springs, local, model_from_joint.data, columns(frame.world_from_model)};
   call.colliders = colliders;
   call.frame_s = springs.saved_s + frame.dt_s;
   springs.saved_s = call.frame_s;
@@ -422,7 +422,7 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   }
   if (!(frame.weight > 0.0f)) return Status::ok;
   for (std::uint32_t i = 0; i < springs.below_count; ++i)
-    transform_joints(skeleton, local.data, springs.below[i].first, springs.below[i].end, scene_from_joint.data);
+    transform_joints(skeleton, local.data, springs.below[i].first, springs.below[i].end, model_from_joint.data);
   return Status::ok;
 }
 

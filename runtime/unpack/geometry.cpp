@@ -106,7 +106,7 @@ bool read_pose_space(Reading& in) {
     const std::uint32_t parent = reader.take_varint();
     if (parent > joints) return false;
     given += parent != 0 ? 1 : 0;
-    if (!in.measures) parents[j] = parent == 0 ? kNoParent : static_cast<std::uint16_t>(parent - 1);
+    if (!in.measures) parents[j] = parent == 0 ? kNoJoint : static_cast<std::uint16_t>(parent - 1);
   }
   std::int16_t* rotation = rotations;
   for (std::uint32_t k = 0; k < out.example_count; ++k) {
@@ -126,7 +126,7 @@ bool read_pose_space(Reading& in) {
     }
     for (std::uint64_t j = 0; j < joints; ++j, rotation += 4) {
       constexpr std::int16_t kUnturned[4] = {0, 0, 0, 32767};
-      for (int c = 0; c < 4; ++c) rotation[c] = parents[j] == kNoParent ? kUnturned[c] : reader.take<std::int16_t>();
+      for (int c = 0; c < 4; ++c) rotation[c] = parents[j] == kNoJoint ? kUnturned[c] : reader.take<std::int16_t>();
     }
   }
   return true;

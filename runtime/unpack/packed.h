@@ -41,7 +41,7 @@ inline constexpr std::uint32_t kJointChildrenShift = 6, kJointManyChildren = 3;
 enum PackedMeshFlags : std::uint32_t {
   kMeshIsDoubleSided = 1,
   kMeshHasColour = 2,
-  kMeshHasPlace = 4,    // scene_from_mesh is not the identity
+  kMeshHasPlace = 4,    // model_from_mesh is not the identity
   kMeshGivesBinds = 8,  // not all inverse binds follow from the rest pose
   kMeshHasHelpers = 16,
   kMeshHasLods = 32,

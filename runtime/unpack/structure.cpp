@@ -117,13 +117,13 @@ bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::ui
 
 // Those that the file gives; the others follow from the rest pose, of which `model` are the joints' matrices.
 void take_inverse_binds(ByteReader& reader, std::uint32_t flags, Span<const std::uint16_t> joints, const Affine* model,
-                        const Affine& scene_from_mesh, Affine* inverse_bind) {
+                        const Affine& model_from_mesh, Affine* inverse_bind) {
   const Span<const std::byte> given =
       reader.take_bytes((flags & packed::kMeshGivesBinds) != 0 ? (joints.size + 7) / 8 : 0);
   for (std::size_t i = 0; i < joints.size; ++i)
     inverse_bind[i] = given.size > 0 && (static_cast<std::uint32_t>(given[i / 8]) >> i % 8 & 1) != 0
                           ? take_map(reader)
-                          : derived_inverse_bind(model[joints[i]], scene_from_mesh);
+                          : derived_inverse_bind(model[joints[i]], model_from_mesh);
 }
 
 void take_targets(ByteReader& reader, std::uint32_t count, std::byte* targets) {
@@ -156,7 +156,7 @@ Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index) {
   const format::SkeletonLayout l = layout(h);
   s.joint_count = h.joint_count;
   s.root_count = h.root_count;
-  s.scene_from_root = reinterpret_cast<const Affine*>(section + l.roots);
+  s.model_from_root = reinterpret_cast<const Affine*>(section + l.roots);
   s.rest = reinterpret_cast<const SoaTransform*>(section + l.rest);
   s.parents = reinterpret_cast<const std::uint16_t*>(section + l.parents);
   return s;
@@ -235,7 +235,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
   auto* const rest = at<SoaTransform>(out, l.rest);
   auto* const parents = at<std::uint16_t>(out, l.parents);
   std::uint32_t known = h.root_count;  // joints whose parents are
-  for (std::uint32_t j = 0; j < h.root_count; ++j) parents[j] = kNoParent;
+  for (std::uint32_t j = 0; j < h.root_count; ++j) parents[j] = kNoJoint;
   for (std::uint32_t j = 0; j < h.joint_count; ++j) {
     if (j % 4 == 0) rest[j / 4] = kIdentities;
     const std::uint32_t flags = reader.take<std::uint8_t>();
@@ -251,7 +251,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
   return nullptr;
 }
 
-Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) {
+Affine derived_inverse_bind(const Affine& model, const Affine& model_from_mesh) {
   const Linear<float> m = linear(model), c = cofactors(m);
   const float volume = m.x.x * c.x.x + m.y.x * c.y.x + m.z.x * c.z.x;  // by the first row: cooked files depend on it
   const Linear<float> rows = {c.x / volume, c.y / volume, c.z / volume};
@@ -260,7 +260,7 @@ Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh) 
                            {rows.y.x, rows.y.y, rows.y.z, at.y},
                            {rows.z.x, rows.z.y, rows.z.z, at.z}}};
   Affine out;
-  multiply(inverse, scene_from_mesh, out);
+  multiply(inverse, model_from_mesh, out);
   return out;
 }
 
@@ -271,7 +271,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   if ((flags & ~std::uint32_t{packed::kAllPackedMeshFlags}) != 0) return "unknown mesh flags";
   format::MeshHeader h{};
   if (!take_mesh_header(reader, flags, h)) return "a count out of range";
-  const Affine scene_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? take_map(reader) : kIdentity;
+  const Affine model_from_mesh = (flags & packed::kMeshHasPlace) != 0 ? take_map(reader) : kIdentity;
   const Skeleton skeleton = skeleton_at(skeletons, h.skeleton);
   if (skeleton.joint_count == 0) return "no such skeleton among the compact ones";
   const format::MeshLayout l = layout(h);
@@ -286,7 +286,7 @@ const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeleton
   std::memcpy(out.data, &h, sizeof h);
   const Span<std::uint16_t> joints{at<std::uint16_t>(out, l.joints), h.joint_count};
   if (!take_mesh_joints(reader, skeleton, joints)) return "a joint out of range";
-  take_inverse_binds(reader, flags, joints, model, scene_from_mesh, at<Affine>(out, l.inverse_bind));
+  take_inverse_binds(reader, flags, joints, model, model_from_mesh, at<Affine>(out, l.inverse_bind));
   take_targets(reader, h.target_count, out.data + l.targets);
   const std::uint64_t end_of_joints = l.joints + std::uint64_t{h.joint_count} * 2;
   std::memset(out.data + end_of_joints, 0, static_cast<std::size_t>(l.helpers - end_of_joints));

@@ -61,8 +61,8 @@ inline const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons s
   return unpack_mesh(record, skeletons, modelled, scratch, out, bytes);
 }
 
-// Inverse binds that follow from the rest pose: joint_from_mesh = (scene_from_joint)⁻¹ · scene_from_mesh. `model` is
+// Inverse binds that follow from the rest pose: joint_from_mesh = (model_from_joint)⁻¹ · model_from_mesh. `model` is
 // the rest pose in model space.
-Affine derived_inverse_bind(const Affine& model, const Affine& scene_from_mesh);
+Affine derived_inverse_bind(const Affine& model, const Affine& model_from_mesh);
 
 }  // namespace marrow

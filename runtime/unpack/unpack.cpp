@@ -4,9 +4,9 @@
 #include <type_traits>
 
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/off_boundary.h"
 #include "core/step.h"
+#include "core/zone.h"
 #include "unpack/clip/bounds_record.h"
 #include "unpack/clip/clip.h"
 #include "unpack/geometry.h"
@@ -308,7 +308,7 @@ Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* e
 
 Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
               Span<const std::byte>& file, DataError* error) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
   Status status = read_counts(packed, h, error);
@@ -323,7 +323,7 @@ Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Sp
 
 Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decoders, Span<std::byte> memory,
                     Unpacking& out, DataError* error) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(packed) && holds(decoders));
   Header h;
   const Status status = read_counts(packed, h, error);
@@ -338,7 +338,7 @@ Status begin_unpack(Span<const std::byte> packed, Span<const MeshDecoder> decode
 }
 
 Status unpack_step(Unpacking& unpacking, DataError* error) {
-  MARROW_MARK;
+  MARROW_ZONE;
   Unpacker& unpacker = *reinterpret_cast<Unpacker*>(unpacking.state);
   MARROW_REQUIRE(unpacker.is_begun() && "begin_unpack() before, and neither failed nor finished since");
   bool last = false;

@@ -79,20 +79,20 @@ public static unsafe class Road {
         look->target[1] = 1.25f;
         look->target[2] = 2;
         look->weight = 0.5f;
-        Must(M.SolveLookAt(skeleton, neck, Size(2), look, 0.5f, s->local, s->local_count, s->scene_from_joint,
-            s->scene_from_joint_count, null));
+        Must(M.SolveLookAt(skeleton, neck, Size(2), look, 0.5f, s->local, s->local_count, s->model_from_joint,
+            s->model_from_joint_count, null));
         TwoBoneLimb leg = new TwoBoneLimb {
             start = M.FileFindJoint(file, skeleton, Text("thigh.L")), mid = M.FileFindJoint(file, skeleton, Text("shin.L")),
             end = M.FileFindJoint(file, skeleton, Text("foot.L"))
         };
         *step = TwoBone.New();
-        for (int i = 0; i < 3; ++i) step->target[i] = s->scene_from_joint[leg.end].rows[4 * i + 3] + 0.0625f;
-        Must(M.SolveTwoBone(skeleton, &leg, step, s->local, s->local_count, s->scene_from_joint,
-            s->scene_from_joint_count, null));
+        for (int i = 0; i < 3; ++i) step->target[i] = s->model_from_joint[leg.end].rows[4 * i + 3] + 0.0625f;
+        Must(M.SolveTwoBone(skeleton, &leg, step, s->local, s->local_count, s->model_from_joint,
+            s->model_from_joint_count, null));
         *frame = SpringFrame.New();
         frame->dt_s = dt;
-        Must(M.SimulateSprings(skeleton, frame, springs, s->local, s->local_count, s->scene_from_joint,
-            s->scene_from_joint_count));
+        Must(M.SimulateSprings(skeleton, frame, springs, s->local, s->local_count, s->model_from_joint,
+            s->model_from_joint_count));
     }
 
     static void Skin(CharacterMesh* m, float* positions, float* normals) {
@@ -174,7 +174,7 @@ public static unsafe class Road {
             Reach(&file, s, &tail, 1.0f / 60);
             Must(M.FinishCharacter(&character));
             Add(s->local, 40 * (ulong)s->local_count);
-            Add(s->scene_from_joint, 12 * (ulong)s->scene_from_joint_count);
+            Add(s->model_from_joint, 12 * (ulong)s->model_from_joint_count);
             for (ulong m = 0; m < (ulong)character.mesh_count; ++m) Skin(&character.meshes[m], positions, normals);
         }
         Console.WriteLine(hash.ToString("x8"));

@@ -74,11 +74,11 @@ const step = m.make('TwoBone');
 const dt_s = Math.fround(1 / 60);
 const frame = m.make('SpringFrame', { dt_s });
 function reach() {
-  m.must(m.solve_look_at(skeleton, neck, look, 0.5, s.local, s.scene_from_joint, null));
-  const foot = s.scene_from_joint.at(leg.end).rows;
+  m.must(m.solve_look_at(skeleton, neck, look, 0.5, s.local, s.model_from_joint, null));
+  const foot = s.model_from_joint.at(leg.end).rows;
   step.target.set([3, 7, 11].map((i) => foot[i] + 0.0625));
-  m.must(m.solve_two_bone(skeleton, leg, step, s.local, s.scene_from_joint, null));
-  m.must(m.simulate_springs(skeleton, frame, tail, s.local, s.scene_from_joint));
+  m.must(m.solve_two_bone(skeleton, leg, step, s.local, s.model_from_joint, null));
+  m.must(m.simulate_springs(skeleton, frame, tail, s.local, s.model_from_joint));
 }
 
 const meshes = Array.from({ length: character.meshes.length }, (_, i) => {
@@ -100,7 +100,7 @@ for (let i = 0; i < 30; ++i) {
   reach();
   m.must(m.finish_character(character));
   add(s.local);
-  add(s.scene_from_joint);
+  add(s.model_from_joint);
   for (const { of, positions, normals, both, one } of meshes) {
     m.must(m.skin_ssd(of.mesh, of.palette, both));
     add(of.palette);

@@ -70,21 +70,21 @@ unsafe fn refuse(bytes: &[u8], file: &File) {
 unsafe fn reach(file: &File, s: &CharacterSkeleton, springs: &mut Springs, dt_s: f32) {
     let neck = [find_joint(file, &s.skeleton, "neck"), find_joint(file, &s.skeleton, "head")];
     let look = Aim { target: [0.5, 1.25, 2.0], weight: 0.5, ..Aim::default() };
-    must(solve_look_at(&s.skeleton, neck.as_ptr(), 2, &look, 0.5, s.local, s.local_count, s.scene_from_joint,
-        s.scene_from_joint_count, null_mut()));
+    must(solve_look_at(&s.skeleton, neck.as_ptr(), 2, &look, 0.5, s.local, s.local_count, s.model_from_joint,
+        s.model_from_joint_count, null_mut()));
     let leg = TwoBoneLimb {
         start: find_joint(file, &s.skeleton, "thigh.L"),
         mid: find_joint(file, &s.skeleton, "shin.L"),
         end: find_joint(file, &s.skeleton, "foot.L"),
     };
-    let foot = (*s.scene_from_joint.add(leg.end as usize)).rows;
+    let foot = (*s.model_from_joint.add(leg.end as usize)).rows;
     let target = [foot[0][3] + 0.0625, foot[1][3] + 0.0625, foot[2][3] + 0.0625];
     let step = TwoBone { target, ..TwoBone::default() };
-    must(solve_two_bone(&s.skeleton, &leg, &step, s.local, s.local_count, s.scene_from_joint,
-        s.scene_from_joint_count, null_mut()));
+    must(solve_two_bone(&s.skeleton, &leg, &step, s.local, s.local_count, s.model_from_joint,
+        s.model_from_joint_count, null_mut()));
     let frame = SpringFrame { dt_s, ..SpringFrame::default() };
-    must(simulate_springs(&s.skeleton, &frame, springs, s.local, s.local_count, s.scene_from_joint,
-        s.scene_from_joint_count));
+    must(simulate_springs(&s.skeleton, &frame, springs, s.local, s.local_count, s.model_from_joint,
+        s.model_from_joint_count));
 }
 
 unsafe fn skin(hash: &mut Hash, m: &CharacterMesh) {
@@ -165,7 +165,7 @@ unsafe fn road(name: &str) -> u32 {
         reach(&file, s, &mut tail, dt_s);
         must(finish_character(&mut character));
         hash.add(s.local, 40 * s.local_count);
-        hash.add(s.scene_from_joint, 12 * s.scene_from_joint_count);
+        hash.add(s.model_from_joint, 12 * s.model_from_joint_count);
         for i in 0..character.mesh_count {
             skin(&mut hash, &*character.meshes.add(i));
         }

@@ -93,7 +93,7 @@ std::uint64_t paths_hash(Random& random) {
   for (float& f : values) f = static_cast<float>(random.between(-2, 2));
   must(natural_spline({CurveKind::linear, false, 4, times, values}, spline));
   const Curve curve{CurveKind::hermite, false, 4, times, spline};
-  must(build_arc_length(curve, 8, lengths));
+  must(make_arc_length(curve, 8, lengths));
   std::uint64_t h = hash_of(lengths, hash_of(spline));
   for (int i = 0; i <= 64; ++i) {
     const float u = static_cast<float>(i) / 64;

@@ -181,7 +181,7 @@ std::uint64_t springs_hash() {
     w.pose(i / 12);
     SpringFrame frame;
     frame.dt_s = 1.0f / static_cast<float>(24 + 12 * (i % 4));
-    frame.world_from_scene.rows[0][3] = 0.015625f * static_cast<float>(i);
+    frame.world_from_model.rows[0][3] = 0.015625f * static_cast<float>(i);
     frame.wind[2] = 2;
     frame.colliders = {&chest, 1};
     must(simulate_springs(w.skeleton, frame, springs, w.local, w.scene));

@@ -284,12 +284,12 @@ static void crowds(void) {
   open_programs();
   TRY(mrw_gles3_create_crowd_mesh(&api, &caps, &mesh, NULL, &frames, kCrowd, block_of(bytes), bytes, &drawn,
                                   true));
-  TRY(mrw_gles3_build_crowd_programs(&api, &caps, &drawn, MRW_GLES3_DEFORMER_SSD, 255, &programs));
+  TRY(mrw_gles3_create_crowd_programs(&api, &caps, &drawn, MRW_GLES3_DEFORMER_SSD, 255, &programs));
   TRY(mrw_gles3_create_crowd(&api, &caps, kCrowd, block_of(kCrowd * MRW_GLES3_CROWD_INSTANCE_BYTES),
                              kCrowd * MRW_GLES3_CROWD_INSTANCE_BYTES, &crowd));
   for (i = 0; i < kCrowd; ++i) {
     mrw_gles3_crowd_instance_init(&instances[i]);
-    instances[i].scene_from_character.rows[0][3] = 0.4f * ((float)i - 2);
+    instances[i].world_from_model.rows[0][3] = 0.4f * ((float)i - 2);
     instances[i].a.clip = i % 2;
     instances[i].a.phase_s = 0.1f * (float)i;
     instances[i].colour[2] = 0.25f * (float)i;
@@ -331,13 +331,13 @@ static mrw_gles3_program program_for(mrw_gles3_deformer deformer, mrw_gles3_pale
   key.influences = gpu->influences;
   key.features = MRW_GLES3_NORMALS;
   key.palettes = palettes;
-  EXPECT(mrw_gles3_build_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_BAD_ARGUMENT);
+  EXPECT(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_BAD_ARGUMENT);
   source.vertex = kVertex;
   source.fragment = "nonsense";
-  EXPECT(mrw_gles3_build_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_GL_ERROR);
+  EXPECT(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_GL_ERROR);
   NEEDS(log_text[0] != 0);
   source.fragment = kFragment;
-  TRY(mrw_gles3_build_program(&api, &key, &source, 0, &out, log_text, sizeof log_text));
+  TRY(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text));
   return out;
 }
 
@@ -360,7 +360,7 @@ static void once_a_frame(const mrw_gles3_gpu_mesh* gpu, uint32_t size) {
   key.influences = gpu->influences;
   key.features = gpu->features & MRW_GLES3_NORMALS;
   TRY(mrw_gles3_create_skinned(&api, gpu, &skinned));
-  TRY(mrw_gles3_build_preskin(&api, &caps, &key, MRW_GLES3_PRESKIN_FEEDBACK, 0, &skinning, NULL, 0));
+  TRY(mrw_gles3_create_preskin(&api, &caps, &key, MRW_GLES3_PRESKIN_FEEDBACK, 0, &skinning, NULL, 0));
   gl.UseProgram(skinning.id);
   TRY(mrw_gles3_preskin_mesh(&api, gpu, MRW_GLES3_DEFORMER_SSD, &skinning, &skinned));
   draw_skinned("skinned by the GPU", gpu, &skinned, &drawing);

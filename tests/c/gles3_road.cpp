@@ -169,11 +169,11 @@ void crowds(Scene& scene) {
   programs.roles[0] = {kVertex, kFragment, {}};
   std::vector<std::byte> memory(gl::crowd_mesh_bytes(scene.mesh)), records(kCrowd * gl::kCrowdInstanceBytes);
   TRY(create_crowd_mesh(api, caps, scene.mesh, {}, frames, kCrowd, memory, mesh, true));
-  TRY(build_crowd_programs(api, caps, mesh, gl::Deformer::ssd, 255, programs));
+  TRY(create_crowd_programs(api, caps, mesh, gl::Deformer::ssd, 255, programs));
   TRY(create_crowd(api, caps, kCrowd, records, crowd));
   gl::CrowdInstance instances[kCrowd];
   for (std::uint32_t i = 0; i < kCrowd; ++i) {
-    instances[i].scene_from_character.rows[0][3] = 0.4f * (static_cast<float>(i) - 2);
+    instances[i].world_from_model.rows[0][3] = 0.4f * (static_cast<float>(i) - 2);
     instances[i].a.clip = i % 2;
     instances[i].a.phase_s = 0.1f * static_cast<float>(i);
     instances[i].colour[2] = 0.25f * static_cast<float>(i);
@@ -203,7 +203,7 @@ void crowds(Scene& scene) {
 
 gl::Program program_for(gl::Deformer deformer, gl::Palettes palettes, const gl::GpuMesh& gpu) {
   gl::Program out;
-  TRY(build_program(api, {deformer, gpu.influences, gl::kNormals, palettes}, {kVertex, kFragment, {}}, 0, out));
+  TRY(create_program(api, {deformer, gpu.influences, gl::kNormals, palettes}, {kVertex, kFragment, {}}, 0, out));
   return out;
 }
 
@@ -222,7 +222,7 @@ void once_a_frame(const Scene& scene, const gl::GpuMesh& gpu) {
   gl::ProgramKey key;
   key.influences = gpu.influences;
   key.features = gpu.features & gl::kNormals;
-  TRY(build_preskin(api, caps, key, gl::Preskin::feedback, 0, skinning));
+  TRY(create_preskin(api, caps, key, gl::Preskin::feedback, 0, skinning));
   api.UseProgram(skinning.id);
   TRY(preskin(api, gpu, gl::Deformer::ssd, skinning, skinned));
   draw_skinned("skinned by the GPU", gpu, skinned, drawing);

@@ -100,21 +100,21 @@ static void reach(const mrw_file* file, const mrw_character_skeleton* s, mrw_spr
   look.target[1] = 1.25f;
   look.target[2] = 2;
   look.weight = 0.5f;
-  TRY(mrw_solve_look_at(&s->skeleton, neck, 2, &look, 0.5f, s->local, s->local_count, s->scene_from_joint,
-                        s->scene_from_joint_count, NULL));
+  TRY(mrw_solve_look_at(&s->skeleton, neck, 2, &look, 0.5f, s->local, s->local_count, s->model_from_joint,
+                        s->model_from_joint_count, NULL));
   leg.start = mrw_file_find_joint(file, &s->skeleton, "thigh.L");
   leg.mid = mrw_file_find_joint(file, &s->skeleton, "shin.L");
   leg.end = mrw_file_find_joint(file, &s->skeleton, "foot.L");
   if (leg.end == s->skeleton.joint_count) exit(1);
-  foot = s->scene_from_joint[leg.end].rows;
+  foot = s->model_from_joint[leg.end].rows;
   mrw_two_bone_init(&step);
   for (i = 0; i < 3; ++i) step.target[i] = foot[i][3] + 0.0625f;
-  TRY(mrw_solve_two_bone(&s->skeleton, &leg, &step, s->local, s->local_count, s->scene_from_joint,
-                         s->scene_from_joint_count, NULL));
+  TRY(mrw_solve_two_bone(&s->skeleton, &leg, &step, s->local, s->local_count, s->model_from_joint,
+                         s->model_from_joint_count, NULL));
   mrw_spring_frame_init(&frame);
   frame.dt_s = dt_s;
-  TRY(mrw_simulate_springs(&s->skeleton, &frame, springs, s->local, s->local_count, s->scene_from_joint,
-                           s->scene_from_joint_count));
+  TRY(mrw_simulate_springs(&s->skeleton, &frame, springs, s->local, s->local_count, s->model_from_joint,
+                           s->model_from_joint_count));
 }
 
 static void skin(const mrw_character_mesh* m, float* positions, float* normals) {
@@ -225,7 +225,7 @@ int main(int argc, char** argv) {
     reach(&file, s, &tail, dt_s);
     TRY(mrw_finish_character(&character));
     add(s->local, 40 * s->local_count);
-    add(s->scene_from_joint, 12 * s->scene_from_joint_count);
+    add(s->model_from_joint, 12 * s->model_from_joint_count);
     for (i = 0; i < character.mesh_count; ++i) skin(&character.meshes[i], positions, normals);
   }
   printf("%08" PRIx32 "\n", hash);

@@ -38,15 +38,15 @@ marrow::Springs tail_of(const marrow::File& file, const marrow::Skeleton& skelet
 void reach(const marrow::File& file, const marrow::CharacterSkeleton& s, marrow::Springs& springs, float dt_s) {
   const marrow::Skeleton& skeleton = s.skeleton;
   const std::uint32_t neck[] = {file.find_joint(skeleton, "neck"), file.find_joint(skeleton, "head")};
-  need(solve_look_at(skeleton, neck, {.target = {0.5f, 1.25f, 2}, .weight = 0.5f}, 0.5f, s.local, s.scene_from_joint));
+  need(solve_look_at(skeleton, neck, {.target = {0.5f, 1.25f, 2}, .weight = 0.5f}, 0.5f, s.local, s.model_from_joint));
   const marrow::TwoBoneLimb leg = {file.find_joint(skeleton, "thigh.L"), file.find_joint(skeleton, "shin.L"),
                                    file.find_joint(skeleton, "foot.L")};
   marrow::TwoBone step;
-  for (int i = 0; i < 3; ++i) step.target[i] = s.scene_from_joint[leg.end].rows[i][3] + 0.0625f;
-  need(solve_two_bone(skeleton, leg, step, s.local, s.scene_from_joint));
+  for (int i = 0; i < 3; ++i) step.target[i] = s.model_from_joint[leg.end].rows[i][3] + 0.0625f;
+  need(solve_two_bone(skeleton, leg, step, s.local, s.model_from_joint));
   marrow::SpringFrame frame;
   frame.dt_s = dt_s;
-  need(simulate_springs(skeleton, frame, springs, s.local, s.scene_from_joint));
+  need(simulate_springs(skeleton, frame, springs, s.local, s.model_from_joint));
 }
 
 void skin(const marrow::CharacterMesh& m) {
@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     reach(file, s, tail, 1.0f / 60);
     need(finish_character(character));
     add(s.local.data, 40 * s.local.size);
-    add(s.scene_from_joint.data, 12 * s.scene_from_joint.size);
+    add(s.model_from_joint.data, 12 * s.model_from_joint.size);
     for (const marrow::CharacterMesh& m : character.meshes) skin(m);
   }
   std::printf("%08x\n", hash);

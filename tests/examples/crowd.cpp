@@ -36,15 +36,15 @@ marrow::Status move(Walker& w, const marrow::Animation& idle, const marrow::Anim
   const marrow::CharacterSkeleton& s = w.body.skeletons[0];
   marrow::FeetFrame frame;
   frame.dt_s = dt_s;
-  frame.world_from_scene = {{{1, 0, 0, w.x}, {0, 1, 0, 0}, {0, 0, 1, w.z}}};
+  frame.world_from_model = {{{1, 0, 0, w.x}, {0, 1, 0, 0}, {0, 0, 1, w.z}}};
   marrow::FootGround ground[2];
   for (int i = 0; i < 2 && status == marrow::Status::ok; ++i) {
     float sole[3];
-    status = foot_sole(feet.feet[std::size_t(i)], frame.world_from_scene, s.scene_from_joint, sole);
+    status = foot_sole(feet.feet[std::size_t(i)], frame.world_from_model, s.model_from_joint, sole);
     if (status == marrow::Status::ok) ground[i] = ground_below(sole);
   }
   if (status == marrow::Status::ok)
-    status = place_feet(s.skeleton, feet, frame, {ground, 2}, {w.feet, 2}, s.local, s.scene_from_joint);
+    status = place_feet(s.skeleton, feet, frame, {ground, 2}, {w.feet, 2}, s.local, s.model_from_joint);
   return status == marrow::Status::ok ? finish_character(w.body) : status;
 }
 

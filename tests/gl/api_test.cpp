@@ -51,7 +51,7 @@ TEST(Api, WithoutComputeShadersThereIsTheRest) {
     ASSERT_EQ(gles3::query_caps(api, caps), Status::ok);
     EXPECT_FALSE(caps.compute) << name;
     gles3::Program program;
-    EXPECT_EQ(gles3::build_preskin(api, caps, {}, gles3::Preskin::compute, 0, program), Status::unsupported);
+    EXPECT_EQ(gles3::create_preskin(api, caps, {}, gles3::Preskin::compute, 0, program), Status::unsupported);
     EXPECT_EQ(program.id, 0u);
   }
   gles3::Api old = gl();
@@ -149,7 +149,7 @@ TEST(Api, APaletteTooShortIsRefused) {
   gles3::ProgramKey key;
   key.palettes = gles3::Palettes::texture;
   gles3::Program program;
-  ASSERT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, program), Status::ok);
+  ASSERT_EQ(gles3::create_program(gl(), key, feedback_source(), 0, program), Status::ok);
   gl().UseProgram(program.id);
   gles3::PaletteTexture texture;
   ASSERT_EQ(gles3::create_palette_texture(gl(), {}, 100, texture), Status::ok);
@@ -297,9 +297,9 @@ TEST(Api, SkinnedMeshesRefuseBadCalls) {
   EXPECT_EQ(gles3::preskin(gl(), gpu, gles3::Deformer::ssd, {}, skinned), Status::bad_argument) << "not prepared";
   EXPECT_EQ(gles3::preskin(gl(), gpu, gles3::Deformer::none, {}, skinned), Status::bad_argument);
   gles3::Program program;
-  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::none, 4, 0}, gles3::Preskin::feedback, 0, program),
+  EXPECT_EQ(gles3::create_preskin(gl(), {}, {gles3::Deformer::none, 4, 0}, gles3::Preskin::feedback, 0, program),
             Status::bad_argument);
-  EXPECT_EQ(gles3::build_preskin(gl(), {}, {gles3::Deformer::ssd, 9, 0}, gles3::Preskin::feedback, 0, program),
+  EXPECT_EQ(gles3::create_preskin(gl(), {}, {gles3::Deformer::ssd, 9, 0}, gles3::Preskin::feedback, 0, program),
             Status::bad_argument);
   gles3::destroy(gl(), skinned);
   gles3::destroy(gl(), gpu);

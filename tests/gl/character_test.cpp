@@ -25,7 +25,7 @@ class CharacterTest : public ::testing::Test {
 };
 
 std::vector<float> root_place(const Character& character) {
-  const Affine& root = character.scene_from_joint(0)[0];
+  const Affine& root = character.model_from_joint(0)[0];
   return {root.rows[0][3], root.rows[1][3], root.rows[2][3]};
 }
 
@@ -34,7 +34,7 @@ TEST_F(CharacterTest, ABlendIsBetweenItsClips) {
   const tools::Play walk = clip("walk"), reach = clip("reach");
   character.pose(walk, 0.3f);
   const std::vector<float> a = root_place(character);
-  const std::vector<Affine> alone(character.scene_from_joint(0).begin(), character.scene_from_joint(0).end());
+  const std::vector<Affine> alone(character.model_from_joint(0).begin(), character.model_from_joint(0).end());
   character.pose(reach, 1.5f);
   const std::vector<float> b = root_place(character);
   for (const float weight : {0.0f, 0.25f, 1.0f}) {
@@ -49,7 +49,7 @@ TEST_F(CharacterTest, ABlendIsBetweenItsClips) {
   for (std::size_t j = 0; j < alone.size(); ++j)
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 4; ++column)
-        EXPECT_NEAR(character.scene_from_joint(0)[j].rows[row][column], alone[j].rows[row][column], 1e-5f) << j;
+        EXPECT_NEAR(character.model_from_joint(0)[j].rows[row][column], alone[j].rows[row][column], 1e-5f) << j;
 }
 
 // A joint that alone moves by a metre takes each vertex along by its weight.

@@ -43,7 +43,7 @@ struct Parade {
     for (std::uint32_t i = 0; i < kCapacity; ++i) {
       gles3::CrowdInstance& one = instances.emplace_back();
       const float x = 0.1f * static_cast<float>(i % 18) - 0.9f, y = 0.11f * static_cast<float>(i / 18) - 0.9f;
-      one.scene_from_character = {{{scale, 0, 0, x}, {0, scale, 0, y}, {0, 0, scale, 0}}};
+      one.world_from_model = {{{scale, 0, 0, x}, {0, scale, 0, y}, {0, 0, scale, 0}}};
       one.a = {i % static_cast<std::uint32_t>(reel.clips.size()), 0.01f * static_cast<float>(i), 1, 0};
       one.colour[i % 3] = 0.5f;
     }
@@ -61,7 +61,7 @@ struct Parade {
     if (status == Status::ok)
       status = gles3::create_crowd(api, caps, kCapacity, room_for(crowd_memory, kCapacity * gles3::kCrowdInstanceBytes),
                                    crowd);
-    return status == Status::ok ? gles3::build_crowd_programs(api, caps, crowd_mesh, kDeformer, kRead, programs)
+    return status == Status::ok ? gles3::create_crowd_programs(api, caps, crowd_mesh, kDeformer, kRead, programs)
                                 : status;
   }
   Status set(const gles3::Api& api, std::uint32_t first, std::uint32_t count) {
@@ -270,21 +270,21 @@ TEST(CrowdLoss, ProgramsOfCrowdsAreASets) {
     const gles3::Api api = faulty_api(stage.real());
     ASSERT_EQ(parade.create(api, stage.caps()), Status::ok);
     EXPECT_EQ(parade.programs.count, 2u);
-    ASSERT_EQ(gles3::build_crowd_programs(api, stage.caps(), parade.crowd_mesh, kDeformer, kRead, parade.programs),
+    ASSERT_EQ(gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, kDeformer, kRead, parade.programs),
               Status::ok);
     EXPECT_EQ(parade.programs.count, 2u) << "they are there";
     ASSERT_EQ(
-        gles3::build_crowd_programs(api, stage.caps(), parade.crowd_mesh, gles3::Deformer::ssd, 255, parade.programs),
+        gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, gles3::Deformer::ssd, 255, parade.programs),
         Status::ok);
     EXPECT_EQ(parade.programs.count, 3u);
     EXPECT_NE(gles3::crowd_program_of(parade.crowd_mesh, gles3::Deformer::ssd, 255, parade.programs, 0).id, 0u);
     EXPECT_EQ(gles3::crowd_program_of(parade.crowd_mesh, kDeformer, 0, parade.programs, 0).id, 0u) << "not built";
     EXPECT_EQ(
-        gles3::build_crowd_programs(api, stage.caps(), parade.crowd_mesh, gles3::Deformer::none, 0, parade.programs),
+        gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, gles3::Deformer::none, 0, parade.programs),
         Status::bad_argument);
     gles3::ProgramSet none;
     none.role_count = 0;
-    EXPECT_EQ(gles3::build_crowd_programs(api, stage.caps(), parade.crowd_mesh, kDeformer, 0, none),
+    EXPECT_EQ(gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, kDeformer, 0, none),
               Status::bad_argument);
     EXPECT_EQ(gles3::blending_program_of(none).id, 0u);
     parade.destroy(api);

@@ -164,7 +164,7 @@ std::vector<CrowdInstance> one_a_pixel() {
     const float x = half * static_cast<float>(2 * (i % kSide) + 1) - 1;
     const float y = half * static_cast<float>(2 * (i / kSide) + 1) - 1;
     out[i].a = {0, 0, 1, 0};
-    out[i].scene_from_character = {{{0.9f * half, 0, 0, x}, {0, 0.9f * half, 0, y}, {0, 0, 1, 0}}};
+    out[i].world_from_model = {{{0.9f * half, 0, 0, x}, {0, 0.9f * half, 0, y}, {0, 0, 1, 0}}};
     const float colour[4] = {static_cast<float>(i & 0xFF) / 255, static_cast<float>(i >> 8) / 255, 0, 1};
     std::copy_n(colour, 4, out[i].colour);
   }
@@ -217,7 +217,7 @@ TEST(Crowd, TenThousandInOneCall) {
   ASSERT_EQ(troop.blend(0, kCount, 10), Status::ok);
   gles3::Program program;
   const gles3::ProgramKey key{gles3::Deformer::ssd, troop.gpu().influences, 0, gles3::Palettes::crowd};
-  ASSERT_EQ(gles3::build_program(gl(), key, {kDotVertex, kDotFragment, {}}, 0, program), Status::ok);
+  ASSERT_EQ(gles3::create_program(gl(), key, {kDotVertex, kDotFragment, {}}, 0, program), Status::ok);
   gl().UseProgram(program.id);
   gles3::Api counting = gl();
   real_draw = counting.DrawElementsInstanced.function;
@@ -253,7 +253,7 @@ TEST(Crowd, AFrameWithoutChangesUploadsNothing) {
   ASSERT_EQ(troop.set(0, instances), Status::ok);
   const gles3::ProgramKey key{gles3::Deformer::ssd, 8, gles3::kNormals, gles3::Palettes::crowd};
   gles3::Program program;
-  ASSERT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, program), Status::ok);
+  ASSERT_EQ(gles3::create_program(gl(), key, feedback_source(), 0, program), Status::ok);
   static const gles3::Api real = gl();
   gles3::Api api = real;
   uploads = small_uploads = 0;

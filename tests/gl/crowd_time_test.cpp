@@ -110,7 +110,7 @@ TEST(CrowdTime, ABlendIsLinear) {
   const Clock clock(2);
   const Reel reel(clock.skeleton.view(), {{clock.slide.view(), true}, {clock.slide.view(), false}}, 10);
   CrowdInstance instance;
-  instance.scene_from_character = {{{0, -2, 0, 5}, {2, 0, 0, 6}, {0, 0, 2, 7}}};
+  instance.world_from_model = {{{0, -2, 0, 5}, {2, 0, 0, 6}, {0, 0, 2, 7}}};
   instance.a = {0, 0, 1, 0};
   instance.b = {1, 0, -1, 0};
   instance.b.phase_s = 1.5f;
@@ -168,7 +168,7 @@ TEST(CrowdTime, BadNumbersAreRefused) {
     refuse([&](CrowdInstance& i) { i.blend_s = bad; });
     refuse([&](CrowdInstance& i) { i.blend_start_s = static_cast<double>(bad); });
     refuse([&](CrowdInstance& i) { i.colour[3] = bad; });
-    refuse([&](CrowdInstance& i) { i.scene_from_character.rows[2][3] = bad; });
+    refuse([&](CrowdInstance& i) { i.world_from_model.rows[2][3] = bad; });
   }
   refuse([&](CrowdInstance& i) { i.blend_s = -1; });
   EXPECT_EQ(refused, 2 * 10 + 2 * 4 + 1);

@@ -109,7 +109,7 @@ TEST(CrowdLabels, EveryObjectHasOne) {
   ASSERT_EQ(gles3::create_crowd_mesh(api, {}, mesh, {}, frames, 10, room_for(memory, gles3::crowd_mesh_bytes(mesh)),
                                      crowd_mesh),
             Status::ok);
-  ASSERT_EQ(gles3::build_crowd_program(api, program), Status::ok);
+  ASSERT_EQ(gles3::create_crowd_program(api, program), Status::ok);
   EXPECT_EQ(driver().live, 5 + 6) << "those of prepare() too";
   EXPECT_EQ(driver().label_count, driver().live);
   const auto text = [](unsigned kind, unsigned name) { return driver().labels[{kind, name}].text; };

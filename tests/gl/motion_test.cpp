@@ -370,14 +370,14 @@ TEST(Motion, CostsNothingWhereNobodyAsks) {
 // The texts that docs/gles/shaders.md shows: how far on the screen a pixel has come, in widths and heights of the
 // picture.
 constexpr const char* kVelocityVertex = R"(
-uniform mat4 clip_from_scene;           // of this frame, and of the frame before
-uniform mat4 previous_clip_from_scene;
+uniform mat4 clip_from_model;           // of this frame, and of the frame before
+uniform mat4 previous_clip_from_model;
 out vec4 clip;
 out vec4 previous_clip;
 void main() {
   MarrowVertex v = marrow_skin();
-  clip = clip_from_scene * vec4(v.position, 1.0);
-  previous_clip = previous_clip_from_scene * vec4(v.previous_position, 1.0);
+  clip = clip_from_model * vec4(v.position, 1.0);
+  previous_clip = previous_clip_from_model * vec4(v.previous_position, 1.0);
   gl_Position = clip;
 }
 )";
@@ -438,8 +438,8 @@ TEST(Motion, IsDistanceOnTheScreen) {
       const gles3::Program& program = gles3::program_of(skinner, programs, 0);
       stage.clear();
       api.UseProgram(program.id);
-      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "clip_from_scene"), 1, 0, Camera(g, c.camera).matrix);
-      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "previous_clip_from_scene"), 1, 0, Camera(g, 0).matrix);
+      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "clip_from_model"), 1, 0, Camera(g, c.camera).matrix);
+      api.UniformMatrix4fv(api.GetUniformLocation(program.id, "previous_clip_from_model"), 1, 0, Camera(g, 0).matrix);
       ASSERT_EQ(gles3::draw(api, skinner, programs, program, 0, 1), Status::ok);
       const std::vector<std::uint8_t> picture = stage.picture();
       std::size_t covered = 0;
@@ -473,7 +473,8 @@ TEST(Motion, CrowdsKnowTheFrameBefore) {
             Status::ok);
   gles3::ProgramSet programs;
   programs.roles[0] = kSource;
-  ASSERT_EQ(gles3::build_crowd_programs(gl(), gl().caps(), crowd_mesh, gles3::Deformer::as, 255, programs), Status::ok);
+  ASSERT_EQ(gles3::create_crowd_programs(gl(), gl().caps(), crowd_mesh, gles3::Deformer::as, 255, programs),
+            Status::ok);
   const gles3::Program& blending = gles3::blending_program_of(programs);
   const gles3::Program& drawing = gles3::crowd_program_of(crowd_mesh, gles3::Deformer::as, 255, programs, 0);
   ASSERT_TRUE(drawing.motion);
@@ -488,9 +489,9 @@ TEST(Motion, CrowdsKnowTheFrameBefore) {
   };
   ASSERT_EQ(gles3::set_instances(gl(), crowd, reel.frames, 0, instances), Status::ok);
   blend(50.1);
-  instances[3].scene_from_character.rows[0][3] += 0.5f;  // walks
-  instances[7].scene_from_character.rows[1][3] += 100;   // jumps
-  instances[39].a.phase_s += 0.7f;                       // its clip jumps
+  instances[3].world_from_model.rows[0][3] += 0.5f;  // walks
+  instances[7].world_from_model.rows[1][3] += 100;   // jumps
+  instances[39].a.phase_s += 0.7f;                   // its clip jumps
   ASSERT_EQ(gles3::set_instances(gl(), crowd, reel.frames, 0, instances), Status::ok);
   blend(50.2);
   const auto previous = [&](std::uint32_t first, double time_s) {

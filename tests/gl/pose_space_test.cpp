@@ -75,7 +75,7 @@ TEST(PoseSpace, OfTheSampleIsTheCpusInEveryWay) {
       const std::vector<double> well = conditioning(mesh.geometry, character.palette(0), false);
       for (const Way way : kWays) {
         if (!can(way)) continue;
-        const Skinned got = feedback.skin(gles3::Deformer::psd, character.scene_from_joint(mesh.skeleton), {}, way);
+        const Skinned got = feedback.skin(gles3::Deformer::psd, character.model_from_joint(mesh.skeleton), {}, way);
         worst.add(compare(mesh.geometry, got, {psd.positions, psd.normals, psd.tangents}, diagonal, well, 0.02));
       }
     }
@@ -160,7 +160,7 @@ TEST(PoseSpace, IsRefusedWhereThereIsNone) {
   EXPECT_EQ(gles3::pack_distances(mesh.geometry, {}, {}), Status::bad_argument);
   gles3::Program none;
   EXPECT_EQ(
-      gles3::build_program(gl(), {gles3::Deformer::psd, 4, 0, gles3::Palettes::crowd}, feedback_source(), 0, none),
+      gles3::create_program(gl(), {gles3::Deformer::psd, 4, 0, gles3::Palettes::crowd}, feedback_source(), 0, none),
       Status::bad_argument);
 }
 

@@ -54,7 +54,7 @@ bool can_be(const gles3::ProgramKey& key) {
 Status build(const gles3::ProgramKey& key, const std::string& vertex, const std::string& fragment, std::string& log) {
   log.assign(4096, '\0');
   gles3::Program program;
-  const Status status = gles3::build_program(gl(), key, {vertex.c_str(), fragment.c_str(), {}}, 0, program, log);
+  const Status status = gles3::create_program(gl(), key, {vertex.c_str(), fragment.c_str(), {}}, 0, program, log);
   log.resize(log.find('\0'));
   gles3::destroy(gl(), program);
   return status;
@@ -116,7 +116,7 @@ TEST(Program, PreSkinningCompilesInEveryCombination) {
       std::string log(4096, '\0');
       gles3::Program program;
       const bool can = method == gles3::Preskin::feedback || gl().caps().compute;
-      EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), keys[i], method, 0, program, log),
+      EXPECT_EQ(gles3::create_preskin(gl(), gl().caps(), keys[i], method, 0, program, log),
                 keys[i].palettes == gles3::Palettes::crowd ? Status::bad_argument
                 : can                                      ? Status::ok
                                                            : Status::unsupported)

@@ -24,7 +24,7 @@ double worst_distance(const File& file, const tools::Reach& reach) {
   for (int i = 0; i < 16; ++i) {
     character.pose(play, play.duration_s * static_cast<float>(i) / 16);
     for (const auto& goal : reach.goals()) {
-      const Affine& joint = character.scene_from_joint(goal.skeleton)[goal.joint];
+      const Affine& joint = character.model_from_joint(goal.skeleton)[goal.joint];
       double squared = 0;
       for (std::size_t c = 0; c < 3; ++c)
         squared += std::pow(static_cast<double>(joint.rows[c][3]) - static_cast<double>(goal.position[c]), 2);

@@ -55,7 +55,7 @@ std::size_t read_back_cpu(const Model& model) {
     EXPECT_EQ(gles3::create_skinner(gl(), {}, mesh, options, programs,
                                     room_for(memory, gles3::skinner_bytes(mesh, options)), skinner),
               Status::ok);
-    EXPECT_EQ(gles3::pose(skinner, 0, character.scene_from_joint(mesh.skeleton), character.weights(m)), Status::ok);
+    EXPECT_EQ(gles3::pose(skinner, 0, character.model_from_joint(mesh.skeleton), character.weights(m)), Status::ok);
     EXPECT_EQ(gles3::update(gl(), skinner, programs, 1), Status::ok);
     tools::PosedMesh want;
     character.skin(m, tools::Deformer::ssd, want);
@@ -102,7 +102,7 @@ TEST(ReadbackLarge, AMillipedeInOnePiece) {
       const std::vector<double> well = deformer == tools::Deformer::rigid
                                            ? std::vector<double>(mesh.geometry.slot_count, 1.0)
                                            : conditioning(mesh.geometry, character.palette(0), as);
-      worst.add(compare(mesh.geometry, feedback.skin(on_gpu, character.scene_from_joint(0), {}, Way::texture),
+      worst.add(compare(mesh.geometry, feedback.skin(on_gpu, character.model_from_joint(0), {}, Way::texture),
                         {want.positions, want.normals, want.tangents}, 0.1 * kMillipedeJoints / 5, well,
                         kLeastConditioning));
     }

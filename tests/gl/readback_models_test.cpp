@@ -39,7 +39,7 @@ Worst compare_mesh(const Mesh& mesh, const tools::Character& character, std::uin
   const gles3::Deformer on_gpu = deformer == tools::Deformer::rigid ? gles3::Deformer::rigid
                                  : deformer == tools::Deformer::ssd ? gles3::Deformer::ssd
                                                                     : gles3::Deformer::as;
-  const Skinned got = feedback.skin(on_gpu, character.scene_from_joint(mesh.skeleton),
+  const Skinned got = feedback.skin(on_gpu, character.model_from_joint(mesh.skeleton),
                                     {character.weights(index).data(), mesh.targets.size}, way);
   const std::vector<double> well =
       deformer == tools::Deformer::rigid
@@ -54,7 +54,7 @@ Worst compare_surface(const Mesh& mesh, const tools::Character& character, std::
                       Span<const float> tangents, Feedback& feedback, double diagonal, Way way = Way::block) {
   tools::PosedMesh posed;
   character.skin(index, tools::Deformer::as, posed);
-  const Skinned got = feedback.skin(gles3::Deformer::as, character.scene_from_joint(mesh.skeleton), {}, way);
+  const Skinned got = feedback.skin(gles3::Deformer::as, character.model_from_joint(mesh.skeleton), {}, way);
   const std::vector<double> well = surface_conditioning(mesh.geometry, tangents, character.palette(index));
   return compare(mesh.geometry, got, {posed.positions, posed.normals, posed.tangents}, diagonal, well,
                  kLeastSurfaceConditioning);

@@ -77,13 +77,13 @@ void note_all() {
           const gles3::ProgramKey key{static_cast<gles3::Deformer>(deformer), static_cast<std::uint8_t>(influences),
                                       static_cast<std::uint8_t>(features), palettes};
           for (const auto& [vertex, fragment] : pairs)
-            EXPECT_EQ(gles3::build_program(api, key, {vertex.c_str(), fragment.c_str(), {}}, 0, out),
+            EXPECT_EQ(gles3::create_program(api, key, {vertex.c_str(), fragment.c_str(), {}}, 0, out),
                       can ? Status::ok : Status::bad_argument);
           for (const gles3::Preskin method : {gles3::Preskin::feedback, gles3::Preskin::compute})
-            EXPECT_EQ(gles3::build_preskin(api, caps, key, method, 0, out),
+            EXPECT_EQ(gles3::create_preskin(api, caps, key, method, 0, out),
                       deformer == 0 || crowd ? Status::bad_argument : Status::ok);
         }
-  EXPECT_EQ(gles3::build_crowd_program(api, out), Status::ok);
+  EXPECT_EQ(gles3::create_crowd_program(api, out), Status::ok);
 }
 
 TEST(ShaderText, PassesTheReferenceCompiler) {

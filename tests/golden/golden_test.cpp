@@ -71,7 +71,7 @@ TEST_F(Golden, HoldsWhatItsSourceHolds) {
   ASSERT_EQ(skeleton.joint_count, 3u);
   EXPECT_EQ(skeleton.root_count, 1u);
   const char* const names[] = {"shoulder", "elbow", "wrist"};
-  const std::uint16_t parents[] = {kNoParent, 0, 1};
+  const std::uint16_t parents[] = {kNoJoint, 0, 1};
   for (std::uint32_t j = 0; j < 3; ++j) {
     EXPECT_STREQ(file_.text(skeleton.names[j]), names[j]);
     EXPECT_EQ(skeleton.parents[j], parents[j]);

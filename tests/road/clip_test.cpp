@@ -1,4 +1,4 @@
-// Compressed clips keep their promise: every clip of every model, in scene space through the whole hierarchy, against
+// Compressed clips keep their promise: every clip of every model, in model space through the whole hierarchy, against
 // the source curves by the glTF specification, with the runtime's own decoder, at frames and the quarters between.
 #include <algorithm>
 #include <cstdint>

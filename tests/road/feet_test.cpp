@@ -220,8 +220,8 @@ void walk(Walk& w, double hz, Slides& out) {
     std::vector<bool> stands;
     for (std::size_t leg = 0; leg < w.legs.size(); ++leg) stands.push_back(w.stands(leg, t, ground[leg].planted));
     w.pose(t);
-    for (std::size_t r = 0; r < 3; ++r) frame.world_from_scene.rows[r][3] = static_cast<float>(w.way(t)[r]);
-    const Map world = to_map(frame.world_from_scene);
+    for (std::size_t r = 0; r < 3; ++r) frame.world_from_model.rows[r][3] = static_cast<float>(w.way(t)[r]);
+    const Map world = to_map(frame.world_from_model);
     const double pelvis = origin_of(w.scene[w.feet.pelvis])[1];
     std::vector<Vec3> animated;
     for (std::size_t leg = 0; leg < w.legs.size(); ++leg) animated.push_back(point(world, w.place(leg)));

@@ -41,7 +41,7 @@ std::vector<Joint> own_joints() {
           {"tail tip", "tail", {0, 0.2, 0}, turned(1, 0, 0, 0.3)}};
 }
 
-// scene_from_joint at rest, of a joint of both; roots stand in the scene itself.
+// model_from_joint at rest, of a joint of both; roots stand in the scene itself.
 Map rest_of(const std::string& name) {
   for (const std::vector<Joint>& joints : {body_joints(), own_joints()})
     for (const Joint& j : joints) {

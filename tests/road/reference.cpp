@@ -192,7 +192,7 @@ double Reference::duration_s(std::size_t animation) const {
   return duration;
 }
 
-Reference::Placed Reference::scene_from_node(const SourceAnimation* animation, double time_s) const {
+Reference::Placed Reference::model_from_node(const SourceAnimation* animation, double time_s) const {
   std::vector<SourceNode> nodes = source_.nodes;
   if (animation) {
     for (const SourceChannel& c : animation->channels) {
@@ -224,7 +224,7 @@ Reference::Placed Reference::scene_from_node(const SourceAnimation* animation, d
 }
 
 std::vector<double> Reference::node_noise_at(std::size_t animation, double time_s) const {
-  const Placed placed = scene_from_node(&source_.animations.at(animation), time_s);
+  const Placed placed = model_from_node(&source_.animations.at(animation), time_s);
   std::vector<double> out;
   for (std::size_t i = 0; i < placed.nodes.size(); ++i)
     out.push_back(Entry{{}, placed.levels[i], placed.largest[i]}.noise(0));
@@ -232,7 +232,7 @@ std::vector<double> Reference::node_noise_at(std::size_t animation, double time_
 }
 
 ReferencePose Reference::pose(const SourceAnimation* animation, double time_s, const std::vector<float>& cycle) const {
-  const Placed placed = scene_from_node(animation, time_s);
+  const Placed placed = model_from_node(animation, time_s);
   const auto entry = [&](std::size_t node, const Map& bind) {
     const Map& m = placed.nodes[node];
     const Map both = m * bind;

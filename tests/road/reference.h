@@ -9,7 +9,7 @@
 
 namespace marrow::test {
 
-// Vertices in scene space: for each node of the scene with a mesh in node order, each triangle primitive in order, each
+// Vertices in model space: for each node of the scene with a mesh in node order, each triangle primitive in order, each
 // vertex of its POSITION accessor in order. All arrays are equally long.
 struct ReferencePose {
   std::vector<Vec3> positions;
@@ -36,9 +36,9 @@ class Reference {
   // Time of the last key of any channel; 0 without.
   double duration_s(std::size_t animation) const;
 
-  // scene_from_node of every node at a time of an animation.
+  // model_from_node of every node at a time of an animation.
   std::vector<Map> nodes_at(std::size_t animation, double time_s) const {
-    return scene_from_node(&source_.animations.at(animation), time_s).nodes;
+    return model_from_node(&source_.animations.at(animation), time_s).nodes;
   }
   // How far 32-bit floats may take their origins.
   std::vector<double> node_noise_at(std::size_t animation, double time_s) const;
@@ -57,7 +57,7 @@ class Reference {
     std::vector<Map> nodes;
     std::vector<double> largest, levels;
   };
-  Placed scene_from_node(const SourceAnimation* animation, double time_s) const;
+  Placed model_from_node(const SourceAnimation* animation, double time_s) const;
 
   Source source_;
   double diagonal_ = 0;

@@ -30,7 +30,7 @@ struct TestPoseSpace {
     Random random(seed);
     const std::uint32_t blocks = mesh.geometry.slot_count / 4;
     for (std::uint32_t j = 0; j < mesh.joint_count; ++j)
-      parents.push_back(j % 4 == 0 ? kNoParent : static_cast<std::uint16_t>(random.below(mesh.joint_count)));
+      parents.push_back(j % 4 == 0 ? kNoJoint : static_cast<std::uint16_t>(random.below(mesh.joint_count)));
     for (std::size_t k = 0; k < example_count; ++k) {
       MorphTarget example{};
       example.first_block = example.first_record = static_cast<std::uint32_t>(narrow.size());
@@ -46,7 +46,7 @@ struct TestPoseSpace {
       examples.push_back(example);
       for (std::uint32_t j = 0; j < mesh.joint_count; ++j)
         for (const double c : random.rotation())
-          rotations.push_back(static_cast<std::int16_t>(parents[j] == kNoParent ? 0 : c * 32767));
+          rotations.push_back(static_cast<std::int16_t>(parents[j] == kNoJoint ? 0 : c * 32767));
     }
     blocks_of_32_bits.assign(narrow.begin(), narrow.end());
   }

@@ -262,12 +262,12 @@ std::uint64_t hash_levels(std::uint64_t state, const File& file, std::uint32_t i
 // What the file says that a mesh reaches, and what its rest pose does.
 std::uint64_t hash_bounds(std::uint64_t state, const File& file, std::uint32_t index) {
   const Mesh mesh = file.mesh(index);
-  AlignedBlock block(reach_bytes(mesh));
-  Reach reach;
-  require(make_reach(mesh, {block.data(), block.size()}, reach) == Status::ok);
+  AlignedBlock block(extents_bytes(mesh));
+  MeshExtents extents;
+  require(make_extents(mesh, {block.data(), block.size()}, extents) == Status::ok);
   const std::vector<Affine> palette(mesh.palette_size(), Affine{{{1, 0, 0, 1}, {0, 1, 0, 0}, {0, 0, 1, 2}}});
   Bounds bounds;
-  require(palette_bounds(reach, palette, {}, bounds) == Status::ok);
+  require(palette_bounds(extents, palette, {}, bounds) == Status::ok);
   state = hash(state, &bounds, sizeof bounds);
   for (std::uint32_t c = 0; c <= file.clip_count(); ++c) {
     bounds = file.bounds(c, index);
@@ -322,7 +322,7 @@ bool may_overflow(const Skeleton& skeleton, const std::vector<SoaTransform>& loc
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) bind = std::max(bind, largest(mesh.inverse_bind[i]));
   std::vector<double> all(skeleton.joint_count);
   for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
-    const double above = j < skeleton.root_count ? largest(skeleton.scene_from_root[j]) : all[skeleton.parents[j]];
+    const double above = j < skeleton.root_count ? largest(skeleton.model_from_root[j]) : all[skeleton.parents[j]];
     double own = 1;
     for (int c = 0; c < 3; ++c) {
       // Rotations of CUBICSPLINE are unit; others have numbers up to 1.01 each.

@@ -24,8 +24,8 @@ TestSkeleton::TestSkeleton(const std::vector<TestJoint>& joints_, const std::vec
     : joints(joints_), above(above_roots), rest(soa_count(joints_.size())), names(joints_.size(), 0) {
   for (std::size_t i = 0; i < rest.size() * 4; ++i)
     put(rest[i / 4], i % 4, i < joints.size() ? joints[i] : TestJoint{});
-  for (const TestJoint& j : joints) parents.push_back(j.parent < 0 ? kNoParent : static_cast<std::uint16_t>(j.parent));
-  above.resize(static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoParent)));
+  for (const TestJoint& j : joints) parents.push_back(j.parent < 0 ? kNoJoint : static_cast<std::uint16_t>(j.parent));
+  above.resize(static_cast<std::size_t>(std::count(parents.begin(), parents.end(), kNoJoint)));
   for (const Map& m : above) roots.push_back(to_affine(m));
 }
 
@@ -34,7 +34,7 @@ Skeleton TestSkeleton::view() const {
   s.name = "test";
   s.joint_count = static_cast<std::uint32_t>(joints.size());
   s.root_count = static_cast<std::uint32_t>(roots.size());
-  s.scene_from_root = roots.data();
+  s.model_from_root = roots.data();
   s.rest = rest.data();
   s.parents = parents.data();
   s.names = names.data();

@@ -41,7 +41,7 @@ TEST(Designated, WhatIsLeftOutIsTheDefault) {
   EXPECT_EQ(JointTransform().rotation[3], 1);
   EXPECT_EQ(ProgramKey().features, kNormals);
   EXPECT_EQ(SkinnerOptions().instances, 1u);
-  EXPECT_EQ(CrowdInstance().b.clip, kNoCrowdClip);
+  EXPECT_EQ(CrowdInstance().b.clip, kNoClip);
   EXPECT_TRUE(PrepareOptions().ssd && SelfTestOptions().ssd);
 }
 

@@ -23,7 +23,7 @@ using gles3::Palettes;
 
 // All that a game's texts may ask of the skinning text, handed on.
 constexpr const char* kVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 position;
 out vec3 previous_position;
 #if MARROW_NORMAL
@@ -53,7 +53,7 @@ void main() {
 #if MARROW_COLOUR
   vertex_colour *= in_colour;
 #endif
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }
 )";
 constexpr const char* kFragment = R"(precision highp float;
@@ -101,7 +101,7 @@ class Texts {
         for (const auto palettes : {Palettes::uniform_block, Palettes::texture, Palettes::crowd})
           of_features({deformer, influences, 0, palettes});
     gles3::Program program;
-    write("blend", gles3::build_crowd_program(api_, program));
+    write("blend", gles3::create_crowd_program(api_, program));
     std::printf("%zu texts\n", seen_.size());
   }
 
@@ -116,7 +116,7 @@ class Texts {
           }
   }
 
-  // What build_program() takes, and what differs from programs without the feature.
+  // What create_program() takes, and what differs from programs without the feature.
   static bool is_program(const gles3::ProgramKey& key) {
     if ((key.features & gles3::kMorphs) != 0 && (key.palettes == Palettes::crowd || key.deformer == Deformer::none))
       return false;
@@ -130,16 +130,16 @@ class Texts {
   void of_key(const gles3::ProgramKey& key) {
     const std::string name = name_of(key);
     gles3::Program program;
-    write("draw-" + name, gles3::build_program(api_, key, {kVertex, kFragment}, 0, program));
+    write("draw-" + name, gles3::create_program(api_, key, {kVertex, kFragment}, 0, program));
     if ((key.features & (gles3::kMotion | gles3::kUvs)) != 0) return;
     const gles3::ProgramSource probe{text(embedded::shader_self_test_vert), text(embedded::shader_self_test_frag)};
-    write("probe-" + name, gles3::build_program(api_, key, probe, 0, program));
+    write("probe-" + name, gles3::create_program(api_, key, probe, 0, program));
     if (key.deformer == Deformer::none || key.palettes == Palettes::crowd) return;
     gles3::Caps caps;
     caps.compute = true;
     for (const auto& [way, method] :
          {std::pair{"feedback-", gles3::Preskin::feedback}, std::pair{"compute-", gles3::Preskin::compute}})
-      write(way + name, gles3::build_preskin(api_, caps, key, method, 0, program));
+      write(way + name, gles3::create_preskin(api_, caps, key, method, 0, program));
   }
 
   // What was compiled since the last call, but for texts that another name has.

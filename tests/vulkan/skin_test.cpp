@@ -141,7 +141,7 @@ bool make_engine_mesh(const Mesh& mesh, const gles3::ProgramKey& key, EngineMesh
   gles3::Program program;
   if (prepare(api, caps, mesh, {}, scratch, out.bind, gpu) != Status::ok ||
       create_skinned(api, gpu, skinned) != Status::ok ||
-      build_preskin(api, caps, key, gles3::Preskin::compute, 0, program) != Status::ok ||
+      create_preskin(api, caps, key, gles3::Preskin::compute, 0, program) != Status::ok ||
       preskin(api, gpu, key.deformer, program, skinned) != Status::ok)
     return false;
   Recorder& from = recorder();

@@ -53,11 +53,11 @@ class ReachingChain : public Workload {
   // Nearly straight: each joint is bent by up to 0.15 radians or so.
   void make_rest() {
     for (std::uint16_t j = 0; j < kJoints; ++j)
-      parents_.push_back(j == 0 ? kNoParent : static_cast<std::uint16_t>(j - 1));
+      parents_.push_back(j == 0 ? kNoJoint : static_cast<std::uint16_t>(j - 1));
     names_.resize(kJoints);
     skeleton_.joint_count = kJoints;
     skeleton_.root_count = 1;
-    skeleton_.scene_from_root = &root_;
+    skeleton_.model_from_root = &root_;
     skeleton_.parents = parents_.data();
     skeleton_.names = names_.data();
     for (std::size_t j = 0; j < rest_.size() * 4; ++j) {

@@ -33,7 +33,7 @@ class PlainSkeleton {
     Skeleton s;
     s.joint_count = static_cast<std::uint32_t>(parents_.size());
     s.root_count = 1;
-    s.scene_from_root = &root_;
+    s.model_from_root = &root_;
     s.rest = rest_.data();
     s.parents = parents_.data();
     return s;
@@ -72,7 +72,7 @@ class Hair : public Workload, Posed {
  public:
   Hair() {
     constexpr std::uint16_t kStrands = 12, kBones = 5;
-    plain_.add(kNoParent, 0, 1.6f, 0);
+    plain_.add(kNoJoint, 0, 1.6f, 0);
     for (std::uint16_t i = 0; i <= kBones; ++i) {
       for (std::uint16_t s = 0; s < kStrands; ++s) {
         const auto parent = static_cast<std::uint16_t>(i == 0 ? 0 : 1 + kStrands * (i - 1) + s);
@@ -107,7 +107,7 @@ class Hair : public Workload, Posed {
   void run(std::uint64_t iterations) override {
     for (std::uint64_t i = 0; i < iterations; ++i) {
       again();
-      frame_.world_from_scene = worlds_[next_++ % kMoments];
+      frame_.world_from_model = worlds_[next_++ % kMoments];
       check(simulate_springs(skeleton_, frame_, springs_, local_, scene_));
     }
   }
@@ -123,7 +123,7 @@ class Hair : public Workload, Posed {
 class Standing : public Workload, Posed {
  public:
   Standing() {
-    plain_.add(kNoParent, 0, 0.95f, 0);
+    plain_.add(kNoJoint, 0, 0.95f, 0);
     for (const float side : {0.1f, -0.1f}) plain_.add(0, side, 0, 0);
     for (int i = 0; i < 20; ++i) plain_.add(0, 0.05f * static_cast<float>(i), 0.5f, 0);
     for (std::uint16_t leg = 0; leg < 2; ++leg) plain_.add(static_cast<std::uint16_t>(1 + leg), 0, -0.44f, 0.04f);
@@ -159,7 +159,7 @@ class Standing : public Workload, Posed {
     for (std::uint64_t i = 0; i < iterations; ++i, ++next_) {
       again();
       const std::size_t moment = next_ % kMoments;
-      frame_.world_from_scene.rows[2][3] = 0.005f * static_cast<float>(moment % 64);
+      frame_.world_from_model.rows[2][3] = 0.005f * static_cast<float>(moment % 64);
       check(place_feet(skeleton_, feet_, frame_, {grounds_.data() + 2 * moment, 2}, {motion_, 2}, local_, scene_));
     }
   }

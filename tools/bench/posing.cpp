@@ -99,7 +99,7 @@ struct FullPalette {
   explicit FullPalette(const Skeleton& skeleton) : bind(noise_palette(skeleton.joint_count)), out(bind.size()) {
     for (std::uint32_t i = 0; i < skeleton.joint_count; ++i) joints.push_back(static_cast<std::uint16_t>(i));
   }
-  void build(const std::vector<Affine>& scene_from_joint) { check(build_palette(joints, bind, scene_from_joint, out)); }
+  void build(const std::vector<Affine>& model_from_joint) { check(build_palette(joints, bind, model_from_joint, out)); }
 
   std::vector<std::uint16_t> joints;
   std::vector<Affine> bind, out;
@@ -156,13 +156,13 @@ class PaletteBounds : public Workload {
     return hash_of(Span<const Bounds>(&bounds_, 1), state);
   }
   void run(std::uint64_t iterations) override {
-    Reach reach;
-    reach.joints = joints_;
-    for (std::uint64_t i = 0; i < iterations; ++i) check(palette_bounds(reach, palette_, {}, bounds_));
+    MeshExtents extents;
+    extents.joints = joints_;
+    for (std::uint64_t i = 0; i < iterations; ++i) check(palette_bounds(extents, palette_, {}, bounds_));
   }
 
  private:
-  std::vector<JointReach> joints_;
+  std::vector<JointExtent> joints_;
   std::vector<Affine> palette_;
   Bounds bounds_;
 };

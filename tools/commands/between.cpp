@@ -64,10 +64,10 @@ void PlayedFrames::move_to(float time_s) {
   at_ = at - static_cast<double>(first);
 }
 
-void PlayedFrames::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const {
+void PlayedFrames::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const {
   const std::vector<SoaTransform> pose = deform::between_poses(kind_, poses_[skeleton], at_);
   std::copy(pose.begin(), pose.end(), local.begin());
-  check(local_to_model(file_.skeleton(skeleton), local, scene_from_joint));
+  check(local_to_model(file_.skeleton(skeleton), local, model_from_joint));
 }
 
 void PlayedFrames::weigh(std::uint32_t mesh, Span<float> weights) const {

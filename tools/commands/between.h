@@ -40,7 +40,7 @@ class PlayedFrames {
   void move_to(float time_s);
   bool has_moved() const { return !poses_.empty() && !poses_.front().empty(); }
   // What they make of a skeleton's joints and a mesh's weights at that moment, for Character's hooks.
-  void change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const;
+  void change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const;
   void weigh(std::uint32_t mesh, Span<float> weights) const;
 
  private:

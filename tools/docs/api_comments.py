@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = {
-    "everywhere": ("Everywhere: status, memory, versions", "version status call_error marks span block pose api marrow owned glm"),
+    "everywhere": ("Everywhere: status, memory, versions", "version status call_error zones span block pose api marrow owned glm"),
     "files": ("Files", "unpack draco meshopt file clip_pack"),
     "poses": ("Poses", "playback sample blend transition local_to_model curve outfit character"),
     "reaching": ("Reaching: inverse kinematics, limits, springs", "limits ik ik_solve feet springs debug_lines"),

@@ -43,7 +43,7 @@ std::size_t add_fixed(ExportScene& scene, const Affine& map, const std::string& 
 
 // glTF wants the joints of a skin under one node, so several roots get one.
 void add_above_roots(ExportScene& scene, const Skeleton& skeleton, const std::vector<std::size_t>& nodes) {
-  const Affine* const above = skeleton.scene_from_root;
+  const Affine* const above = skeleton.model_from_root;
   bool alike = true;
   for (std::uint32_t r = 1; r < skeleton.root_count; ++r) alike = alike && same(above[r], above[0]);
   std::size_t top = ExportScene::kScene;
@@ -69,7 +69,7 @@ void export_skeletons(ExportScene& scene) {
     // All joints first, in their own order, so that cooking the export finds them in the same one.
     for (std::size_t j = 0; j < skeleton.joint_count; ++j) {
       nodes.push_back(scene.glb.add("nodes", joint_node(scene.file, skeleton, j)));
-      if (skeleton.parents[j] != kNoParent)
+      if (skeleton.parents[j] != kNoJoint)
         scene.glb.json["nodes"][nodes[skeleton.parents[j]]]["children"].push_back(nodes[j]);
     }
     add_above_roots(scene, skeleton, nodes);

@@ -103,7 +103,7 @@ class CrowdWork : public GpuWork {
         gles3::create_crowd_mesh(gl, gl.caps(), mesh, options, frames_, characters_, {memory_.data(), memory_.size()},
                                  mesh_, (features_ & gles3::kMotion) != 0) == Status::ok &&
         gles3::create_crowd(gl, gl.caps(), characters_, {records_.data(), records_.size()}, crowd_) == Status::ok &&
-        gles3::build_crowd_programs(gl, gl.caps(), mesh_, deformer_, features_, programs_) == Status::ok;
+        gles3::create_crowd_programs(gl, gl.caps(), mesh_, deformer_, features_, programs_) == Status::ok;
     if (!made) refuse(gl, row, log_.data());
     place();
   }

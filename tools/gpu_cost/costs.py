@@ -160,8 +160,8 @@ def tell(costs):
 SHADERS = ("skin.glsl", "preskin.vert", "preskin.comp", "crowd.vert", "crowd.frag", "surface.vert", "depth.vert", "depth.frag")
 FUNCTIONS = {
     "runtime/gles3/program.cpp": ("Text preamble(", "Words words_read(", "Status compile_program("),
-    "runtime/gles3/preskin.cpp": ("Status build_preskin(",),
-    "runtime/gles3/crowd/crowd.cpp": ("Status build_crowd_program(",),
+    "runtime/gles3/preskin.cpp": ("Status create_preskin(",),
+    "runtime/gles3/crowd/crowd.cpp": ("Status create_crowd_program(",),
     "runtime/gles3/self_test/self_test_result.cpp": ("GpuFamily family_of(",),
 }
 

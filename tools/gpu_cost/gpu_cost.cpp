@@ -132,7 +132,7 @@ class Costs {
       }
     }
     Program program;
-    if (begin("crowd/none/0/blend")) end(build_crowd_program(api_, program, log_), program);
+    if (begin("crowd/none/0/blend")) end(create_crowd_program(api_, program, log_), program);
   }
 
  private:
@@ -160,10 +160,10 @@ class Costs {
     key.features = static_cast<std::uint8_t>(key.features | attributes.features);
     Program program;
     if (begin(name(path, deformer, key, attributes, morphs) + "/colour"))
-      end(build_program(api_, key, {surface_.c_str(), kFragment, {}}, 0, program, log_), program);
+      end(create_program(api_, key, {surface_.c_str(), kFragment, {}}, 0, program, log_), program);
     const ProgramSource depth{text(embedded::shader_depth_vert), text(embedded::shader_depth_frag), {}};
     if (attributes.features == 0 && begin(name(path, deformer, key, attributes, morphs) + "/depth"))
-      end(build_program(api_, key, depth, 0, program, log_), program);
+      end(create_program(api_, key, depth, 0, program, log_), program);
   }
 
   void preskin(const char* path, Preskin method, const char* deformer, ProgramKey key, const Attributes& attributes) {
@@ -171,7 +171,7 @@ class Costs {
     key.features = static_cast<std::uint8_t>(key.features | attributes.features);
     Program program;
     if (begin(name(path, deformer, key, attributes, morphs) + "/skin"))
-      end(build_preskin(api_, caps_, key, method, 0, program, log_), program);
+      end(create_preskin(api_, caps_, key, method, 0, program, log_), program);
   }
 
   static std::string name(const char* path, const char* deformer, const ProgramKey& key, const Attributes& attributes,

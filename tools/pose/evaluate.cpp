@@ -89,7 +89,7 @@ void Character::pose(std::span<const PlayLayer> layers) {
   check(pose_character(body_, all));
   shapes_.write(all, body_);
   for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i)
-    change_(i, body_.skeletons[i].local, body_.skeletons[i].scene_from_joint);
+    change_(i, body_.skeletons[i].local, body_.skeletons[i].model_from_joint);
   for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
     if (!body_.meshes[i].weights.empty()) weigh_(i, body_.meshes[i].weights);
   check(finish_character(body_));

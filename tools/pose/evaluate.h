@@ -43,7 +43,7 @@ inline constexpr Named<AsNormals> kAsNormals[] = {{"tangents", AsNormals::tangen
 std::vector<std::vector<float>> tangents_of(const File& file, std::uint32_t level = 0);
 
 struct PosedMesh {
-  std::vector<float> positions;  // 3 a slot, scene space
+  std::vector<float> positions;  // 3 a slot, model space
   std::vector<float> normals;    // 3 a slot; empty if the mesh has none
   std::vector<float> tangents;   // 4 a slot; empty if the mesh has none
   bool inside_out = false;       // turns_inside_out() of its palette: its triangles' fronts are clockwise
@@ -90,7 +90,7 @@ class Character {
 
   // Called in each pose() for each skeleton, when its joints are posed and nothing has been built from them yet; it may
   // change them, both forms alike.
-  using Change = std::function<void(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint)>;
+  using Change = std::function<void(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint)>;
   void set_change(Change change) { change_ = std::move(change); }
   // Called likewise for each mesh that has morph targets; it may change their weights.
   using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
@@ -113,8 +113,8 @@ class Character {
   // Deforms one mesh, morphed, in the pose of the last call to pose().
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
-  std::span<const Affine> scene_from_joint(std::uint32_t skeleton) const {
-    return to_std(body_.skeletons[skeleton].scene_from_joint);
+  std::span<const Affine> model_from_joint(std::uint32_t skeleton) const {
+    return to_std(body_.skeletons[skeleton].model_from_joint);
   }
   // Of the mesh's morph targets: the clip's, or their defaults.
   std::span<const float> weights(std::uint32_t mesh) const { return to_std(body_.meshes[mesh].weights); }

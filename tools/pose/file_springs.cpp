@@ -24,9 +24,9 @@ bool FileSprings::has_any() const {
 }
 
 void FileSprings::swing(std::uint32_t skeleton, SpringFrame frame, Span<SoaTransform> local,
-                        Span<Affine> scene_from_joint) {
+                        Span<Affine> model_from_joint) {
   frame.colliders = file_->spring_colliders(skeleton);
-  check(simulate_springs(file_->skeleton(skeleton), frame, skeletons_[skeleton].springs, local, scene_from_joint));
+  check(simulate_springs(file_->skeleton(skeleton), frame, skeletons_[skeleton].springs, local, model_from_joint));
 }
 
 }  // namespace marrow::tools

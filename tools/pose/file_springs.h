@@ -17,7 +17,7 @@ class FileSprings {
   bool has(std::uint32_t skeleton) const { return skeletons_[skeleton].springs.group_count > 0; }
   bool has_any() const;
   // frame: its colliders are the file's. Local poses and matrices as simulate_springs() has them.
-  void swing(std::uint32_t skeleton, SpringFrame frame, Span<SoaTransform> local, Span<Affine> scene_from_joint);
+  void swing(std::uint32_t skeleton, SpringFrame frame, Span<SoaTransform> local, Span<Affine> model_from_joint);
 
  private:
   struct Swinging {

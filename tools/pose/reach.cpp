@@ -30,7 +30,7 @@ bool is_twist(std::string name) {
 // Joints above `joint` that bend, the nearest first.
 std::vector<std::uint16_t> above(const File& file, const Skeleton& skeleton, std::uint32_t joint, std::uint32_t most) {
   std::vector<std::uint16_t> out;
-  for (std::uint16_t j = skeleton.parents[joint]; j != kNoParent && out.size() < most; j = skeleton.parents[j])
+  for (std::uint16_t j = skeleton.parents[joint]; j != kNoJoint && out.size() < most; j = skeleton.parents[j])
     if (!is_twist(file.text(skeleton.names[j]))) out.push_back(j);
   return out;
 }
@@ -78,24 +78,24 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
   }
 }
 
-void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const {
+void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const {
   if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
-  if (!solver_.method) return solve_limbs(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
-  solve_chains(file_.skeleton(skeleton), skeleton, local, scene_from_joint);
+  if (!solver_.method) return solve_limbs(file_.skeleton(skeleton), skeleton, local, model_from_joint);
+  solve_chains(file_.skeleton(skeleton), skeleton, local, model_from_joint);
 }
 
-float Reach::miss_m(const Goal& goal, Span<const Affine> scene_from_joint) const {
+float Reach::miss_m(const Goal& goal, Span<const Affine> model_from_joint) const {
   const auto distance = [](const Affine& joint, const std::array<float, 3>& p) {
     return std::hypot(joint.rows[0][3] - p[0], joint.rows[1][3] - p[1], joint.rows[2][3] - p[2]);
   };
   float length = 0;
-  const Affine* below = &scene_from_joint[goal.joint];
+  const Affine* below = &model_from_joint[goal.joint];
   for (const std::uint16_t j : above(file_, file_.skeleton(goal.skeleton), goal.joint, joints_)) {
-    const Affine& joint = scene_from_joint[j];
+    const Affine& joint = model_from_joint[j];
     length += distance(joint, {below->rows[0][3], below->rows[1][3], below->rows[2][3]});
     below = &joint;
   }
-  const float miss = distance(scene_from_joint[goal.joint], goal.position);
+  const float miss = distance(model_from_joint[goal.joint], goal.position);
   return miss > IkOptions().tolerance_m + kMissShare * length ? miss : 0;
 }
 

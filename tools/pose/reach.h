@@ -40,18 +40,18 @@ class Reach {
 
   bool empty() const { return goals_.empty(); }
   // Brings the joints of this skeleton to their goals. Throws Failure (invalid) if a pose is not finite.
-  void apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) const;
+  void apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const;
 
   struct Goal {
     std::uint32_t skeleton = 0;
     std::uint32_t joint = 0;
-    std::array<float, 3> position{};  // scene space
+    std::array<float, 3> position{};  // model space
     std::string name;                 // of the joint
   };
   const std::vector<Goal>& goals() const { return goals_; }
 
   // By how much the goal's joint is away from it in this pose; 0 for less than a solver cares about.
-  float miss_m(const Goal& goal, Span<const Affine> scene_from_joint) const;
+  float miss_m(const Goal& goal, Span<const Affine> model_from_joint) const;
   // The names of the joints that turn for it, and its own: "thigh", "shin", "foot".
   std::vector<std::string> chain(const Goal& goal) const;
 

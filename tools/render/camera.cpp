@@ -58,7 +58,7 @@ Camera camera_on(const Orbit& orbit, float aspect, float radius) {
   Camera camera;
   camera.position = orbit.target + orbit.distance * back_of(orbit);
   const float near_plane = std::max(orbit.distance - 4 * radius, 0.01f * std::min(radius, orbit.distance));
-  camera.clip_from_scene = glm::perspective(kFieldOfView, aspect, near_plane, orbit.distance + 40 * radius) *
+  camera.clip_from_model = glm::perspective(kFieldOfView, aspect, near_plane, orbit.distance + 40 * radius) *
                            glm::lookAt(camera.position, orbit.target, glm::vec3(0, 1, 0));
   return camera;
 }
@@ -91,7 +91,7 @@ Camera frame_points_from(const Orbit& side, std::span<const glm::vec3> points, f
   camera.position = right * x.at() + up * y.at() + back * distance;
   const float near_plane = std::max(0.5f * (distance - nearest), 1e-3f * radius);
   const float far_plane = 2 * (distance - glm::dot(box.centre(), back)) + 20 * radius;
-  camera.clip_from_scene = glm::perspective(kFieldOfView, aspect, near_plane, far_plane) *
+  camera.clip_from_model = glm::perspective(kFieldOfView, aspect, near_plane, far_plane) *
                            glm::lookAt(camera.position, camera.position - back, glm::vec3(0, 1, 0));
   return camera;
 }
@@ -99,7 +99,7 @@ Camera frame_points_from(const Orbit& side, std::span<const glm::vec3> points, f
 Camera moved(const Camera& camera, glm::vec3 by) {
   Camera out = camera;
   out.position += by;
-  out.clip_from_scene = camera.clip_from_scene * glm::translate(glm::mat4(1), -by);
+  out.clip_from_model = camera.clip_from_model * glm::translate(glm::mat4(1), -by);
   return out;
 }
 
@@ -109,7 +109,7 @@ Camera turned(const Camera& camera, glm::vec3 centre, float turn_rad) {
                          glm::translate(glm::mat4(1), -centre);
   Camera out;
   out.position = glm::vec3(turn * glm::vec4(camera.position, 1));
-  out.clip_from_scene = camera.clip_from_scene * glm::inverse(turn);
+  out.clip_from_model = camera.clip_from_model * glm::inverse(turn);
   return out;
 }
 
@@ -119,7 +119,7 @@ LightView frame_box(const Box& box, glm::vec3 direction, float margin) {
   const glm::vec3 up = std::abs(direction.y) > 0.99f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
   const glm::mat4 view = glm::lookAt(centre + direction * (2 * radius), centre, up);
   LightView out;
-  out.clip_from_scene = glm::ortho(-radius, radius, -radius, radius, radius, 3 * radius) * view;
+  out.clip_from_model = glm::ortho(-radius, radius, -radius, radius, radius, 3 * radius) * view;
   out.extent = {2 * radius, 2 * radius};
   return out;
 }

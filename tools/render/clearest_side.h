@@ -8,7 +8,7 @@
 
 namespace marrow::tools {
 
-// A ball that a picture is to show, scene space.
+// A ball that a picture is to show, model space.
 struct Part {
   glm::vec3 centre{0};
   float radius = 0;

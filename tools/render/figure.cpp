@@ -41,11 +41,11 @@ glm::vec4 base_colour(const Mesh& mesh, bool textured) {
 }
 
 // Where the middle of a mesh's bind box is, carried by its first joint.
-glm::vec3 carried_centre(const Mesh& mesh, Span<const Affine> scene_from_joint) {
+glm::vec3 carried_centre(const Mesh& mesh, Span<const Affine> model_from_joint) {
   const Geometry& g = mesh.geometry;
   glm::vec3 p(0);
   for (int c = 0; c < 3; ++c) p[c] = 0.5f * (g.box_min[c] + g.box_max[c]);
-  for (const Affine* m : {&mesh.inverse_bind[0], &scene_from_joint[mesh.joints[0]]}) {
+  for (const Affine* m : {&mesh.inverse_bind[0], &model_from_joint[mesh.joints[0]]}) {
     const glm::vec4 q(p, 1);
     for (int c = 0; c < 3; ++c)
       p[c] = glm::dot(glm::vec4(m->rows[c][0], m->rows[c][1], m->rows[c][2], m->rows[c][3]), q);
@@ -149,7 +149,7 @@ Drawable Figure::drawable(std::uint32_t index, const Character& character) const
   d.double_sided = mesh.double_sided;
   const std::span<const Affine> palette = character.palette(index);
   d.inside_out = turns_inside_out({palette.data(), palette.size()});
-  d.centre = carried_centre(mesh, character.scene_from_joint(mesh.skeleton));
+  d.centre = carried_centre(mesh, character.model_from_joint(mesh.skeleton));
   return d;
 }
 
@@ -161,7 +161,7 @@ std::unique_ptr<BakedPlay> Figure::bake(const std::string& path, const Play& pla
   auto baked = std::make_unique<BakedPlay>(gl_, programs_, path, file_, play, level_, tangents_);
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i)
     check_made(
-        gles3::build_crowd_programs(gl_, gl_.caps(), baked->mesh(i), gpu_deformer(deformer), features(i), programs_));
+        gles3::create_crowd_programs(gl_, gl_.caps(), baked->mesh(i), gpu_deformer(deformer), features(i), programs_));
   return baked;
 }
 
@@ -182,7 +182,7 @@ std::vector<Drawable> Figure::on_gpu(const Character& character, Deformer deform
   std::vector<Drawable> drawables;
   for (std::uint32_t i = 0; i < file_.mesh_count(); ++i) {
     gles3::Skinner& with = skinner(i, deformer, path);
-    marrow::tools::check(gles3::pose(with, 0, character.scene_from_joint(with.mesh.skeleton), character.weights(i)));
+    marrow::tools::check(gles3::pose(with, 0, character.model_from_joint(with.mesh.skeleton), character.weights(i)));
     marrow::tools::check(gles3::update(gl_, with, programs_, 1));
     drawables.push_back(drawable(i, character));
     drawables.back().skinner = &with;

@@ -48,7 +48,7 @@ glm::vec3 Performance::anchor(const Character& character) const {
   glm::dvec3 sum(0);
   double count = 0;
   for (std::uint32_t i = 0; i < file_.skeleton_count(); ++i) {
-    for (const Affine& joint : character.scene_from_joint(i)) {
+    for (const Affine& joint : character.model_from_joint(i)) {
       sum += glm::dvec3(static_cast<double>(joint.rows[0][3]), 0, static_cast<double>(joint.rows[2][3]));
       count += 1;
     }

@@ -38,7 +38,7 @@ class Performance {
  private:
   glm::vec3 anchor(const Character& character) const;
   File file_;
-  std::vector<glm::vec3> points_;  // scene space, minus the anchor where the camera follows
+  std::vector<glm::vec3> points_;  // model space, minus the anchor where the camera follows
   float ground_height_ = 0;
   float radius_ = 1;
   float duration_s_ = 0;

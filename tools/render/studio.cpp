@@ -47,15 +47,15 @@ const char* text(const unsigned char* embedded) {
 gles3::Program build(const Gl& gl, std::uint8_t features, const gles3::ProgramSource& source) {
   gles3::Program program;
   std::array<char, 1024> log;
-  if (gles3::build_program(gl, {gles3::Deformer::none, 4, features}, source, 0, program, log) != Status::ok) {
+  if (gles3::create_program(gl, {gles3::Deformer::none, 4, features}, source, 0, program, log) != Status::ok) {
     throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
   }
   return program;
 }
 
 // Clip space → the [0, 1]³ of a texture.
-glm::mat4 texture_from(const glm::mat4& clip_from_scene) {
-  return glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip_from_scene;
+glm::mat4 texture_from(const glm::mat4& clip_from_model) {
+  return glm::translate(glm::mat4(1), glm::vec3(0.5f)) * glm::scale(glm::mat4(1), glm::vec3(0.5f)) * clip_from_model;
 }
 
 GlSampler make_sampler(const Gl& gl, GLint filter, GLint compare) {
@@ -214,8 +214,8 @@ void Studio::draw_depth(const ShadowMap& map, const LightView& view, std::span<c
     gl_.UseProgram(with.id);
     const bool solid = drawable.look.alpha == AlphaMode::opaque;
     set_surface(with.id, drawable, {solid ? -1 : drawable.look.alpha_cutoff, 2});  // blended surfaces have 0.5
-    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
-                         glm::value_ptr(view.clip_from_scene));
+    gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_model"), 1, GL_FALSE,
+                         glm::value_ptr(view.clip_from_model));
     cull(drawable);
     draw(drawable, with);
   }
@@ -229,8 +229,8 @@ void Studio::set_studio(GLuint id, const Shot& shot) {
   gl_.Uniform1f(at("scene_radius"), shot.radius);
   gl_.Uniform1f(at("ground_height"), shot.ground_height);
   gl_.Uniform3fv(at("key_direction"), 1, glm::value_ptr(key));
-  gl_.UniformMatrix4fv(at("key_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(key_view_.clip_from_scene)));
-  gl_.UniformMatrix4fv(at("sky_from_scene"), 1, GL_FALSE, glm::value_ptr(texture_from(sky_view_.clip_from_scene)));
+  gl_.UniformMatrix4fv(at("key_from_model"), 1, GL_FALSE, glm::value_ptr(texture_from(key_view_.clip_from_model)));
+  gl_.UniformMatrix4fv(at("sky_from_model"), 1, GL_FALSE, glm::value_ptr(texture_from(sky_view_.clip_from_model)));
   gl_.Uniform2fv(at("key_extent"), 1, glm::value_ptr(key_view_.extent));
   gl_.Uniform2fv(at("sky_extent"), 1, glm::value_ptr(sky_view_.extent));
   gl_.Uniform1i(at("key_shadow"), kKeyShadowUnit);
@@ -242,10 +242,10 @@ void Studio::draw_backdrop(const Shot& shot) {
   gl_.Disable(GL_DEPTH_TEST);
   gl_.UseProgram(backdrop_.id);
   set_studio(backdrop_.id, shot);
-  const glm::mat4 scene_from_clip = glm::inverse(shot.camera.clip_from_scene);
+  const glm::mat4 model_from_clip = glm::inverse(shot.camera.clip_from_model);
   const glm::vec3 centre = shot.box.centre();
-  gl_.UniformMatrix4fv(gl_.GetUniformLocation(backdrop_.id, "scene_from_clip"), 1, GL_FALSE,
-                       glm::value_ptr(scene_from_clip));
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(backdrop_.id, "model_from_clip"), 1, GL_FALSE,
+                       glm::value_ptr(model_from_clip));
   gl_.Uniform3fv(gl_.GetUniformLocation(backdrop_.id, "scene_centre"), 1, glm::value_ptr(centre));
   gl_.BindVertexArray(no_vertices_);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -274,8 +274,8 @@ void Studio::draw_surface(const Shot& shot, const Drawable& drawable, glm::vec2 
   const Look& look = drawable.look;
   gl_.Uniform3fv(gl_.GetUniformLocation(with.id, "emissive"), 1, glm::value_ptr(look.emissive));
   bind_texture(with.id, "emissive_texture", kEmissiveTextureUnit, look.emissive_texture, look.emissive_sampler);
-  gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_scene"), 1, GL_FALSE,
-                       glm::value_ptr(shot.camera.clip_from_scene));
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(with.id, "clip_from_model"), 1, GL_FALSE,
+                       glm::value_ptr(shot.camera.clip_from_model));
   gl_.Uniform1f(gl_.GetUniformLocation(with.id, "shading"), look.unlit ? 0.0f : shot.shading);
   cull(drawable);
   draw(drawable, with);

@@ -33,7 +33,7 @@ struct Drawable {
   std::uint8_t features = 0;  // what is read of the vertices
   glm::vec4 base_colour{1};   // linear
   Look look;                  // its textures are drawn where `features` has kUvs
-  glm::vec3 centre{0};        // scene space; blended surfaces are drawn from the farthest on
+  glm::vec3 centre{0};        // model space; blended surfaces are drawn from the farthest on
   bool double_sided = true;   // else its back faces are not drawn
   bool inside_out = false;    // its fronts are clockwise
 };
@@ -43,7 +43,7 @@ inline constexpr std::uint32_t kPaletteUnit = 4;
 
 struct Shot {
   Camera camera;
-  Box box;           // of the character now, scene space
+  Box box;           // of the character now, model space
   float radius = 1;  // of the character, scene units: what light and shadow are scaled by
   float ground_height = 0;
   float shading = 1;         // 1: lit; 0: colours as they are

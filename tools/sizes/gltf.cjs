@@ -154,7 +154,7 @@ function poseAt(doc, animation, time) {
 function transform(m, x, y, z) {
   return [0, 1, 2].map((r) => m[r] * x + m[4 + r] * y + m[8 + r] * z + m[12 + r]);
 }
-// All vertices in scene space, by the world matrices that pose() and poseAt() give.
+// All vertices in model space, by the world matrices that pose() and poseAt() give.
 function vertices(doc, world) {
   const out = [];
   doc.json.nodes.forEach((node, n) => {

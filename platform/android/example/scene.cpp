@@ -12,7 +12,7 @@ constexpr const char* kCharacter = "newt.mrw";
 constexpr const char* kRamp = "ramp.rgb";
 
 constexpr const char* kVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 normal;
 out vec3 colour;
 void main() {
@@ -23,7 +23,7 @@ void main() {
 #else
   colour = vec3(1.0);
 #endif
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }
 )";
 // Light from the upper left, through the ramp.
@@ -160,29 +160,29 @@ bool Scene::advance(float dt_s) {
          check(pose_character(body_, {{walk_, clip_time(playback_)}}), "its pose");
 }
 
-void Scene::draw_mesh(std::size_t index, const float (&clip_from_scene)[16]) {
+void Scene::draw_mesh(std::size_t index, const float (&clip_from_model)[16]) {
   const marrow::CharacterMesh& m = body_.meshes[index];
   const gles3::Program& program = program_of(skinners_[index], programs_, 0);
   glUseProgram(program.id);
-  glUniformMatrix4fv(glGetUniformLocation(program.id, "clip_from_scene"), 1, GL_FALSE, clip_from_scene);
+  glUniformMatrix4fv(glGetUniformLocation(program.id, "clip_from_model"), 1, GL_FALSE, clip_from_model);
   glUniform3fv(glGetUniformLocation(program.id, "base_colour"), 1, m.mesh.base_colour);
   glUniform1i(glGetUniformLocation(program.id, "ramp"), 1);
   check(gles3::draw(gl_, skinners_[index], programs_, program, 0, 1), m.mesh.name);
 }
 
 bool Scene::draw(int width, int height) {
-  float clip_from_scene[16];
-  view(static_cast<float>(width) / static_cast<float>(height), clip_from_scene);
+  float clip_from_model[16];
+  view(static_cast<float>(width) / static_cast<float>(height), clip_from_model);
   glViewport(0, 0, width, height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glActiveTexture(GL_TEXTURE1);  // Marrow takes unit 0
   glBindTexture(GL_TEXTURE_2D, ramp_texture_);
   for (std::size_t i = 0; i < body_.meshes.size; ++i) {
     const marrow::CharacterMesh& m = body_.meshes[i];
-    if (!check(pose(skinners_[i], 0, body_.skeletons[m.mesh.skeleton].scene_from_joint, m.weights), m.mesh.name) ||
+    if (!check(pose(skinners_[i], 0, body_.skeletons[m.mesh.skeleton].model_from_joint, m.weights), m.mesh.name) ||
         !check(update(gl_, skinners_[i], programs_, 1), m.mesh.name))
       return false;
-    draw_mesh(i, clip_from_scene);
+    draw_mesh(i, clip_from_model);
   }
   return !gles3::context_was_reset(gl_);
 }

@@ -29,7 +29,7 @@ class Scene {
 
   bool make_skinners();
   void make_ramp();
-  void draw_mesh(std::size_t index, const float (&clip_from_scene)[16]);
+  void draw_mesh(std::size_t index, const float (&clip_from_model)[16]);
 
   Memory memory_;
   Asset file_, ramp_;

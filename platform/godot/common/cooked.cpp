@@ -133,9 +133,9 @@ bool Cooked::choose(std::int64_t skeleton) {
 // Where bones rest.
 bool Cooked::place() {
   if (skeleton_.root_count == 0) return fail("its skeleton has no joints: cook it again");
-  const float* const rows = &skeleton_.scene_from_root[0].rows[0][0];
+  const float* const rows = &skeleton_.model_from_root[0].rows[0][0];
   for (std::uint32_t i = 1; i < skeleton_.root_count; ++i)
-    if (!std::equal(rows, rows + 12, &skeleton_.scene_from_root[i].rows[0][0]))
+    if (!std::equal(rows, rows + 12, &skeleton_.model_from_root[i].rows[0][0]))
       return fail(
           "its root joints stand below different nodes, for which Godot's skeleton has no place: give them one "
           "parent joint in the source");
@@ -212,7 +212,7 @@ std::vector<std::string> Cooked::bones() const {
 std::vector<std::int32_t> Cooked::parents() const {
   std::vector<std::int32_t> out;
   for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j)
-    out.push_back(skeleton_.parents[j] == MRW_NO_PARENT ? -1 : skeleton_.parents[j]);
+    out.push_back(skeleton_.parents[j] == MRW_NO_JOINT ? -1 : skeleton_.parents[j]);
   return out;
 }
 

@@ -99,14 +99,14 @@ static bool turns_round(const float* m) {
   return seen != 0 ? seen > 0 : volume(x, y, z) > 0;
 }
 
-mrw_status draw(drawn_mesh* drawn, const float* clip_from_scene) {
+mrw_status draw(drawn_mesh* drawn, const float* clip_from_model) {
   const gl_state state = save_state();
   const mrw_gles3_program* program;
   mrw_status status = mrw_gles3_update(&api, &drawn->skinner, &programs, 1);
   if (status == MRW_OK) {
     program = mrw_gles3_program_of(&drawn->skinner, &programs, 0);
     gl.UseProgram(program->id);
-    gl.UniformMatrix4fv(gl.GetUniformLocation(program->id, "clip_from_scene"), 1, 0, clip_from_scene);
+    gl.UniformMatrix4fv(gl.GetUniformLocation(program->id, "clip_from_model"), 1, 0, clip_from_model);
     gl.Uniform4fv(gl.GetUniformLocation(program->id, "base_colour"), 1, drawn->mesh.base_colour);
     gl.Enable(GL_DEPTH_TEST_);
     gl.DepthFunc(GL_LEQUAL_);
@@ -114,7 +114,7 @@ mrw_status draw(drawn_mesh* drawn, const float* clip_from_scene) {
     gl.Disable(GL_BLEND_);
     set_enabled(GL_CULL_FACE_, !drawn->mesh.double_sided);
     gl.CullFace(GL_BACK_);
-    gl.FrontFace(turns_round(clip_from_scene) ? GL_CW_ : GL_CCW_);
+    gl.FrontFace(turns_round(clip_from_model) ? GL_CW_ : GL_CCW_);
     status = mrw_gles3_draw(&api, &drawn->skinner, &programs, program, 0, 1);
   }
   restore_state(&state);

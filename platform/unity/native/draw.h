@@ -20,7 +20,7 @@ void free_drawn(drawn_mesh* drawn);
 mrw_status begin_drawn(drawn_mesh* drawn);
 mrw_status pose_drawn(drawn_mesh* drawn, const mrw_affine* joints, size_t joint_count, const float* weights,
                       size_t weight_count);
-mrw_status draw(drawn_mesh* drawn, const float* clip_from_scene);
+mrw_status draw(drawn_mesh* drawn, const float* clip_from_model);
 void delete_drawn(drawn_mesh* drawn);
 
 /* The context is gone, with all that was in it: calls no GL. */

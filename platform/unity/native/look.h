@@ -1,6 +1,6 @@
 /* How render events draw: a colour, and light from above the camera. For another look change these two texts. */
 static const char kVertexText[] =
-    "uniform mat4 clip_from_scene;\n"
+    "uniform mat4 clip_from_model;\n"
     "out vec3 normal, vertex_colour;\n"
     "void main() {\n"
     "  MarrowVertex v = marrow_skin();\n"
@@ -9,7 +9,7 @@ static const char kVertexText[] =
     "#if MARROW_COLOUR\n"
     "  vertex_colour = in_colour.rgb;\n"
     "#endif\n"
-    "  gl_Position = clip_from_scene * vec4(v.position, 1.0);\n"
+    "  gl_Position = clip_from_model * vec4(v.position, 1.0);\n"
     "}\n";
 static const char kFragmentText[] =
     "precision highp float;\n"

@@ -22,7 +22,7 @@ typedef struct object {
 
 typedef struct request {
   int32_t handle;
-  float clip_from_scene[16];
+  float clip_from_model[16];
 } request;
 
 /* The render thread draws under `drawing`; `posing` guards what both threads write, for as long as a copy takes. */
@@ -127,15 +127,15 @@ int32_t marrow_unity_open(const mrw_mesh* mesh) {
   return i < MOST_OBJECTS ? i + 1 : 0;
 }
 
-mrw_status marrow_unity_pose(int32_t handle, const mrw_affine* scene_from_joint, size_t joint_count,
+mrw_status marrow_unity_pose(int32_t handle, const mrw_affine* model_from_joint, size_t joint_count,
                              const float* weights, size_t weight_count) {
   mrw_status status = MRW_BAD_ARGUMENT;
   object* o;
   pthread_mutex_lock(&posing);
   o = object_of(handle);
-  if (o != NULL && scene_from_joint != NULL && joint_count >= o->joint_count && weight_count >= o->weight_count &&
+  if (o != NULL && model_from_joint != NULL && joint_count >= o->joint_count && weight_count >= o->weight_count &&
       (weights != NULL || o->weight_count == 0)) {
-    memcpy(o->joints, scene_from_joint, o->joint_count * sizeof *o->joints);
+    memcpy(o->joints, model_from_joint, o->joint_count * sizeof *o->joints);
     if (o->weight_count > 0) memcpy(o->weights, weights, o->weight_count * sizeof *weights);
     o->posed = true;
     status = MRW_OK;
@@ -144,14 +144,14 @@ mrw_status marrow_unity_pose(int32_t handle, const mrw_affine* scene_from_joint,
   return status;
 }
 
-int32_t marrow_unity_request(int32_t handle, const float* clip_from_scene) {
+int32_t marrow_unity_request(int32_t handle, const float* clip_from_model) {
   int32_t id = 0;
   pthread_mutex_lock(&posing);
-  if (object_of(handle) != NULL && clip_from_scene != NULL) {
+  if (object_of(handle) != NULL && clip_from_model != NULL) {
     next_request = next_request % (MOST_REQUESTS - 1) + 1;
     id = next_request;
     requests[id].handle = handle;
-    memcpy(requests[id].clip_from_scene, clip_from_scene, sizeof requests[id].clip_from_scene);
+    memcpy(requests[id].clip_from_model, clip_from_model, sizeof requests[id].clip_from_model);
   }
   pthread_mutex_unlock(&posing);
   return id;
@@ -188,29 +188,29 @@ static void tidy_up(void) {
 }
 
 /* What the event is to draw, as long as `drawing` is held; null: nothing. */
-static object* object_of_event(int id, float* clip_from_scene) {
+static object* object_of_event(int id, float* clip_from_model) {
   object* o = NULL;
   pthread_mutex_lock(&posing);
   tidy_up();
   if (id > 0 && id < MOST_REQUESTS) o = object_of(requests[id].handle);
   if (o != NULL && !o->posed) o = NULL;
-  if (o != NULL) memcpy(clip_from_scene, requests[id].clip_from_scene, sizeof requests[id].clip_from_scene);
+  if (o != NULL) memcpy(clip_from_model, requests[id].clip_from_model, sizeof requests[id].clip_from_model);
   pthread_mutex_unlock(&posing);
   return o;
 }
 
 static void UNITY_API on_render_event(int id) {
-  float clip_from_scene[16];
+  float clip_from_model[16];
   mrw_status status;
   object* o;
   pthread_mutex_lock(&drawing);
-  o = marrow_unity_unavailable()[0] == 0 ? object_of_event(id, clip_from_scene) : NULL;
+  o = marrow_unity_unavailable()[0] == 0 ? object_of_event(id, clip_from_model) : NULL;
   if (o != NULL) {
     status = begin_drawn(&o->drawn);
     pthread_mutex_lock(&posing);
     if (status == MRW_OK) status = pose_drawn(&o->drawn, o->joints, o->joint_count, o->weights, o->weight_count);
     pthread_mutex_unlock(&posing);
-    if (status == MRW_OK) status = draw(&o->drawn, clip_from_scene);
+    if (status == MRW_OK) status = draw(&o->drawn, clip_from_model);
     pthread_mutex_lock(&posing);
     o->status = status;
     pthread_mutex_unlock(&posing);

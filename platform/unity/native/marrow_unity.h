@@ -30,12 +30,12 @@ UNITY_EXPORT unity_render_event marrow_unity_render_event(void);
 UNITY_EXPORT int32_t marrow_unity_open(const mrw_mesh* mesh);
 
 /* Copies a pose, as mrw_gles3_pose() takes it. Errors: bad_argument. */
-UNITY_EXPORT mrw_status marrow_unity_pose(int32_t handle, const mrw_affine* scene_from_joint, size_t joint_count,
+UNITY_EXPORT mrw_status marrow_unity_pose(int32_t handle, const mrw_affine* model_from_joint, size_t joint_count,
                                           const float* weights, size_t weight_count);
 
 /* The id of an event that draws the mesh, good for the next 1023 requests; 0 if the handle is wrong.
- * clip_from_scene: 16 floats, column after column, from glTF's axes to OpenGL's clip space. */
-UNITY_EXPORT int32_t marrow_unity_request(int32_t handle, const float* clip_from_scene);
+ * clip_from_model: 16 floats, column after column, from glTF's axes to OpenGL's clip space. */
+UNITY_EXPORT int32_t marrow_unity_request(int32_t handle, const float* clip_from_model);
 
 /* What came of the last event that drew it; gl_error before the first one. */
 UNITY_EXPORT mrw_status marrow_unity_status(int32_t handle);

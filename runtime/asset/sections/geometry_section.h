@@ -214,7 +214,7 @@ constexpr void fields(V& v, const PoseSpaceHeader& h, PoseSpaceLayout& l, const 
              "does not count",
              "joint_count"},
             l.parents, g.joint_count, [&](const std::uint16_t& parent) {
-              if (parent != kNoParent) v.below({}, parent, g.joint_count, "a parent outside the palette");
+              if (parent != kNoJoint) v.below({}, parent, g.joint_count, "a parent outside the palette");
             });
 }
 

@@ -45,7 +45,7 @@ constexpr void fields(V& v, const NodeHeader& h, NodeLayout& l) {
     v.joint({"joint", "below the skeleton's joint_count: the nearest at or above the node; 65535: none"}, h.joint,
             "a joint outside the skeleton");
   v.reserved(h.reserved);
-  v.bounded({"joint_from_node", "affine map; without a joint scene_from_node"}, h.joint_from_node);
+  v.bounded({"joint_from_node", "affine map; without a joint model_from_node"}, h.joint_from_node);
   v.records({"properties", "", "property_count"}, l.properties, h.property_count,
             [&](const Property& p) { fields(v, p); });
 }

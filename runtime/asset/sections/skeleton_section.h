@@ -32,7 +32,7 @@ constexpr void fields(V& v, const SkeletonHeader& h, SkeletonLayout& l) {
   v.range({"joint_count", "1 … 32767"}, h.joint_count, 1u, kMaxJoints, "1 to 32767 joints");
   v.range({"root_count", "1 … joint_count"}, h.root_count, 1u, h.joint_count, "1 root to as many as joints");
   v.reserved(h.reserved);
-  v.array({"scene_from_root", "affine map: the product of all nodes above the root", "root_count"}, l.roots,
+  v.array({"model_from_root", "affine map: the product of all nodes above the root", "root_count"}, l.roots,
           h.root_count, Floats::bounded);
   v.array({"rest", "four joints' transforms, see below", "⌈joint_count / 4⌉"}, l.rest, soa_count(h.joint_count));
   v.array({"names", "offsets into NAME", "joint_count"}, l.names, h.joint_count);

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/mark.h"
+#include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/errors.h"
 #include "gles3/label.h"
@@ -70,7 +70,7 @@ void bind_textures(const Api& api, const Program& program, std::uint32_t palette
 
 BadCall check_blending(const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                        double time_s, const Program& program) {
-  MARROW_CHECK(program.crowd >= 0 && "a program from build_crowd_program()");
+  MARROW_CHECK(program.crowd >= 0 && "a program from create_crowd_program()");
   MARROW_CHECK(is_there(first, count, crowd) && mesh.joints > 0);
   MARROW_CHECK(has_ticks(time_s));
   MARROW_CHECK(count == 0 || crowd.frame_count == mesh.frame_count);
@@ -141,7 +141,7 @@ Status on_context_restored(const Api& api, const Caps& caps, Crowd& crowd) {
 
 Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                      Span<const CrowdInstance> instances) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(crowd.capacity > 0 && "a crowd from create_crowd()");
   MARROW_REQUIRE(holds(instances, 1) && first <= crowd.count);
   MARROW_REQUIRE(crowd.count == 0 || frames.frame_count == crowd.frame_count);
@@ -162,7 +162,7 @@ Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, st
   return Status::ok;
 }
 
-Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
+Status create_crowd_program(const Api& api, Program& out, Span<char> log) {
   MARROW_REQUIRE(holds(log));
   clear(log);
   const auto text = [](const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); };
@@ -171,9 +171,9 @@ Status build_crowd_program(const Api& api, Program& out, Span<char> log) {
   return compile_program(api, kBlendingKey, texts, 0, out, log);
 }
 
-Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
-                            std::uint8_t features, ProgramSet& programs) {
-  MARROW_MARK;
+Status create_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
+                             std::uint8_t features, ProgramSet& programs) {
+  MARROW_ZONE;
   MARROW_REQUIRE(in_crowds(deformer));
   MARROW_REQUIRE_GOOD(check_roles(programs));
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
@@ -193,7 +193,7 @@ const Program& blending_program_of(const ProgramSet& programs) {
 
 Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                    double time_s, std::uint32_t texture_unit, const Program& program) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_blending(crowd, mesh, first, count, time_s, program));
   if (count == 0) return Status::ok;
   // Of all that there are: whole lines, so those of instances that share one with these too.
@@ -212,7 +212,7 @@ void begin_frame(CrowdMesh& mesh) {
 
 Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                             std::uint32_t count, double time_s, std::uint32_t texture_unit, const Program& program) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(mesh.motion);
   MARROW_REQUIRE_GOOD(check_blending(crowd, mesh, first, count, time_s, program));
   if (count == 0) return Status::ok;

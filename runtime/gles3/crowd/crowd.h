@@ -24,7 +24,7 @@ struct CrowdRange {
 
 // Eight texels, RGBA32UI; floats by their bits.
 struct CrowdRecord {
-  Affine scene_from_character;
+  Affine world_from_model;
   float colour[4];
   CrowdClockwork a;
   CrowdRange range_a;

@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "core/check.h"
-#include "core/mark.h"
+#include "core/zone.h"
 #include "marrow/gles3_crowd.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
@@ -50,7 +50,7 @@ Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip
 
 Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
                   Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(holds(sources, 1) && holds(clips, sources.size));
   MARROW_REQUIRE(holds(scratch, skeleton.soa_size()));
   std::uint64_t frames = 0;

@@ -94,10 +94,10 @@ BadCall check_moment(const CrowdFrames& frames, const CrowdInstance& instance, d
   return bad ? bad : check_instance(frames, instance);
 }
 
-void place(const CrowdFrames& frames, const CrowdShares& at, const Affine& scene_from_character, std::uint32_t joint,
+void place(const CrowdFrames& frames, const CrowdShares& at, const Affine& world_from_model, std::uint32_t joint,
            Affine& out) {
-  multiply(scene_from_character, row_of(frames, at, joint, 0), row_of(frames, at, joint, 1),
-           row_of(frames, at, joint, 2), out);
+  multiply(world_from_model, row_of(frames, at, joint, 0), row_of(frames, at, joint, 1), row_of(frames, at, joint, 2),
+           out);
 }
 
 }  // namespace
@@ -123,10 +123,10 @@ BadCall check_frames(const CrowdFrames& frames) {
 
 BadCall check_instance(const CrowdFrames& frames, const CrowdInstance& instance) {
   for (const float x : instance.colour) MARROW_CHECK(is_finite(double{x}) && "the colour");
-  for (const auto& row : instance.scene_from_character.rows)
-    for (const float x : row) MARROW_CHECK(x >= -1e12f && x <= 1e12f && "scene_from_character");
+  for (const auto& row : instance.world_from_model.rows)
+    for (const float x : row) MARROW_CHECK(x >= -1e12f && x <= 1e12f && "world_from_model");
   const BadCall bad = check_play(frames, instance.a);
-  if (bad || instance.b.clip == kNoCrowdClip) return bad;
+  if (bad || instance.b.clip == kNoClip) return bad;
   MARROW_CHECK(is_finite(double{instance.blend_s}) && instance.blend_s >= 0);
   MARROW_CHECK(has_ticks(instance.blend_start_s));
   return check_play(frames, instance.b);
@@ -134,14 +134,14 @@ BadCall check_instance(const CrowdFrames& frames, const CrowdInstance& instance)
 
 CrowdRecord record_of(const CrowdFrames& frames, const CrowdInstance& instance) {
   CrowdRecord out;
-  out.scene_from_character = instance.scene_from_character;
+  out.world_from_model = instance.world_from_model;
   std::memcpy(out.colour, instance.colour, sizeof(out.colour));
   set_play(frames.clips[instance.a.clip], instance.a, out.a, out.range_a);
   out.b = out.a;
   out.range_b = out.range_a;
   out.blend_start = 0;
   out.blend_rate = 0;
-  if (instance.b.clip == kNoCrowdClip) return out;
+  if (instance.b.clip == kNoClip) return out;
   set_play(frames.clips[instance.b.clip], instance.b, out.b, out.range_b);
   out.blend_start = ticks_of(instance.blend_start_s);
   const double ticks = double{instance.blend_s} * kTicksPerSecond;
@@ -167,21 +167,21 @@ CrowdShares shares_of(const CrowdRecord& record, std::uint32_t now) {
 }
 
 Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s, std::uint32_t joint,
-                   Affine& scene_from_joint) {
+                   Affine& model_from_joint) {
   MARROW_REQUIRE(joint < frames.joint_count);
   MARROW_REQUIRE_GOOD(check_moment(frames, instance, time_s));
   const CrowdShares at = shares_of(record_of(frames, instance), ticks_of(time_s));
-  place(frames, at, instance.scene_from_character, joint, scene_from_joint);
+  place(frames, at, instance.world_from_model, joint, model_from_joint);
   return Status::ok;
 }
 
 Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
-                  Span<Affine> scene_from_joint) {
-  MARROW_REQUIRE(holds(scene_from_joint, frames.joint_count));
+                  Span<Affine> model_from_joint) {
+  MARROW_REQUIRE(holds(model_from_joint, frames.joint_count));
   MARROW_REQUIRE_GOOD(check_moment(frames, instance, time_s));
   const CrowdShares at = shares_of(record_of(frames, instance), ticks_of(time_s));
   for (std::uint32_t joint = 0; joint < frames.joint_count; ++joint)
-    place(frames, at, instance.scene_from_character, joint, scene_from_joint[joint]);
+    place(frames, at, instance.world_from_model, joint, model_from_joint[joint]);
   return Status::ok;
 }
 

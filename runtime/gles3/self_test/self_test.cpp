@@ -3,9 +3,9 @@
 
 #include "core/builtins.h"
 #include "core/check.h"
-#include "core/mark.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
+#include "core/zone.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/self_test/self_test_key.h"
@@ -278,7 +278,7 @@ std::size_t self_test_bytes(const SelfTestOptions& options) {
 
 Status self_test(const Api& api, const Caps& caps, const SelfTestOptions& options, Span<std::byte> memory,
                  SelfTest& out) {
-  MARROW_MARK;
+  MARROW_ZONE;
   MARROW_REQUIRE(options.ssd || options.as);
   MARROW_REQUIRE(options.seconds == nullptr || (options.slow >= 1 && is_sane(options)));
   MARROW_REQUIRE(holds(memory, self_test_bytes(options)));

@@ -155,10 +155,10 @@ Mesh make_probe_mesh(const ProbeShape& shape, Memory& memory) {
   return mesh;
 }
 
-void pose_probe(std::uint32_t frame, std::uint32_t character, Span<Affine> scene_from_joint) {
+void pose_probe(std::uint32_t frame, std::uint32_t character, Span<Affine> model_from_joint) {
   const auto shift = static_cast<float>(character + 3 * frame);
-  for (std::uint32_t j = 0; j < scene_from_joint.size; ++j) {
-    Affine& out = scene_from_joint[j];
+  for (std::uint32_t j = 0; j < model_from_joint.size; ++j) {
+    Affine& out = model_from_joint[j];
     turn(j + 2 * character + 3 * frame, out);
     const float sway = 0.05f * static_cast<float>(j % 7);
     const float place[3] = {100 + 2 * shift + sway, height_of(j) - 60, 80 - shift - sway};

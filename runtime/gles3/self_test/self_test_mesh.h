@@ -28,6 +28,6 @@ Mesh make_probe_mesh(const ProbeShape& shape, Memory& memory);
 
 // Where a character's joints are: turned by up to 33°, scaled unevenly by 0.8 to 1.25, some 100 m from the origin. Each
 // frame and character has a pose of its own.
-void pose_probe(std::uint32_t frame, std::uint32_t character, Span<Affine> scene_from_joint);
+void pose_probe(std::uint32_t frame, std::uint32_t character, Span<Affine> model_from_joint);
 
 }  // namespace marrow::gles3

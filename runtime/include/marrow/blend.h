@@ -1,4 +1,4 @@
-// Stage 2½, blend: local poses of one skeleton → one local pose.
+// Blend: local poses of one skeleton → one local pose.
 //
 // Three functions, in the order in which a frame uses them: blend() averages, overlay() replaces parts, add() lays
 // changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on different outputs.

@@ -1,7 +1,7 @@
-// Beside stage 4, bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
+// Bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
 //
 //   over a whole clip   File::bounds(clip, mesh): from the file, no work
-//   in one frame        make_reach() once a load; palette_bounds() every frame
+//   in one frame        make_extents() once a load; palette_bounds() every frame
 //
 // Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
@@ -15,44 +15,44 @@
 namespace marrow {
 
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
-struct JointReach {
+struct JointExtent {
   float centre[3] = {0, 0, 0};   // the box's middle
   float half[3] = {-1, -1, -1};  // ≥ 0; below 0: nothing follows this entry
 };
 
 // What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
 // and about 0, in mesh space.
-struct MorphReach {
+struct MorphExtent {
   float least[3] = {0, 0, 0};  // ≤ 0
   float most[3] = {0, 0, 0};   // ≥ 0
 };
 
 // Views into the caller's memory.
-struct Reach {
-  Span<JointReach> joints = {};   // one a palette entry, helpers behind
-  Span<MorphReach> targets = {};  // one a morph target
-  MorphReach pose_space = {};     // the sum of what all examples may add
+struct MeshExtents {
+  Span<JointExtent> joints = {};   // one a palette entry, helpers behind
+  Span<MorphExtent> targets = {};  // one a morph target
+  MorphExtent pose_space = {};     // the sum of what all examples may add
 };
 
-// Bytes that make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
-MARROW_API std::size_t reach_bytes(const Mesh& mesh);
+// Bytes that make_extents() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+MARROW_API std::size_t extents_bytes(const Mesh& mesh);
 
 // Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
 // are among those of `mesh`.
 //
-// mesh: of a file, not of a character whose vertices are morphed. memory: at least reach_bytes(), 16-byte aligned;
+// mesh: of a file, not of a character whose vertices are morphed. memory: at least extents_bytes(), 16-byte aligned;
 // `out` keeps pointers into it. Errors: bad_argument (the memory). Cost: once a load.
-MARROW_API Status make_reach(const Mesh& mesh, Span<std::byte> memory, Reach& out);
+MARROW_API Status make_extents(const Mesh& mesh, Span<std::byte> memory, MeshExtents& out);
 
 // The box of the mesh and a sphere about the box's centre, in the palette's space.
 //
-// palette: of the mesh, reach.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
+// palette: of the mesh, extents.joints.size entries. weights: of its morph targets, any finite numbers; empty: none is
 // active. Without a vertex `out` is empty (Bounds::is_empty()). Errors: bad_argument (a span too short, a weight that
 // is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its half
 // sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems,
 // 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
 // instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
-MARROW_API Status palette_bounds(const Reach& reach, Span<const Affine> palette, Span<const float> weights,
+MARROW_API Status palette_bounds(const MeshExtents& extents, Span<const Affine> palette, Span<const float> weights,
                                  Bounds& out);
 
 }  // namespace marrow

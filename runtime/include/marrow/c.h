@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x322cf8d7u
+#define MRW_ABI 0x510e10f3u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -108,7 +108,7 @@ bool mrw_is_on_boundary(const void* first);
 mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) MRW_NODISCARD;
 
 // ---- Part unpack ----------------------------------------------------------------------------------------------------
-// Before stage 1, for packed files: what a game ships → what mrw_load() reads.
+// Unpack: what a game ships → what mrw_load() reads.
 //
 // A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
 // --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so
@@ -299,7 +299,7 @@ struct mrw_example_space {
 };
 
 // ---- Part file ------------------------------------------------------------------------------------------------------
-// Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
+// Load: one validated block of memory, seen as skeletons, clips and meshes.
 
 // Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
 #define MRW_MAX_JOINTS 32767u
@@ -307,8 +307,11 @@ struct mrw_example_space {
 // The most palette entries that a vertex follows.
 #define MRW_MAX_INFLUENCES 8u
 
-// In mrw_skeleton.parents: a root.
-#define MRW_NO_PARENT 0xFFFFu
+// No joint: in mrw_skeleton.parents a root.
+#define MRW_NO_JOINT 0xFFFFu
+
+// No clip: a skeleton rests.
+#define MRW_NO_CLIP 0xFFFFFFFFu
 
 // In mrw_geometry.source_slots: a vertex of no triangle.
 #define MRW_NO_SLOT 0xFFFFFFFFu
@@ -321,9 +324,6 @@ struct mrw_example_space {
 
 // In place of an image: none.
 #define MRW_NO_IMAGE 0xFFFFFFFFu
-
-// In mrw_node.joint and elsewhere: none.
-#define MRW_NO_JOINT 0xFFFFu
 
 // What shape the rotations within an mrw_joint_limit have.
 typedef uint8_t mrw_limit_kind;
@@ -529,9 +529,9 @@ struct mrw_skeleton {
   const char* name;  // as the source calls it; never null
   uint32_t joint_count;  // 1 … MRW_MAX_JOINTS
   uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
-  const mrw_affine* scene_from_root;  // root_count; what stands above each root and never moves
+  const mrw_affine* model_from_root;  // root_count; what stands above each root and never moves
   const mrw_soa_transform* rest;  // mrw_soa_count(joint_count); the pose of joints that a clip leaves alone
-  const uint16_t* parents;  // joint_count; MRW_NO_PARENT for roots
+  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
   const uint32_t* names;  // joint_count; see mrw_file_text
   const mrw_joint_limit* limits;  // ascending by joint; those that the asset came with
   size_t limit_count;
@@ -545,7 +545,7 @@ struct mrw_skeleton_reference {
   uint64_t hash;  // mrw_skeleton_hash() of the skeleton
   const uint32_t* names;  // joint_count; see mrw_file_text
   const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
-  const uint16_t* parents;  // joint_count; MRW_NO_PARENT for roots
+  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
 };
 
 // One channel of a clip stored without loss: the source's own keys at the source's own times.
@@ -651,7 +651,7 @@ struct mrw_pose_space {
   const void* blocks;  // as mrw_geometry.target_blocks
   const int16_t* records;  // as mrw_geometry.target_records
   const int16_t* rotations;  // for each example and palette entry x y z w, up to a positive factor
-  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or MRW_NO_PARENT
+  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or MRW_NO_JOINT
 };
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
@@ -744,8 +744,8 @@ struct mrw_property {
   double number;
 };
 
-// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
-// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in model space is
+// model_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
 typedef struct mrw_node mrw_node;
 struct mrw_node {
   const char* name;  // as the source calls it; never empty
@@ -772,7 +772,7 @@ struct mrw_mesh_lod {
   float error_m;  // the farthest that a vertex of the full mesh is from it, in the clips it was made with
 };
 
-// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+// A box, and a sphere about the box's centre, about the same vertices. Model space, metres.
 typedef struct mrw_bounds mrw_bounds;
 struct mrw_bounds {
   float box_min[3];  // least corner
@@ -984,21 +984,21 @@ mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_
     uint16_t* body_joints, size_t body_joint_count, mrw_joint_misfit* misfits, size_t misfit_count,
     size_t* misfits_there) MRW_NODISCARD;
 
-// The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+// The outfit's model-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
 // below their parents. Poses are the same bits as if mrw_local_to_model() had posed them all.
 //
 // skeleton: the outfit's. body_joints: as mrw_bind_outfit() gives it. local: at least mrw_skeleton_soa_size(skeleton),
-// of which joints of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the
+// of which joints of the body are not read. model_from_joint: at least skeleton.joint_count; does not overlap the
 // body's. Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range, or a root none of the body's.
 // Cost: 48 bytes are copied a joint of the body; the others cost what mrw_local_to_model() does. Where body_joints[j]
 // is always j, mrw_build_palette() and mrw_gles3_pose() may as well take the body's joints themselves, without a copy.
 // Thread-safe on different outputs.
 mrw_status mrw_follow_body(const mrw_skeleton* skeleton, const uint16_t* body_joints, size_t body_joint_count,
-    const mrw_affine* body_scene_from_joint, size_t body_scene_from_joint_count, const mrw_soa_transform* local,
-    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count) MRW_NODISCARD;
+    const mrw_affine* body_model_from_joint, size_t body_model_from_joint_count, const mrw_soa_transform* local,
+    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) MRW_NODISCARD;
 
 // ---- Part playback --------------------------------------------------------------------------------------------------
-// Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
+// Playback: where in its clip a character is, moved on from frame to frame.
 
 // What happens at the ends of a clip.
 typedef uint8_t mrw_play_mode;
@@ -1045,7 +1045,7 @@ float mrw_clip_time(const mrw_playback* playback);
 bool mrw_finished(const mrw_playback* playback, float duration_s);
 
 // ---- Part sample ----------------------------------------------------------------------------------------------------
-// Stage 2, sample: a clip at a time → local transforms of every joint.
+// Sample: a clip at a time → local transforms of every joint.
 
 // Which joints are sampled.
 typedef struct mrw_sample_options mrw_sample_options;
@@ -1286,7 +1286,7 @@ size_t mrw_arc_length_count(size_t key_count, uint32_t steps);
 // MRW_BAD_ARGUMENT if `steps` is 0 or `out` too short; MRW_BAD_DATA if a length is not finite. Three-point Gauss
 // quadrature a step: exact for linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost:
 // 3 square roots a step.
-mrw_status mrw_build_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) MRW_NODISCARD;
+mrw_status mrw_make_arc_length(const mrw_curve* curve, uint32_t steps, float* out, size_t out_count) MRW_NODISCARD;
 
 // The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
 // Between two entries the length is taken as linear, so the point found is off along the path by at most
@@ -1308,7 +1308,7 @@ float mrw_ease(mrw_easing easing, mrw_ease_mode mode, float u);
 mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float* out) MRW_NODISCARD;
 
 // ---- Part blend -----------------------------------------------------------------------------------------------------
-// Stage 2½, blend: local poses of one skeleton → one local pose.
+// Blend: local poses of one skeleton → one local pose.
 //
 // Three functions, in the order in which a frame uses them: mrw_blend() averages, mrw_overlay() replaces parts,
 // mrw_add() lays changes on top. All work on whole groups of four joints, allocate nothing and are thread-safe on
@@ -1381,7 +1381,7 @@ mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer
     size_t pose_count) MRW_NODISCARD;
 
 // ---- Part transition ------------------------------------------------------------------------------------------------
-// Stage 2½, transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
+// Transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
 // new one is).
 
 // How a weight goes from 0 to 1; u = time / duration. Part curve has more shapes.
@@ -1461,10 +1461,10 @@ mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* in
     mrw_soa_transform* pose, size_t pose_count) MRW_NODISCARD;
 
 // ---- Part local_to_model --------------------------------------------------------------------------------------------
-// Stage 3, local to model: local transforms → one scene-space matrix a joint.
+// Local to model: local transforms → one model-space matrix a joint.
 
-// scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
-// above the skeleton and never moves, so the matrices are in the source's scene space.
+// model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
+// above the skeleton and never moves, so the matrices are in the source's own space.
 //
 // local: at least mrw_skeleton_soa_size(skeleton); out: at least skeleton.joint_count; they do not overlap.
 // Errors: MRW_BAD_ARGUMENT if a list is too short.
@@ -1616,12 +1616,12 @@ mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mr
 // Inverse kinematics in closed form, for poses after mrw_local_to_model(): a limb of two bones reaches a point, or a
 // joint or a chain of joints looks at one.
 //
-// Each comes in two forms. A kernel (mrw_turn_two_bone, aim) takes scene matrices and gives turns, to be multiplied
+// Each comes in two forms. A kernel (mrw_turn_two_bone, aim) takes model matrices and gives turns, to be multiplied
 // onto the joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes
-// a pose, changes its local rotations, and updates the scene matrices of all that hangs below. Both take the same
+// a pose, changes its local rotations, and updates the model matrices of all that hangs below. Both take the same
 // struct.
 //
-// "Scene" vectors are in the space of scene_from_joint, "local" ones in the joint's own; they may be of any length.
+// "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
 // Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does not turn rigidly:
 // kernels and aims are then approximate, mrw_solve_two_bone() is not. The same call gives the same bits on every
 // processor. Thread-safe on different outputs; no allocation.
@@ -1629,12 +1629,12 @@ mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mr
 // The goal of a limb, whose joints are start, middle and end: hip, knee and ankle, say.
 typedef struct mrw_two_bone mrw_two_bone;
 struct MRW_ALIGN(16) mrw_two_bone {
-  float target[3];  // where the end joint is to be; scene, metres
+  float target[3];  // where the end joint is to be; model space, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
-  // The direction from the start joint in which the middle joint is to point; scene. Zero: it stays on the side that it
-  // has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the pole counts
-  // less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb swings
-  // round and does not jump.
+  // The direction from the start joint in which the middle joint is to point; model space. Zero: it stays on the side
+  // that it has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
+  // pole counts less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb
+  // swings round and does not jump.
   float pole[3];
   float twist_rad;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
@@ -1657,7 +1657,7 @@ struct MRW_ALIGN(16) mrw_two_bone_turns {
   bool reached;  // At weight 1 the end comes to within 1e-4 of the limb's length of the target.
 };
 
-// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+// The model matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 typedef struct mrw_two_bone_joints mrw_two_bone_joints;
 struct mrw_two_bone_joints {
   const mrw_affine* start;  // hip, shoulder
@@ -1678,10 +1678,11 @@ void mrw_two_bone_limb_init(mrw_two_bone_limb* out);
 // The goal of a joint that looks or points at something: an eye, a head, a gun.
 typedef struct mrw_aim mrw_aim;
 struct MRW_ALIGN(16) mrw_aim {
-  float target[3];  // scene, metres
+  float target[3];  // model space, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 aims
-  // The direction towards which `up` is turned about the line to the target; scene. Zero: the joint turns to the target
-  // by the shortest arc. Within 0.1 rad of the target's direction the pole counts less and less, as an mrw_two_bone's.
+  // The direction towards which `up` is turned about the line to the target; model space. Zero: the joint turns to the
+  // target by the shortest arc. Within 0.1 rad of the target's direction the pole counts less and less, as an
+  // mrw_two_bone's.
   float pole[3];
   float twist_rad;  // turns about the line to the target, on top of the pole; a few turns at most
   float forward[3];  // the direction that is to point at the target; in the joint's local space
@@ -1716,14 +1717,14 @@ mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bo
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
-// Solves a limb of a pose. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless
+// Solves a limb of a pose. local and model_from_joint belong together (mrw_local_to_model); both are changed, unless
 // the weight is 0. reached: may be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is
 // too short or the joints are not a chain; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
 // Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
 // five times the cost, at most twelve. The target is still reached, or `reached` is false.
 // May be null: reached.
 mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count,
     bool* reached) MRW_NODISCARD;
 
 // Method: takes the point of the ray that is as far from the joint as the target, and turns it onto the target by the
@@ -1733,12 +1734,12 @@ mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_l
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
-// Aims a joint of a pose. local and scene_from_joint belong together (mrw_local_to_model); both are changed, unless the
+// Aims a joint of a pose. local and model_from_joint belong together (mrw_local_to_model); both are changed, unless the
 // weight is 0. reached: may be null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such
 // joint; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(joint).
 // May be null: reached.
 mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
-    size_t local_count, mrw_affine* scene_from_joint, size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
+    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count, bool* reached) MRW_NODISCARD;
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
 // skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
@@ -1746,8 +1747,8 @@ mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw
 // Errors: as above, and MRW_BAD_ARGUMENT if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
 mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
-    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, bool* reached) MRW_NODISCARD;
+    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
+    size_t model_from_joint_count, bool* reached) MRW_NODISCARD;
 
 // ---- Part ik_solve --------------------------------------------------------------------------------------------------
 // Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, with a choice of methods.
@@ -1776,8 +1777,8 @@ struct mrw_ik_goal {
   uint16_t joint;  // of the skeleton
   uint8_t priority;  // 0 is the most urgent; less urgent goals never disturb it. Jacobian methods only
   float offset[3];  // the point of the joint that is to reach `position`; the joint's space, metres
-  float position[3];  // scene space, metres
-  float rotation[4];  // of the joint's axes, in scene space: a unit quaternion x, y, z, w
+  float position[3];  // model space, metres
+  float rotation[4];  // of the joint's axes, in model space: a unit quaternion x, y, z, w
   float position_weight;  // 0 … 100
   float rotation_weight;  // metres a radian: an error of one radian counts as one of so many metres
 };
@@ -1797,7 +1798,7 @@ struct mrw_ik_problem {
   size_t limit_count;
   // The point towards which a chain with one goal bends, as a knee forward: the chain is turned about the line from its
   // first joint to the goal until its joints face this point. pole_weight is 0 … 1. FABRIK and CCD only.
-  // scene space, metres
+  // model space, metres
   float pole[3];
   float pole_weight;  // 0: no pole
   // How far joints[0] moves as easily as a joint turns by a radian, in metres: the pelvis of a full body. 0: it stays.
@@ -1841,16 +1842,16 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 // Turns the joints from the given pose so that the goals are reached, or as nearly as can be.
 //
 // local: parent_from_joint, at least mrw_skeleton_soa_size(skeleton). Rotations of problem.joints are changed, and the
-// translation of joints[0] if it may travel. scene_from_joint: of this pose (mrw_local_to_model), at least
+// translation of joints[0] if it may travel. model_from_joint: of this pose (mrw_local_to_model), at least
 // skeleton.joint_count; updated for what hangs below the joints that turn. scratch: at least mrw_ik_scratch_bytes(), of
-// any alignment. report: may be null. A joint's rotation in scene space is the product of the rotations from the root
+// any alignment. report: may be null. A joint's rotation in model space is the product of the rotations from the root
 // down; scale has no part in it. Errors: MRW_BAD_ARGUMENT, and nothing is written, if a list is too short, an index is
 // out of range, `joints` do not ascend, there are more than MRW_MAX_JOINTS goals, a goal hangs on no joint that turns,
 // a number is not finite, a weight or a stiffness is out of range, or the pose is not finite on the way to a goal.
 // Cost: docs/ik.md. Thread-safe on different poses and scratch.
 // May be null: options, report.
 mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // mrw_solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others.
@@ -1858,10 +1859,10 @@ mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, 
 // options.method is one of the others.
 // May be null: options, report.
 mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
@@ -1884,7 +1885,7 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 // Cost: tens of microseconds a generation, see docs/ik.md.
 // May be null: options, report.
 mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* scene_from_joint, size_t scene_from_joint_count, const mrw_ik_problem* problem,
+    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
     const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // ---- Part feet ------------------------------------------------------------------------------------------------------
@@ -1903,14 +1904,14 @@ struct mrw_foot {
 };
 void mrw_foot_init(mrw_foot* out);
 
-// The legs of a character, whose clips are made for level ground through the scene's origin.
+// The legs of a character, whose clips are made for level ground through the model's origin.
 typedef struct mrw_feet mrw_feet;
 struct mrw_feet {
   const mrw_foot* feet;  // two or more
   size_t foot_count;
   uint32_t pelvis;  // moves up and down with all that hangs on it, hips included; MRW_NO_JOINT: none does
   float lower_m;  // ≥ 0: the most that the pelvis goes down, or up; world
-  float reach;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
+  float leg_extension;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
   float slope_rad;  // 0 … 1.5: the most that a foot leans with the ground
   float ease_s;  // > 0: the time after which 2 % of a step in the ground, or of a release, is left
 };
@@ -1919,7 +1920,7 @@ void mrw_feet_init(mrw_feet* out);
 // What the game says of a foot in this frame; world.
 typedef struct mrw_foot_ground mrw_foot_ground;
 struct mrw_foot_ground {
-  bool hit;  // false: as if the ground were level at the height of the scene's origin
+  bool hit;  // false: as if the ground were level at the height of the model's origin
   float point[3];  // of a ray along `up` through mrw_foot_sole(), or anywhere on the plane that it hit
   float normal[3];  // of any length; steeper than 80°: no hit
   bool planted;  // the sole stays where it is for as long as this is true
@@ -1953,7 +1954,7 @@ void mrw_foot_motion_init(mrw_foot_motion* out);
 typedef struct mrw_feet_frame mrw_feet_frame;
 struct mrw_feet_frame {
   float dt_s;  // since the last frame
-  mrw_affine world_from_scene;  // Where the character stands: a turn, one scale above 0, a shift.
+  mrw_affine world_from_model;  // Where the character stands: a turn, one scale above 0, a shift.
   float up[3];  // a unit vector; world
   bool teleported;  // feet begin anew, none is planted where it was
   float weight;  // 0 … 1, times each foot's; motions go on at 0 too
@@ -1962,13 +1963,13 @@ void mrw_feet_frame_init(mrw_feet_frame* out);
 
 // The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: MRW_BAD_ARGUMENT if the list is too short, there is no such joint, or the place is not finite or beyond 1e6.
-mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scene, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float sole_world[3]) MRW_NODISCARD;
+mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_model, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float sole_world[3]) MRW_NODISCARD;
 
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and updates the matrices of what hangs below. Call
 // it after mrw_local_to_model(), and cast the rays before it, from the same pose.
 //
-// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count. ground, motion:
+// local, model_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count. ground, motion:
 // one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
@@ -1985,8 +1986,8 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_scen
 // joints. No allocation; thread-safe on different motions and poses.
 mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
     const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count) MRW_NODISCARD;
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
+    size_t model_from_joint_count) MRW_NODISCARD;
 
 // ---- Part springs ---------------------------------------------------------------------------------------------------
 // Spring bones, for poses after mrw_local_to_model(): hair, tails and capes swing behind the animated pose.
@@ -2025,7 +2026,7 @@ typedef struct mrw_spring_frame mrw_spring_frame;
 struct mrw_spring_frame {
   float dt_s;  // since the last frame
   // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
-  mrw_affine world_from_scene;
+  mrw_affine world_from_model;
   float gravity[3];  // m/s², world
   float wind[3];  // m/s, world; acts by `drag`
   const mrw_spring_collider* colliders;  // at most MRW_MAX_SPRING_COLLIDERS
@@ -2058,7 +2059,7 @@ void mrw_reset_springs(mrw_springs* springs);
 
 // Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
 //
-// local, scene_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count, which belong
+// local, model_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count, which belong
 // together (mrw_local_to_model). Springs never read what they have written: give them the animated pose in every frame.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
@@ -2086,11 +2087,11 @@ void mrw_reset_springs(mrw_springs* springs);
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
 mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count) MRW_NODISCARD;
+    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
+    size_t model_from_joint_count) MRW_NODISCARD;
 
 // ---- Part morph -----------------------------------------------------------------------------------------------------
-// Before stage 5, morph: weights of morph targets → bind-pose vertices moved, for any deformer.
+// Morph: weights of morph targets → bind-pose vertices moved, for any deformer.
 //
 //   once a load       mrw_find_weight_channels
 //   once an instance  mrw_make_morphed
@@ -2188,10 +2189,10 @@ mrw_status mrw_evaluate_examples(const mrw_example_space* space, const float* pa
 //   once          lines in mrw_debug_lines.room
 //   every frame   mrw_debug_lines.count = mrw_debug_lines.left_out = 0; then mrw_joint_lines(), mrw_limit_lines(), …
 //
-// All lines are in scene space, metres. Each call appends. A line without room is left out and counted, and so is one
+// All lines are in model space, metres. Each call appends. A line without room is left out and counted, and so is one
 // with a number that is not finite. No allocation; thread-safe on different lines. Cost: a few products a line.
 
-// A line to draw; scene space.
+// A line to draw; model space.
 typedef struct mrw_debug_line mrw_debug_line;
 struct mrw_debug_line {
   float from[3];  // its ends, metres
@@ -2211,46 +2212,46 @@ struct mrw_debug_lines {
 void mrw_debug_lines_init(mrw_debug_lines* out);
 
 // A line from each joint's parent to the joint, and the joint's axes x, y, z in red, green, blue: `axis_m` long
-// whatever its scale; 0: none. scene_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
+// whatever its scale; 0: none. model_from_joint: at least skeleton.joint_count. At most 4 lines a joint.
 // Errors, of all that follow: MRW_BAD_ARGUMENT if a list is too short, a joint is not in the skeleton, or a length is
 // below 0 or not finite; nothing is appended.
-mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float axis_m, mrw_debug_lines* lines) MRW_NODISCARD;
+mrw_status mrw_joint_lines(const mrw_skeleton* skeleton, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float axis_m, mrw_debug_lines* lines) MRW_NODISCARD;
 
-// What each limit lets the joint do, about the joint, `size_m` large. local: the pose that scene_from_joint is of.
+// What each limit lets the joint do, about the joint, `size_m` large. local: the pose that model_from_joint is of.
 // A hinge: the arc along which its y moves. A cone: the rim along which its x moves at most, and four spokes. Euler
 // angles: three arcs in the colours of their axes, each with the other angles at the middle. Then where the joint is
 // now, in green inside the limit and red outside of it. Limits that mrw_is_valid() refuses are passed over. At most 51
 // lines a limit.
 mrw_status mrw_limit_lines(const mrw_skeleton* skeleton, const mrw_joint_limit* limits, size_t limit_count,
-    const mrw_soa_transform* local, size_t local_count, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, float size_m, mrw_debug_lines* lines) MRW_NODISCARD;
+    const mrw_soa_transform* local, size_t local_count, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, float size_m, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // A cross at each goal's position, or, where its rotation counts, the axes it asks for; and a line to it from the point
 // of the joint that is to be there. Green within `tolerance_m`, else red. At most 4 lines a goal.
 mrw_status mrw_goal_lines(const mrw_skeleton* skeleton, const mrw_ik_goal* goals, size_t goal_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, float size_m, float tolerance_m,
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, float size_m, float tolerance_m,
     mrw_debug_lines* lines) MRW_NODISCARD;
 
-// The bones of each chain, and its tip. scene_from_joint: after mrw_simulate_springs(). At most a line a joint.
+// The bones of each chain, and its tip. model_from_joint: after mrw_simulate_springs(). At most a line a joint.
 mrw_status mrw_spring_lines(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // Each collider as great circles about its ends, and lines between them: 48 lines a sphere, 100 a capsule.
 mrw_status mrw_collider_lines(const mrw_skeleton* skeleton, const mrw_spring_collider* colliders, size_t collider_count,
-    const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
+    const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // The box's edges and the sphere's three great circles: 60 lines; none if it is empty.
 mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MRW_NODISCARD;
 
 // ---- Part palette ---------------------------------------------------------------------------------------------------
-// Stage 4, palette: scene-space joints → the matrices that skinning blends.
+// Palette: model-space joints → the matrices that skinning blends.
 
-// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+// out[i] = model_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
 // joints, bind: one a palette entry, equal in size (mrw_mesh.joints and mrw_mesh.inverse_bind; the GLES path brings its
 // own bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
-// scene_from_joint_count, what helpers name below joint_count and not the same.
+// model_from_joint_count, what helpers name below joint_count and not the same.
 // Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range or a share not between 0 and 1.
 //
 // helpers: written behind the joints' entries: entry joint_count + h blends the entries `first` and `second`, the
@@ -2268,12 +2269,12 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 // centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
-    size_t bind_count, const mrw_affine* scene_from_joint, size_t scene_from_joint_count, mrw_affine* out,
+    size_t bind_count, const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_affine* out,
     size_t out_count, const mrw_helper* helpers, size_t helper_count, const float* centres,
     size_t centre_count) MRW_NODISCARD;
 
 // The palette of a mesh.
-mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* scene_from_joint, size_t scene_from_joint_count,
+mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* model_from_joint, size_t model_from_joint_count,
     mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
@@ -2283,15 +2284,15 @@ bool mrw_turns_inside_out(const mrw_affine* map);
 
 // The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
 // double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
-// turns if either this or its scene_from_character does, not if both do: see part gles3_crowd of c_gles3.h. Cost: a
+// turns if either this or its world_from_model does, not if both do: see part gles3_crowd of c_gles3.h. Cost: a
 // determinant a matrix.
 bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_count);
 
 // ---- Part bounds ----------------------------------------------------------------------------------------------------
-// Beside stage 4, bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
+// Bounds: palette → a box and a sphere about the mesh, for culling and shadows, without its vertices.
 //
 //   over a whole clip   mrw_file_bounds(clip, mesh): from the file, no work
-//   in one frame        mrw_make_reach() once a load; mrw_palette_bounds() every frame
+//   in one frame        mrw_make_extents() once a load; mrw_palette_bounds() every frame
 //
 // Both are about every vertex that rigid skinning, SSD (with helpers) and pose-space deformation give: those blend
 // with weights ≥ 0 that sum to 1, so a vertex is in the convex hull of where its joints alone would take it. What is in
@@ -2299,56 +2300,57 @@ bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_coun
 // nothing of their residuals (docs/benchmarks.md, "Bounds", has how far they went beyond it).
 
 // The vertices of the bind pose that a palette entry has a weight in, as a box in mesh space.
-typedef struct mrw_joint_reach mrw_joint_reach;
-struct mrw_joint_reach {
+typedef struct mrw_joint_extent mrw_joint_extent;
+struct mrw_joint_extent {
   float centre[3];  // the box's middle
   float half[3];  // ≥ 0; below 0: nothing follows this entry
 };
 
 // What a morph target (or an example of pose-space deformation) adds to vertices at weight 1: a box about all changes
 // and about 0, in mesh space.
-typedef struct mrw_morph_reach mrw_morph_reach;
-struct mrw_morph_reach {
+typedef struct mrw_morph_extent mrw_morph_extent;
+struct mrw_morph_extent {
   float least[3];  // ≤ 0
   float most[3];  // ≥ 0
 };
 
 // Views into the caller's memory.
-typedef struct mrw_reach mrw_reach;
-struct mrw_reach {
-  mrw_joint_reach* joints;  // one a palette entry, helpers behind
+typedef struct mrw_mesh_extents mrw_mesh_extents;
+struct mrw_mesh_extents {
+  mrw_joint_extent* joints;  // one a palette entry, helpers behind
   size_t joint_count;
-  mrw_morph_reach* targets;  // one a morph target
+  mrw_morph_extent* targets;  // one a morph target
   size_t target_count;
-  mrw_morph_reach pose_space;  // the sum of what all examples may add
+  mrw_morph_extent pose_space;  // the sum of what all examples may add
 };
 
-// Bytes that mrw_make_reach() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
-size_t mrw_reach_bytes(const mrw_mesh* mesh);
+// Bytes that mrw_make_extents() needs: 24 a palette entry and 24 a morph target, up to a multiple of 16.
+size_t mrw_extents_bytes(const mrw_mesh* mesh);
 
 // Looks at every vertex once. The result serves all characters with this mesh, at any level of detail whose vertices
 // are among those of `mesh`.
 //
-// mesh: of a file, not of a character whose vertices are morphed. memory: at least mrw_reach_bytes(), 16-byte aligned;
-// `out` keeps pointers into it. Errors: MRW_BAD_ARGUMENT (the memory). Cost: once a load.
-mrw_status mrw_make_reach(const mrw_mesh* mesh, void* memory, size_t memory_bytes, mrw_reach* out) MRW_NODISCARD;
+// mesh: of a file, not of a character whose vertices are morphed. memory: at least mrw_extents_bytes(), 16-byte
+// aligned; `out` keeps pointers into it. Errors: MRW_BAD_ARGUMENT (the memory). Cost: once a load.
+mrw_status mrw_make_extents(const mrw_mesh* mesh, void* memory, size_t memory_bytes,
+    mrw_mesh_extents* out) MRW_NODISCARD;
 
 // The box of the mesh and a sphere about the box's centre, in the palette's space.
 //
-// palette: of the mesh, reach.joint_count entries. weights: of its morph targets, any finite numbers; empty: none is
+// palette: of the mesh, extents.joint_count entries. weights: of its morph targets, any finite numbers; empty: none is
 // active. Without a vertex `out` is empty (mrw_bounds_is_empty()). Errors: MRW_BAD_ARGUMENT (a list too short, a weight
 // that is not finite); `out` is not written. Method: the box of a transformed box is its centre, transformed, and its
 // half sides through the absolute values of the matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics
 // Gems, 1990); a union of those. The sphere's radius is the distance to the farthest corner of any of them. Cost: 119
 // instructions a palette entry, x86-64, in two passes. No allocation, thread-safe.
-mrw_status mrw_palette_bounds(const mrw_reach* reach, const mrw_affine* palette, size_t palette_count,
+mrw_status mrw_palette_bounds(const mrw_mesh_extents* extents, const mrw_affine* palette, size_t palette_count,
     const float* weights, size_t weight_count, mrw_bounds* out) MRW_NODISCARD;
 
 // ---- Part skin ------------------------------------------------------------------------------------------------------
-// Stage 5, skin on the CPU: bind vertices and a palette → deformed vertices.
+// Skin on the CPU: bind vertices and a palette → deformed vertices.
 //
 // Every deformer writes whole slots (mrw_geometry.slot_count, padding included), so that indices can be used as they
-// are. Positions are in the palette's space (scene space after mrw_local_to_model). All are thread-safe on different
+// are. Positions are in the palette's space (model space after mrw_local_to_model). All are thread-safe on different
 // outputs.
 //
 // Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
@@ -2517,9 +2519,6 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
 // only read, and serve any number of them.
 
-// In mrw_animation: the skeleton plays nothing.
-#define MRW_NO_CLIP 0xFFFFFFFFu
-
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
 typedef struct mrw_animation mrw_animation;
 struct mrw_animation {
@@ -2553,14 +2552,14 @@ struct mrw_character_options {
 void mrw_character_options_init(mrw_character_options* out);
 
 // A skeleton and its pose in both forms. What changes one between mrw_pose_character() and mrw_finish_character() must
-// keep the other alike; all calls of stage 3½ do.
+// keep the other alike; all calls between the two do.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
   mrw_skeleton skeleton;  // of the file
   mrw_soa_transform* local;  // mrw_skeleton_soa_size(skeleton)
   size_t local_count;
-  mrw_affine* scene_from_joint;  // skeleton.joint_count
-  size_t scene_from_joint_count;
+  mrw_affine* model_from_joint;  // skeleton.joint_count
+  size_t model_from_joint_count;
   // mrw_sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   mrw_soa_transform* sampled;
   size_t sampled_count;
@@ -2650,7 +2649,7 @@ mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options*
 mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count) MRW_NODISCARD;
 
-// Brings scene_from_joint of all skeletons up to date with `local`.
+// Brings model_from_joint of all skeletons up to date with `local`.
 mrw_status mrw_character_to_model(mrw_character* character) MRW_NODISCARD;
 
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as mrw_sample_character().
@@ -2665,7 +2664,7 @@ mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_laye
 // not a number); nothing is written. Cost: mrw_sample_channels() of what drives morph targets.
 mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression) MRW_NODISCARD;
 
-// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+// Palettes from model_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: MRW_BAD_ARGUMENT (a weight that is not finite). Cost: mrw_build_palette(), mrw_morph() and
 // mrw_morph_coordinates() of each mesh.
 mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
@@ -2697,7 +2696,7 @@ size_t mrw_outfit_bytes(const mrw_file* outfit);
 mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* memory, size_t memory_bytes,
     mrw_outfit* out) MRW_NODISCARD;
 
-// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+// Brings model_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
 // mrw_finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to
 // frame. So where its clips or springs move them, a frame is
 //

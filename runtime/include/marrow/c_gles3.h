@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0x163cddeau
+#define MRW_GLES3_ABI 0x1fb6f9fcu
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -44,9 +44,9 @@ struct mrw_gles3_error_watch {
 void mrw_gles3_error_watch_init(mrw_gles3_error_watch* out);
 
 // ---- Part gles3 -----------------------------------------------------------------------------------------------------
-// Stage 5 on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
+// Skin on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
 //
-//   once a context   mrw_gles3_load_api, mrw_gles3_query_caps, mrw_gles3_create_palette_ring, mrw_gles3_build_program
+//   once a context   mrw_gles3_load_api, mrw_gles3_query_caps, mrw_gles3_create_palette_ring, mrw_gles3_create_program
 //   once a mesh      mrw_gles3_prepare(): compact attributes, and the bind matrices that undo their quantisation
 //   every frame      mrw_gles3_begin_frame, then for each mesh: mrw_build_palette_of_joints(mesh.joints, bind, joints,
 //                    …) → mrw_gles3_push_palette → mrw_gles3_set_morphs, if it has morph targets →
@@ -260,14 +260,14 @@ void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 //
 //   void main() {
 //     MarrowVertex v = marrow_skin();
-//     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+//     gl_Position = clip_from_model * vec4(v.position, 1.0);
 //   }
 //
 // What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
 // was built to read it (mrw_gles3_program_key.features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for
 // crowds. What the vertex text may use:
 //   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
-//                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+//                                    model space, normal and tangent of unit length, tangent.w the handedness; what is
 //                                    not read is 0, but previous_position is then the position
 //   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 //   vec4 marrow_instance_colour()    of an instance of a crowd; else white
@@ -394,7 +394,7 @@ void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh);
 // Errors: MRW_BAD_ARGUMENT (a text missing, influences other than 4 to 8, what crowds cannot); MRW_GL_ERROR, with the
 // driver's words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a
 // frame.
-mrw_status mrw_gles3_build_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
+mrw_status mrw_gles3_create_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
     const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
 
@@ -501,12 +501,12 @@ mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mes
     const mrw_gles3_program* program, uint32_t instances) MRW_NODISCARD;
 
 // ---- Part gles3_skinned ---------------------------------------------------------------------------------------------
-// Stage 5 on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
+// Skin on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
 // colour, or that the CPU has skinned.
 //
 //   once a mesh      mrw_gles3_prepare(), mrw_gles3_create_skinned
-//   once a context   mrw_gles3_build_preskin for GPU skinning; mrw_gles3_build_program with MRW_GLES3_DEFORMER_NONE for
-//                    drawing
+//   once a context   mrw_gles3_create_preskin for GPU skinning; mrw_gles3_create_program with MRW_GLES3_DEFORMER_NONE
+//                    for drawing
 //   every frame      mrw_gles3_upload_skinned (the CPU's), or: use the program, bind its palette, mrw_gles3_set_morphs,
 //                    mrw_gles3_preskin_mesh()
 //   every pass       mrw_gles3_draw_skinned()
@@ -553,7 +553,7 @@ mrw_status mrw_gles3_upload_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_
 // Errors: MRW_BAD_ARGUMENT (a key of MRW_GLES3_DEFORMER_NONE, of a crowd, or with influences other than 4 to 8);
 // MRW_UNSUPPORTED (compute, without caps.compute); MRW_GL_ERROR, with the driver's words in `log`. `out` is written
 // only on success. Cost: a compile.
-mrw_status mrw_gles3_build_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
+mrw_status mrw_gles3_create_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_program_key* key, mrw_gles3_preskin method, uint32_t palette_binding, mrw_gles3_program* out,
     char* log, size_t log_bytes) MRW_NODISCARD;
 
@@ -576,7 +576,7 @@ void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* 
     const mrw_gles3_skinned_mesh* skinned);
 
 // ---- Part gles3_skinner ---------------------------------------------------------------------------------------------
-// Stage 5 on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
+// Skin on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
 //
 //   once a context   mrw_gles3_load_api, mrw_gles3_query_caps; an mrw_gles3_program_set with the game's own texts, one
 //                    a role (colour, shadow, …)
@@ -740,8 +740,8 @@ void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skin
 // Character `instance` takes this pose at the next mrw_gles3_update(). weights: one a morph target. Calls no GL: may
 // run on another thread than the context's, different instances on different threads.
 // Errors: MRW_BAD_ARGUMENT (no such instance, a list too short, a skinner that was destroyed).
-mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* scene_from_joint,
-    size_t scene_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
+mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* model_from_joint,
+    size_t model_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
 
 // Of a skinner with options.motion: to the next mrw_gles3_update() the character has no frame before, so its vertices
 // do not move: for one that appears, or is put elsewhere at once. Characters that the mrw_gles3_update() before left
@@ -781,11 +781,11 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
     mrw_gles3_skinner* skinner) MRW_NODISCARD;
 
 // ---- Part gles3_crowd -----------------------------------------------------------------------------------------------
-// Stage 5 on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
+// Skin on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
 // by one instanced call a mesh. A frame in which no instance changes uploads nothing but a few uniforms.
 //
 //   once a character   mrw_gles3_plan_crowd, mrw_gles3_bake_crowd: clips → frames, for meshes and sockets alike
-//   once a mesh        mrw_gles3_create_crowd_mesh, mrw_gles3_build_crowd_programs
+//   once a mesh        mrw_gles3_create_crowd_mesh, mrw_gles3_create_crowd_programs
 //   once a crowd       mrw_gles3_create_crowd
 //   on changes         mrw_gles3_set_instances
 //   every frame        with motion vectors: mrw_gles3_begin_crowd_frame for each mesh
@@ -796,7 +796,7 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 //                      mrw_gles3_…_on_context_restored
 //
 // Back faces are culled as mrw_gles3_draw_mesh() of part gles3 says: by each mesh's double_sided. Which way fronts are
-// wound is the same for all instances of a draw call, so those whose scene_from_character mirrors, see
+// wound is the same for all instances of a draw call, so those whose world_from_model mirrors, see
 // mrw_turns_inside_out() in part palette of c.h, stand behind the others in the crowd, and each of the two ranges is
 // bound and drawn with its own glFrontFace. Where the character itself is mirrored, which
 // mrw_palette_turns_inside_out(palette) tells, both are the other way round.
@@ -805,9 +805,6 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 
 // Frames of one crowd: what fits the smallest textures, of meshes with one joint.
 #define MRW_GLES3_MAX_CROWD_FRAMES 1048576u
-
-// Nothing to play.
-#define MRW_GLES3_NO_CROWD_CLIP 4294967295u
 
 // Bytes of memory an instance for mrw_gles3_create_crowd().
 #define MRW_GLES3_CROWD_INSTANCE_BYTES 128u
@@ -855,9 +852,9 @@ void mrw_gles3_crowd_play_init(mrw_gles3_crowd_play* out);
 // One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
 typedef struct mrw_gles3_crowd_instance mrw_gles3_crowd_instance;
 struct mrw_gles3_crowd_instance {
-  mrw_affine scene_from_character;  // where it stands
+  mrw_affine world_from_model;  // where it stands
   mrw_gles3_crowd_play a;  // must have a clip
-  mrw_gles3_crowd_play b;  // MRW_GLES3_NO_CROWD_CLIP: a alone
+  mrw_gles3_crowd_play b;  // MRW_NO_CLIP: a alone
   double blend_start_s;  // until then a alone
   float blend_s;  // and b alone so much later
   float colour[4];  // marrow_instance_colour() in the vertex shader
@@ -921,13 +918,13 @@ mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_cr
 // are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
 // is linear in the drawing too.
 // Errors: MRW_BAD_ARGUMENT (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
-// scene_from_character beyond 1e12).
+// world_from_model beyond 1e12).
 mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
-    double time_s, uint32_t joint, mrw_affine* scene_from_joint) MRW_NODISCARD;
+    double time_s, uint32_t joint, mrw_affine* model_from_joint) MRW_NODISCARD;
 
 // The same of all joints; out: at least frames.joint_count.
 mrw_status mrw_gles3_crowd_pose(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
-    double time_s, mrw_affine* scene_from_joint, size_t scene_from_joint_count) MRW_NODISCARD;
+    double time_s, mrw_affine* model_from_joint, size_t model_from_joint_count) MRW_NODISCARD;
 
 // What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
 uint32_t mrw_gles3_crowd_palettes_that_fit(const mrw_gles3_caps* caps, uint32_t joints);
@@ -977,14 +974,14 @@ mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* cr
     size_t instance_count) MRW_NODISCARD;
 
 // The program for mrw_gles3_blend_crowd(). Errors: MRW_GL_ERROR, with the driver's words in `log`. Cost: a compile.
-mrw_status mrw_gles3_build_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
+mrw_status mrw_gles3_create_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
 
 // The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
 // compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
 // features: what programs are to read of what the mesh has. Errors: MRW_BAD_ARGUMENT (MRW_GLES3_DEFORMER_NONE, no
 // role); MRW_UNSUPPORTED (a full set); MRW_GL_ERROR, with the driver's words in programs.log.
-mrw_status mrw_gles3_build_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
+mrw_status mrw_gles3_create_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer, uint8_t features,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
 
@@ -1006,7 +1003,7 @@ mrw_status mrw_gles3_blend_previous_crowd(const mrw_gles3_api* api, const mrw_gl
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// mrw_gles3_build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off
+// mrw_gles3_create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off
 // and no colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture,
 // `texture_unit` and the one behind it bound and the latter active. Errors: MRW_BAD_ARGUMENT (a program of another
 // kind, instances that are not there, frames other than the mesh's, a time that is not finite); MRW_UNSUPPORTED (more

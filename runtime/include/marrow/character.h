@@ -23,9 +23,6 @@
 
 namespace marrow {
 
-// In Animation: the skeleton plays nothing.
-inline constexpr std::uint32_t kNoClip = 0xFFFFFFFF;
-
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
 struct Animation {
   File clips = {};       // that they are from: the character's file, or a clip pack
@@ -68,11 +65,11 @@ struct CharacterOptions {
 };
 
 // A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
-// the other alike; all calls of stage 3½ do.
+// the other alike; all calls between the two do.
 struct CharacterSkeleton {
   Skeleton skeleton = {};              // of the file
   Span<SoaTransform> local = {};       // skeleton.soa_size()
-  Span<Affine> scene_from_joint = {};  // skeleton.joint_count
+  Span<Affine> model_from_joint = {};  // skeleton.joint_count
   // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   Span<SoaTransform> sampled = {};
   Span<SampleCache> caches = {};  // as `sampled`
@@ -129,7 +126,7 @@ struct AnimationLayer {
 // Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
 MARROW_API Status sample_character(Character& character, Span<const AnimationLayer> layers);
 
-// Brings scene_from_joint of all skeletons up to date with `local`.
+// Brings model_from_joint of all skeletons up to date with `local`.
 MARROW_API Status local_to_model(Character& character);
 
 // Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
@@ -143,7 +140,7 @@ MARROW_API Status pose_character(Character& character, Span<const AnimationLayer
 // a number); nothing is written. Cost: sample_channels() of what drives morph targets.
 MARROW_API Status add_expression(Character& character, const AnimationLayer& expression);
 
-// Palettes from scene_from_joint, and vertices morphed by `weights`; nothing without `skin`.
+// Palettes from model_from_joint, and vertices morphed by `weights`; nothing without `skin`.
 // Errors: bad_argument (a weight that is not finite). Cost: build_palette(), morph() and morph_coordinates() of each
 // mesh.
 MARROW_API Status finish_character(Character& character);
@@ -170,7 +167,7 @@ MARROW_API std::size_t outfit_bytes(const File& outfit);
 // way. Cost: compares names; once a load.
 MARROW_API Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out);
 
-// Brings scene_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
+// Brings model_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
 // finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
 // So where its clips or springs move them, a frame is
 //

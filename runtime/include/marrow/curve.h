@@ -127,7 +127,7 @@ constexpr std::size_t arc_length_count(std::size_t key_count, std::uint32_t step
 // Errors: as evaluate_curve(); unsupported for rotations (slerp is even as it is) and for kind step; bad_argument if
 // `steps` is 0 or `out` too short; bad_data if a length is not finite. Three-point Gauss quadrature a step: exact for
 // linear, and else of the order steps⁻⁶ where the path does not stop inside a step. Cost: 3 square roots a step.
-MARROW_API Status build_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out);
+MARROW_API Status make_arc_length(const Curve& curve, std::uint32_t steps, Span<float> out);
 
 // The time at which `curve` has gone `distance`, clamped to the path; where the path rests, the end of the rest.
 // Between two entries the length is taken as linear, so the point found is off along the path by at most

@@ -15,19 +15,20 @@ struct Foot {
   float weight = 1.0f;             // 0 … 1
 };
 
-// The legs of a character, whose clips are made for level ground through the scene's origin.
+// The legs of a character, whose clips are made for level ground through the model's origin.
 struct Feet {
   Span<const Foot> feet = {};       // two or more
   std::uint32_t pelvis = kNoJoint;  // moves up and down with all that hangs on it, hips included; kNoJoint: none does
   float lower_m = 0.5f;             // ≥ 0: the most that the pelvis goes down, or up; world
-  float reach = 0.99f;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
+  float leg_extension =
+      0.99f;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
   float slope_rad = 0.6f;  // 0 … 1.5: the most that a foot leans with the ground
   float ease_s = 0.25f;    // > 0: the time after which 2 % of a step in the ground, or of a release, is left
 };
 
 // What the game says of a foot in this frame; world.
 struct FootGround {
-  bool hit = false;             // false: as if the ground were level at the height of the scene's origin
+  bool hit = false;             // false: as if the ground were level at the height of the model's origin
   float point[3] = {0, 0, 0};   // of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
   float normal[3] = {0, 1, 0};  // of any length; steeper than 80°: no hit
   bool planted = false;         // the sole stays where it is for as long as this is true
@@ -52,7 +53,7 @@ struct FootMotion {
 struct FeetFrame {
   float dt_s = 0;  // since the last frame
   // Where the character stands: a turn, one scale above 0, a shift.
-  Affine world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float up[3] = {0, 1, 0};  // a unit vector; world
   bool teleported = false;  // feet begin anew, none is planted where it was
   float weight = 1.0f;      // 0 … 1, times each foot's; motions go on at 0 too
@@ -60,13 +61,13 @@ struct FeetFrame {
 
 // The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.
-MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_scene, Span<const Affine> scene_from_joint,
+MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_model, Span<const Affine> model_from_joint,
                             float (&sole_world)[3]);
 
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and updates the matrices of what hangs below. Call
 // it after local_to_model(), and cast the rays before it, from the same pose.
 //
-// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+// local, model_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
 // plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
@@ -82,6 +83,6 @@ MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_scene, Sp
 // allocation; thread-safe on different motions and poses.
 MARROW_API Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame,
                              Span<const FootGround> ground, Span<FootMotion> motion, Span<SoaTransform> local,
-                             Span<Affine> scene_from_joint);
+                             Span<Affine> model_from_joint);
 
 }  // namespace marrow

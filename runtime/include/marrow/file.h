@@ -1,4 +1,4 @@
-// Stage 1, load: one validated block of memory, seen as skeletons, clips and meshes.
+// Load: one validated block of memory, seen as skeletons, clips and meshes.
 #pragma once
 
 #include "marrow/api.h"
@@ -12,8 +12,10 @@ namespace marrow {
 inline constexpr std::uint32_t kMaxJoints = 32767;
 // The most palette entries that a vertex follows.
 inline constexpr std::uint32_t kMaxInfluences = 8;
-// In Skeleton::parents: a root.
-inline constexpr std::uint16_t kNoParent = 0xFFFF;
+// No joint: in Skeleton::parents a root.
+inline constexpr std::uint16_t kNoJoint = 0xFFFF;
+// No clip: a skeleton rests.
+inline constexpr std::uint32_t kNoClip = 0xFFFFFFFF;
 // In Geometry::source_slots: a vertex of no triangle.
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
@@ -110,9 +112,9 @@ struct Skeleton {
   const char* name = "";                    // as the source calls it; never null
   std::uint32_t joint_count = 0;            // 1 … kMaxJoints
   std::uint32_t root_count = 0;             // joints 0 … root_count-1 have no parent joint
-  const Affine* scene_from_root = nullptr;  // root_count; what stands above each root and never moves
+  const Affine* model_from_root = nullptr;  // root_count; what stands above each root and never moves
   const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
-  const std::uint16_t* parents = nullptr;   // joint_count; kNoParent for roots
+  const std::uint16_t* parents = nullptr;   // joint_count; kNoJoint for roots
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
   Span<const JointLimit> limits = {};       // ascending by joint; those that the asset came with
 
@@ -127,7 +129,7 @@ struct SkeletonReference {
   std::uint64_t hash = 0;                      // skeleton_hash() of the skeleton
   const std::uint32_t* names = nullptr;        // joint_count; see File::text
   const std::uint32_t* rest_hashes = nullptr;  // joint_count; of each joint's rest pose
-  const std::uint16_t* parents = nullptr;      // joint_count; kNoParent for roots
+  const std::uint16_t* parents = nullptr;      // joint_count; kNoJoint for roots
 };
 
 // Which part of a local transform a Track drives.
@@ -241,7 +243,7 @@ struct PoseSpace {
   const void* blocks = nullptr;             // as Geometry::target_blocks
   const std::int16_t* records = nullptr;    // as Geometry::target_records
   const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w, up to a positive factor
-  const std::uint16_t* parents = nullptr;   // a palette entry: the one that its rotation is relative to, or kNoParent
+  const std::uint16_t* parents = nullptr;   // a palette entry: the one that its rotation is relative to, or kNoJoint
 };
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
@@ -360,10 +362,8 @@ struct Property {
 };
 static_assert(sizeof(Property) == 16);
 
-// In Node::joint and elsewhere: none.
-inline constexpr std::uint16_t kNoJoint = 0xFFFF;
-// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in the scene is
-// scene_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in model space is
+// model_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
 struct Node {
   const char* name = "";                    // as the source calls it; never empty
   std::uint32_t skeleton = 0;               // which skeleton of the file
@@ -386,7 +386,7 @@ struct MeshLod {
 };
 static_assert(sizeof(MeshLod) == 8);
 
-// A box, and a sphere about the box's centre, about the same vertices. Scene space, metres.
+// A box, and a sphere about the box's centre, about the same vertices. Model space, metres.
 struct Bounds {
   float box_min[3] = {0, 0, 0};  // least corner
   float box_max[3] = {0, 0, 0};  // greatest corner

@@ -1,6 +1,6 @@
-// Stage 5 on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
+// Skin on the GPU: bind vertices in vertex buffers and a palette in a uniform block → pixels, by OpenGL ES 3.0.
 //
-//   once a context   load_api, query_caps, create_palette_ring, build_program
+//   once a context   load_api, query_caps, create_palette_ring, create_program
 //   once a mesh      prepare(): compact attributes, and the bind matrices that undo their quantisation
 //   every frame      begin_frame, then for each mesh: build_palette(mesh.joints, bind, joints, …) → push_palette →
 //                    set_morphs, if it has morph targets → bind_examples, for its pose space → draw()
@@ -238,14 +238,14 @@ struct ProgramKey {
 //
 //   void main() {
 //     MarrowVertex v = marrow_skin();
-//     gl_Position = clip_from_scene * vec4(v.position, 1.0);
+//     gl_Position = clip_from_model * vec4(v.position, 1.0);
 //   }
 //
 // What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
 // was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:
 //   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
-//                                    scene space, normal and tangent of unit length, tangent.w the handedness; what is
+//                                    model space, normal and tangent of unit length, tangent.w the handedness; what is
 //                                    not read is 0, but previous_position is then the position
 //   vec2 in_uv, vec4 in_colour       attributes, where MARROW_UV, MARROW_COLOUR are 1
 //   vec4 marrow_instance_colour()    of an instance of a crowd; else white
@@ -278,8 +278,8 @@ struct Program {
 // frame before to the next binding.
 // Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
-MARROW_API Status build_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
-                                std::uint32_t palette_binding, Program& out, Span<char> log = {});
+MARROW_API Status create_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
+                                 std::uint32_t palette_binding, Program& out, Span<char> log = {});
 
 // Deletes the program and clears the struct.
 MARROW_API void destroy(const Api& api, Program& program);

@@ -1,8 +1,8 @@
-// Stage 5 on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
+// Skin on the GPU, thousands of characters of one kind: poses baked into a texture once, blended on the GPU, drawn
 // by one instanced call a mesh. A frame in which no instance changes uploads nothing but a few uniforms.
 //
 //   once a character   plan_crowd, bake_crowd: clips → frames, for meshes and sockets alike
-//   once a mesh        create_crowd_mesh, build_crowd_programs
+//   once a mesh        create_crowd_mesh, create_crowd_programs
 //   once a crowd       create_crowd
 //   on changes         set_instances
 //   every frame        with motion vectors: begin_frame for each mesh
@@ -12,7 +12,7 @@
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
 // Back faces are culled as draw() of gles3.h says: by each mesh's double_sided. Which way fronts are wound is the same
-// for all instances of a draw call, so those whose scene_from_character mirrors, see turns_inside_out() in palette.h,
+// for all instances of a draw call, so those whose world_from_model mirrors, see turns_inside_out() in palette.h,
 // stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
 // the character itself is mirrored, which turns_inside_out(palette) tells, both are the other way round.
 //
@@ -63,24 +63,21 @@ MARROW_API Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Spa
 MARROW_API Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
                              Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out);
 
-// Nothing to play.
-inline constexpr std::uint32_t kNoCrowdClip = 0xFFFFFFFF;
-
 // At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
 struct CrowdPlay {
-  std::uint32_t clip = kNoCrowdClip;  // of CrowdFrames::clips
-  float phase_s = 0;                  // of a clip that does not loop within 0 … duration_s, else the nearer end
-  float speed = 1;                    // seconds of the clip a second; may be negative
-  double start_s = 0;                 // seconds
+  std::uint32_t clip = kNoClip;  // of CrowdFrames::clips
+  float phase_s = 0;             // of a clip that does not loop within 0 … duration_s, else the nearer end
+  float speed = 1;               // seconds of the clip a second; may be negative
+  double start_s = 0;            // seconds
 };
 
 // One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
 struct CrowdInstance {
-  Affine scene_from_character = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // where it stands
-  CrowdPlay a = {};                                                            // must have a clip
-  CrowdPlay b = {};                                                            // kNoCrowdClip: a alone
-  double blend_start_s = 0;                                                    // until then a alone
-  float blend_s = 0;                                                           // and b alone so much later
+  Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // where it stands
+  CrowdPlay a = {};                                                        // must have a clip
+  CrowdPlay b = {};                                                        // kNoClip: a alone
+  double blend_start_s = 0;                                                // until then a alone
+  float blend_s = 0;                                                       // and b alone so much later
   float colour[4] = {1, 1, 1, 1};  // marrow_instance_colour() in the vertex shader
 };
 
@@ -88,13 +85,13 @@ struct CrowdInstance {
 // are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
 // is linear in the drawing too.
 // Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
-// scene_from_character beyond 1e12).
+// world_from_model beyond 1e12).
 MARROW_API Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
-                              std::uint32_t joint, Affine& scene_from_joint);
+                              std::uint32_t joint, Affine& model_from_joint);
 
 // The same of all joints; out: at least frames.joint_count.
 MARROW_API Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
-                             Span<Affine> scene_from_joint);
+                             Span<Affine> model_from_joint);
 
 // What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
 MARROW_API std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
@@ -173,14 +170,14 @@ MARROW_API Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames&
                                 Span<const CrowdInstance> instances);
 
 // The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
-MARROW_API Status build_crowd_program(const Api& api, Program& out, Span<char> log = {});
+MARROW_API Status create_crowd_program(const Api& api, Program& out, Span<char> log = {});
 
 // The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
 // compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
 // features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
 // unsupported (a full set); gl_error, with the driver's words in programs.log.
-MARROW_API Status build_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
-                                       std::uint8_t features, ProgramSet& programs);
+MARROW_API Status create_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
+                                        std::uint8_t features, ProgramSet& programs);
 // What was built with the same arguments, never null.
 MARROW_API const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
                                            const ProgramSet& programs, std::uint32_t role);
@@ -188,7 +185,7 @@ MARROW_API const Program& blending_program_of(const ProgramSet& programs);
 
 // Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
 // scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// build_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
+// create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
 // colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
 // and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
 // are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh

@@ -1,8 +1,8 @@
-// Stage 5 on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
+// Skin on the GPU, before drawing: vertices that are skinned once and drawn several times, for shadows, depth and
 // colour, or that the CPU has skinned.
 //
 //   once a mesh      prepare(), create_skinned
-//   once a context   build_preskin for GPU skinning; build_program with Deformer::none for drawing
+//   once a context   create_preskin for GPU skinning; create_program with Deformer::none for drawing
 //   every frame      upload_skinned (the CPU's), or: use the program, bind its palette, set_morphs, preskin()
 //   every pass       draw()
 //
@@ -53,8 +53,8 @@ enum class Preskin : std::uint8_t {
 // Errors: bad_argument (a key of Deformer::none, of a crowd, or with influences other than 4 to 8); unsupported
 // (compute, without caps.compute); gl_error, with the driver's words in `log`. `out` is written only on success. Cost:
 // a compile.
-MARROW_API Status build_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
-                                std::uint32_t palette_binding, Program& out, Span<char> log = {});
+MARROW_API Status create_preskin(const Api& api, const Caps& caps, const ProgramKey& key, Preskin method,
+                                 std::uint32_t palette_binding, Program& out, Span<char> log = {});
 
 // Skins every slot once into `to`, with the palette that is bound. `program` must be in use. By transform feedback it
 // leaves the vertex array, the default transform feedback object's bindings 0 … 2 and GL_TRANSFORM_FEEDBACK_BUFFER at

@@ -1,4 +1,4 @@
-// Stage 5 on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
+// Skin on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
 //
 //   once a context   load_api, query_caps; a ProgramSet with the game's own texts, one a role (colour, shadow, …)
 //   once a mesh      create_skinner
@@ -130,7 +130,7 @@ MARROW_API void destroy(const Api& api, Skinner& skinner);
 // Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
 // another thread than the context's, different instances on different threads.
 // Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
-MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> scene_from_joint,
+MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> model_from_joint,
                        Span<const float> weights = {});
 
 // Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not

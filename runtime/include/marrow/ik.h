@@ -1,11 +1,11 @@
 // Inverse kinematics in closed form, for poses after local_to_model(): a limb of two bones reaches a point, or a joint
 // or a chain of joints looks at one.
 //
-// Each comes in two forms. A kernel (two_bone, aim) takes scene matrices and gives turns, to be multiplied onto the
+// Each comes in two forms. A kernel (two_bone, aim) takes model matrices and gives turns, to be multiplied onto the
 // joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes a pose,
-// changes its local rotations, and updates the scene matrices of all that hangs below. Both take the same struct.
+// changes its local rotations, and updates the model matrices of all that hangs below. Both take the same struct.
 //
-// "Scene" vectors are in the space of scene_from_joint, "local" ones in the joint's own; they may be of any length.
+// "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
 // Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does not turn rigidly:
 // kernels and aims are then approximate, solve_two_bone() is not. The same call gives the same bits on every processor.
 // Thread-safe on different outputs; no allocation.
@@ -18,12 +18,12 @@ namespace marrow {
 
 // The goal of a limb, whose joints are start, middle and end: hip, knee and ankle, say.
 struct alignas(16) TwoBone {
-  float target[3] = {0, 0, 0};  // where the end joint is to be; scene, metres
+  float target[3] = {0, 0, 0};  // where the end joint is to be; model space, metres
   float weight = 1;             // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
-  // The direction from the start joint in which the middle joint is to point; scene. Zero: it stays on the side that it
-  // has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the pole counts
-  // less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb swings
-  // round and does not jump.
+  // The direction from the start joint in which the middle joint is to point; model space. Zero: it stays on the side
+  // that it has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
+  // pole counts less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb
+  // swings round and does not jump.
   float pole[3] = {0, 0, 0};
   float twist_rad = 0;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
@@ -45,7 +45,7 @@ struct alignas(16) TwoBoneTurns {
   bool reached = false;
 };
 
-// The scene matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
+// The model matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
 struct TwoBoneJoints {
   const Affine* start = nullptr;  // hip, shoulder
   const Affine* mid = nullptr;    // knee, elbow
@@ -72,20 +72,20 @@ struct TwoBoneLimb {
   std::uint32_t start = 0, mid = 0, end = 0;  // hip, knee and ankle
 };
 
-// Solves a limb of a pose. local and scene_from_joint belong together (local_to_model); both are changed, unless the
+// Solves a limb of a pose. local and model_from_joint belong together (local_to_model); both are changed, unless the
 // weight is 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the
 // joints are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
 // Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
 // five times the cost, at most twelve. The target is still reached, or `reached` is false.
 MARROW_API Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal,
-                                 Span<SoaTransform> local, Span<Affine> scene_from_joint, bool* reached = nullptr);
+                                 Span<SoaTransform> local, Span<Affine> model_from_joint, bool* reached = nullptr);
 
 // The goal of a joint that looks or points at something: an eye, a head, a gun.
 struct alignas(16) Aim {
-  float target[3] = {0, 0, 0};  // scene, metres
+  float target[3] = {0, 0, 0};  // model space, metres
   float weight = 1;             // 0 … 1: 0 changes no bit, 1 aims
-  // The direction towards which `up` is turned about the line to the target; scene. Zero: the joint turns to the target
-  // by the shortest arc. Within 0.1 rad of the target's direction the pole counts less and less, as a TwoBone's.
+  // The direction towards which `up` is turned about the line to the target; model space. Zero: the joint turns to the
+  // target by the shortest arc. Within 0.1 rad of the target's direction the pole counts less and less, as a TwoBone's.
   float pole[3] = {0, 0, 0};
   float twist_rad = 0;           // turns about the line to the target, on top of the pole; a few turns at most
   float forward[3] = {0, 0, 1};  // the direction that is to point at the target; in the joint's local space
@@ -108,18 +108,18 @@ struct alignas(16) AimTurn {
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
-// Aims a joint of a pose. local and scene_from_joint belong together (local_to_model); both are changed, unless the
+// Aims a joint of a pose. local and model_from_joint belong together (local_to_model); both are changed, unless the
 // weight is 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such
 // joint; nothing is written. Cost: the kernel's, and local_to_model_below(joint).
 MARROW_API Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
-                            Span<Affine> scene_from_joint, bool* reached = nullptr);
+                            Span<Affine> model_from_joint, bool* reached = nullptr);
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
 // skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
 // falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
 MARROW_API Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal,
-                                float falloff, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+                                float falloff, Span<SoaTransform> local, Span<Affine> model_from_joint,
                                 bool* reached = nullptr);
 
 }  // namespace marrow

@@ -15,8 +15,8 @@ struct IkGoal {
   std::uint16_t joint = 0;           // of the skeleton
   std::uint8_t priority = 0;         // 0 is the most urgent; less urgent goals never disturb it. Jacobian methods only
   float offset[3] = {};              // the point of the joint that is to reach `position`; the joint's space, metres
-  float position[3] = {};            // scene space, metres
-  float rotation[4] = {0, 0, 0, 1};  // of the joint's axes, in scene space: a unit quaternion x, y, z, w
+  float position[3] = {};            // model space, metres
+  float rotation[4] = {0, 0, 0, 1};  // of the joint's axes, in model space: a unit quaternion x, y, z, w
   float position_weight = 1;         // 0 … 100
   float rotation_weight = 0;         // metres a radian: an error of one radian counts as one of so many metres
 };
@@ -30,7 +30,7 @@ struct IkProblem {
   Span<const JointLimit> limits = {};
   // The point towards which a chain with one goal bends, as a knee forward: the chain is turned about the line from its
   // first joint to the goal until its joints face this point. pole_weight is 0 … 1. FABRIK and CCD only.
-  float pole[3] = {};     // scene space, metres
+  float pole[3] = {};     // model space, metres
   float pole_weight = 0;  // 0: no pole
   // How far joints[0] moves as easily as a joint turns by a radian, in metres: the pelvis of a full body. 0: it stays.
   // Jacobian methods only.
@@ -75,24 +75,24 @@ MARROW_API std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProble
 // Turns the joints from the given pose so that the goals are reached, or as nearly as can be.
 //
 // local: parent_from_joint, at least skeleton.soa_size(). Rotations of problem.joints are changed, and the translation
-// of joints[0] if it may travel. scene_from_joint: of this pose (local_to_model), at least skeleton.joint_count;
+// of joints[0] if it may travel. model_from_joint: of this pose (local_to_model), at least skeleton.joint_count;
 // updated for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
-// may be null. A joint's rotation in scene space is the product of the rotations from the root down; scale has no part
+// may be null. A joint's rotation in model space is the product of the rotations from the root down; scale has no part
 // in it. Errors: bad_argument, and nothing is written, if a span is too short, an index is out of range, `joints` do
 // not ascend, there are more than kMaxJoints goals, a goal hangs on no joint that turns, a number is not finite, a
 // weight or a stiffness is out of range, or the pose is not finite on the way to a goal. Cost: docs/ik.md. Thread-safe
 // on different poses and scratch.
-MARROW_API Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+MARROW_API Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                            const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                            IkReport* report = nullptr);
 
 // solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others. Scratch
 // memory as by ik_scratch_bytes(), which links little. Errors: as solve_ik, and bad_argument if options.method is one
 // of the others.
-MARROW_API Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+MARROW_API Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                                  const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                                  IkReport* report = nullptr);
-MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                                 IkReport* report = nullptr);
 
@@ -105,7 +105,7 @@ MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> loc
 // pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
 // Cost: tens of microseconds a generation, see docs/ik.md.
 MARROW_API std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-MARROW_API Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint,
+MARROW_API Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
                                    const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
                                    IkReport* report = nullptr);
 

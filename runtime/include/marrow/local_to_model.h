@@ -1,4 +1,4 @@
-// Stage 3, local to model: local transforms → one scene-space matrix a joint.
+// Local to model: local transforms → one model-space matrix a joint.
 #pragma once
 
 #include "marrow/api.h"
@@ -6,8 +6,8 @@
 
 namespace marrow {
 
-// scene_from_joint = scene_from_root · Π parent_from_joint, from the root down; scene_from_root is what the source has
-// above the skeleton and never moves, so the matrices are in the source's scene space.
+// model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
+// above the skeleton and never moves, so the matrices are in the source's own space.
 //
 // local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
 // Errors: bad_argument if a span is too short.

@@ -1,4 +1,4 @@
-// Before stage 5, morph: weights of morph targets → bind-pose vertices moved, for any deformer.
+// Morph: weights of morph targets → bind-pose vertices moved, for any deformer.
 //
 //   once a load       find_weight_channels
 //   once an instance  make_morphed

@@ -29,17 +29,17 @@ MARROW_API Status bind_outfit(const File& outfit, std::uint32_t skeleton, const 
                               Span<std::uint16_t> body_joints, Span<JointMisfit> misfits = {},
                               std::size_t* misfit_count = nullptr);
 
-// The outfit's scene-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
+// The outfit's model-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
 // below their parents. Poses are the same bits as if local_to_model() had posed them all.
 //
 // skeleton: the outfit's. body_joints: as bind_outfit() gives it. local: at least skeleton.soa_size(), of which joints
-// of the body are not read. scene_from_joint: at least skeleton.joint_count; does not overlap the body's.
+// of the body are not read. model_from_joint: at least skeleton.joint_count; does not overlap the body's.
 // Errors: bad_argument if a span is too short, a joint out of range, or a root none of the body's.
 // Cost: 48 bytes are copied a joint of the body; the others cost what local_to_model() does. Where body_joints[j] is
 // always j, build_palette() and gles3::pose() may as well take the body's joints themselves, without a copy.
 // Thread-safe on different outputs.
 MARROW_API Status follow_body(const Skeleton& skeleton, Span<const std::uint16_t> body_joints,
-                              Span<const Affine> body_scene_from_joint, Span<const SoaTransform> local,
-                              Span<Affine> scene_from_joint);
+                              Span<const Affine> body_model_from_joint, Span<const SoaTransform> local,
+                              Span<Affine> model_from_joint);
 
 }  // namespace marrow

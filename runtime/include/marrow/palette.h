@@ -1,4 +1,4 @@
-// Stage 4, palette: scene-space joints → the matrices that skinning blends.
+// Palette: model-space joints → the matrices that skinning blends.
 #pragma once
 
 #include "marrow/api.h"
@@ -6,11 +6,11 @@
 
 namespace marrow {
 
-// out[i] = scene_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
+// out[i] = model_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
 // joints, bind: one a palette entry, equal in size (Mesh::joints and Mesh::inverse_bind; the GLES path brings its own
 // bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
-// scene_from_joint.size, what helpers name below joints.size and not the same.
+// model_from_joint.size, what helpers name below joints.size and not the same.
 // Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
 //
 // helpers: written behind the joints' entries: entry joints.size + h blends the entries `first` and `second`, the
@@ -28,11 +28,11 @@ namespace marrow {
 // centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 MARROW_API Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind,
-                                Span<const Affine> scene_from_joint, Span<Affine> out, Span<const Helper> helpers = {},
+                                Span<const Affine> model_from_joint, Span<Affine> out, Span<const Helper> helpers = {},
                                 Span<const float> centres = {});
 
 // The palette of a mesh.
-MARROW_API Status build_palette(const Mesh& mesh, Span<const Affine> scene_from_joint, Span<Affine> out);
+MARROW_API Status build_palette(const Mesh& mesh, Span<const Affine> model_from_joint, Span<Affine> out);
 
 // Whether a map mirrors: its determinant is below 0. Triangles that it places are wound the other way, so their fronts
 // are clockwise: glFrontFace(GL_CW), where back faces are culled. A map without volume and one with a number that is
@@ -41,7 +41,7 @@ MARROW_API bool turns_inside_out(const Affine& map);
 
 // The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
 // double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
-// turns if either this or its scene_from_character does, not if both do: see gles3_crowd.h. Cost: a determinant a
+// turns if either this or its world_from_model does, not if both do: see gles3_crowd.h. Cost: a determinant a
 // matrix.
 MARROW_API bool turns_inside_out(Span<const Affine> palette);
 

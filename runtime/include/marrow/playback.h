@@ -1,4 +1,4 @@
-// Stage 1½, playback: where in its clip a character is, moved on from frame to frame.
+// Playback: where in its clip a character is, moved on from frame to frame.
 #pragma once
 
 #include <cstdint>

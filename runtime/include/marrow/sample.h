@@ -1,4 +1,4 @@
-// Stage 2, sample: a clip at a time → local transforms of every joint.
+// Sample: a clip at a time → local transforms of every joint.
 #pragma once
 
 #include "marrow/api.h"

@@ -1,7 +1,7 @@
-// Stage 5, skin on the CPU: bind vertices and a palette → deformed vertices.
+// Skin on the CPU: bind vertices and a palette → deformed vertices.
 //
 // Every deformer writes whole slots (Geometry::slot_count, padding included), so that indices can be used as they are.
-// Positions are in the palette's space (scene space after local_to_model). All are thread-safe on different outputs.
+// Positions are in the palette's space (model space after local_to_model). All are thread-safe on different outputs.
 //
 // Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
 #pragma once

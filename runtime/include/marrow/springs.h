@@ -53,7 +53,7 @@ MARROW_API void reset_springs(Springs& springs);
 struct SpringFrame {
   float dt_s = 0;  // since the last frame
   // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
-  Affine world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float gravity[3] = {0, -9.81f, 0};          // m/s², world
   float wind[3] = {0, 0, 0};                  // m/s, world; acts by `drag`
   Span<const SpringCollider> colliders = {};  // at most kMaxSpringColliders
@@ -64,7 +64,7 @@ struct SpringFrame {
 
 // Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
 //
-// local, scene_from_joint: the animated pose, at least skeleton.soa_size() and joint_count, which belong together
+// local, model_from_joint: the animated pose, at least skeleton.soa_size() and joint_count, which belong together
 // (local_to_model). Springs never read what they have written: give them the animated pose in every frame.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
@@ -92,6 +92,6 @@ struct SpringFrame {
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
 MARROW_API Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs,
-                                   Span<SoaTransform> local, Span<Affine> scene_from_joint);
+                                   Span<SoaTransform> local, Span<Affine> model_from_joint);
 
 }  // namespace marrow

@@ -1,4 +1,4 @@
-// Stage 2½, transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
+// Transition: from one clip to the next, by cross-fading (both are sampled) or by inertialisation (only the
 // new one is).
 #pragma once
 

@@ -1,4 +1,4 @@
-// Before stage 1, for packed files: what a game ships → what load() reads.
+// Unpack: what a game ships → what load() reads.
 //
 // A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
 // --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so

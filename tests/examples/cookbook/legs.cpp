@@ -33,11 +33,11 @@ void climb(Newt& newt, const char* folder) {
   for (int i = 0; i < 240; ++i) {
     const float time_s = float(i) / 60;
     newt.play("walk", std::fmod(time_s, newt.clip("walk")->duration_s));
-    frame.world_from_scene.rows[2][3] = 0.375f * time_s;  // the speed that the clip was made for
+    frame.world_from_model.rows[2][3] = 0.375f * time_s;  // the speed that the clip was made for
     marrow::FootGround ground[2];
     for (int side = 0; side < 2; ++side) {
       float sole[3];
-      must(foot_sole(legs[side], frame.world_from_scene, newt.scene, sole));
+      must(foot_sole(legs[side], frame.world_from_model, newt.scene, sole));
       ground[side] = stairs(sole);
       ground[side].planted = sole[1] < ball_m + 0.002f;
     }

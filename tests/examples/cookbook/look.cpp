@@ -2,10 +2,10 @@
 #include "newt.h"
 
 // A direction of the scene in a joint's own axes. Of joints that are not scaled.
-void to_joint(const marrow::Affine& scene_from_joint, const float (&scene)[3], float (&out)[3]) {
+void to_joint(const marrow::Affine& model_from_joint, const float (&scene)[3], float (&out)[3]) {
   for (int i = 0; i < 3; ++i) {
     out[i] = 0;
-    for (int r = 0; r < 3; ++r) out[i] += scene_from_joint.rows[r][i] * scene[r];
+    for (int r = 0; r < 3; ++r) out[i] += model_from_joint.rows[r][i] * scene[r];
   }
 }
 

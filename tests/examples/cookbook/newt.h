@@ -27,7 +27,7 @@ struct Newt {
     must(make_owned(file, {}, body));
     skeleton = body.skeletons[0].skeleton;
     local = body.skeletons[0].local;
-    scene = body.skeletons[0].scene_from_joint;
+    scene = body.skeletons[0].model_from_joint;
   }
   const marrow::Animation* clip(const char* name) const { return find_animation(file.animations, name); }
   void play(const char* name, float time_s) { must(pose_character(body, {{clip(name), time_s}})); }

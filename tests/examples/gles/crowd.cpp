@@ -6,12 +6,12 @@
 #include "stage.h"
 
 constexpr const char* kVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 colour;
 void main() {
   MarrowVertex v = marrow_skin();
   colour = (0.6 + 0.4 * v.normal.y) * marrow_instance_colour().rgb;
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }
 )";
 constexpr const char* kFragment = R"(
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
     const marrow::Mesh mesh = asset.file.mesh(m);
     rooms[m].resize(gles3::crowd_mesh_bytes(mesh));
     must(create_crowd_mesh(stage.gl, stage.caps, mesh, {}, baked.frames, kCount, rooms[m], meshes[m]), "a mesh");
-    must(build_crowd_programs(stage.gl, stage.caps, meshes[m], gles3::Deformer::ssd, 255, programs), "programs", log);
+    must(create_crowd_programs(stage.gl, stage.caps, meshes[m], gles3::Deformer::ssd, 255, programs), "programs", log);
   }
 
   // Once a crowd, and when somebody does something else: who stands where, and plays what since when.
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
   std::vector<gles3::CrowdInstance> newts(kCount);
   for (std::uint32_t i = 0; i < kCount; ++i) {
     const float x = float(i % 20) - 9.5f, z = -float(i / 20);
-    newts[i].scene_from_character = {{{1, 0, 0, x}, {0, 1, 0, 0}, {0, 0, 1, z}}};
+    newts[i].world_from_model = {{{1, 0, 0, x}, {0, 1, 0, 0}, {0, 0, 1, z}}};
     newts[i].a.clip = 0;  // idle
     newts[i].a.phase_s = 0.1f * float(i % 30);
     newts[i].colour[0] = 0.3f + 0.1f * float(i % 7);
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     for (const gles3::CrowdMesh& mesh : meshes) {
       const gles3::Program& program = crowd_program_of(mesh, gles3::Deformer::ssd, 255, programs, 0);
       stage.gl.UseProgram(program.id);
-      stage.gl.UniformMatrix4fv(stage.gl.GetUniformLocation(program.id, "clip_from_scene"), 1, 0, front);
+      stage.gl.UniformMatrix4fv(stage.gl.GetUniformLocation(program.id, "clip_from_model"), 1, 0, front);
       must(bind_crowd(stage.gl, crowd, mesh, 0, kCount, 0, program), "binding");
       must(gles3::draw(stage.gl, mesh.gpu, gles3::Deformer::ssd, program, kCount), "drawing");
     }

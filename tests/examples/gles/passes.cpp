@@ -3,7 +3,7 @@
 
 // A role's vertex text stands behind the skinning text, so it may call marrow_skin().
 constexpr const char* kColourVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 normal;
 out vec4 paint;
 void main() {
@@ -13,7 +13,7 @@ void main() {
 #if MARROW_COLOUR
   paint = in_colour;
 #endif
-  gl_Position = clip_from_scene * vec4(v.position, 1.0);
+  gl_Position = clip_from_model * vec4(v.position, 1.0);
 }
 )";
 constexpr const char* kColourFragment = R"(
@@ -29,20 +29,20 @@ void main() {
 )";
 // A shadow needs positions alone.
 constexpr const char* kShadowVertex = R"(
-uniform mat4 clip_from_scene;
-void main() { gl_Position = clip_from_scene * vec4(marrow_skin().position, 1.0); }
+uniform mat4 clip_from_model;
+void main() { gl_Position = clip_from_model * vec4(marrow_skin().position, 1.0); }
 )";
 constexpr const char* kShadowFragment = "void main() {}\n";
 // How far each pixel has come since the frame before, a sixteenth of the picture from black to white; grey is nothing.
 constexpr const char* kMotionVertex = R"(
-uniform mat4 clip_from_scene;
-uniform mat4 previous_clip_from_scene;
+uniform mat4 clip_from_model;
+uniform mat4 previous_clip_from_model;
 out vec4 clip;
 out vec4 previous_clip;
 void main() {
   MarrowVertex v = marrow_skin();
-  clip = clip_from_scene * vec4(v.position, 1.0);
-  previous_clip = previous_clip_from_scene * vec4(v.previous_position, 1.0);
+  clip = clip_from_model * vec4(v.position, 1.0);
+  previous_clip = previous_clip_from_model * vec4(v.previous_position, 1.0);
   gl_Position = clip;
 }
 )";
@@ -73,17 +73,17 @@ void set_roles(gles3::ProgramSet& programs, marrow::Span<char> log) {
 
 // Each frame and role: the program of this mesh, the game's own uniforms, all characters in as few calls as may be.
 void draw_role(Stage& stage, const gles3::Skinner& skinner, const gles3::ProgramSet& programs, Role role,
-               const float (&clip_from_scene)[16], std::uint32_t count) {
+               const float (&clip_from_model)[16], std::uint32_t count) {
   const gles3::Program& program = program_of(skinner, programs, role);
   const gles3::Api& gl = stage.gl;
   gl.UseProgram(program.id);
-  gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "clip_from_scene"), 1, 0, clip_from_scene);
+  gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "clip_from_model"), 1, 0, clip_from_model);
   if (role == kColour) {
     const float(&c)[4] = skinner.mesh.base_colour;
     gl.Uniform4f(gl.GetUniformLocation(program.id, "base_colour"), c[0], c[1], c[2], c[3]);
   }
   if (role == kMotion)  // the camera stands still here; a game keeps its matrix of the frame before
-    gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "previous_clip_from_scene"), 1, 0, clip_from_scene);
+    gl.UniformMatrix4fv(gl.GetUniformLocation(program.id, "previous_clip_from_model"), 1, 0, clip_from_model);
   must(gles3::draw(gl, skinner, programs, program, 0, count), "drawing");
 }
 
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
   for (int frame = 0; frame < 2; ++frame) {
     for (std::uint32_t i = 0; i < kCount; ++i) {
       must(pose_character(bodies[i], {{walk, 0.3f * float(i) + 0.1f * float(frame)}}), "the pose");
-      const marrow::Span<marrow::Affine> joints = bodies[i].skeletons[0].scene_from_joint;
+      const marrow::Span<marrow::Affine> joints = bodies[i].skeletons[0].model_from_joint;
       for (marrow::Affine& joint : joints) joint.rows[0][3] += float(i) - 1;  // side by side
       for (std::uint32_t m = 0; m < skinners.size(); ++m)
         must(pose(skinners[m], i, joints, bodies[i].meshes[m].weights), "posing");

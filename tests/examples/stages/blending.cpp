@@ -25,7 +25,7 @@ struct Character {
     std::vector<float> out(4 * skeleton.soa_size());
     const std::uint32_t top = asset.file.find_joint(skeleton, name);
     for (std::uint32_t j = top; j < skeleton.joint_count; ++j)  // parents come first
-      out[j] = j == top || (skeleton.parents[j] != marrow::kNoParent && out[skeleton.parents[j]] == 1) ? 1.0f : 0.0f;
+      out[j] = j == top || (skeleton.parents[j] != marrow::kNoJoint && out[skeleton.parents[j]] == 1) ? 1.0f : 0.0f;
     return out;
   }
   void print(const char* what, const Pose& pose, const char* joint) const {

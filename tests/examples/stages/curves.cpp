@@ -28,7 +28,7 @@ int main() {
 
   // Once: how long the path is. Then any distance gives a time.
   float lengths[marrow::arc_length_count(4, 8)];
-  if (build_arc_length(path, 8, lengths) != Status::ok) return 1;
+  if (make_arc_length(path, 8, lengths) != Status::ok) return 1;
   const marrow::ArcLength table{.steps = 8, .lengths = lengths};
   const float whole = lengths[marrow::arc_length_count(4, 8) - 1];
   std::printf("the path is %.3f m long\n", double(whole));

@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
   const marrow::Skeleton skeleton = file.skeleton(0);
   const std::uint32_t walk = file.find_clip("walk");
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
-  std::vector<marrow::Affine> scene_from_joint(skeleton.joint_count);
+  std::vector<marrow::Affine> model_from_joint(skeleton.joint_count);
   if (sample(skeleton, file.clip(walk), 0.4f, local) != Status::ok ||
-      local_to_model(skeleton, local, scene_from_joint) != Status::ok)
+      local_to_model(skeleton, local, model_from_joint) != Status::ok)
     return 1;
 
   // Once: room for so many lines.
@@ -22,11 +22,11 @@ int main(int argc, char** argv) {
 
   // Every frame: begin anew, and append what you want to see.
   lines.count = lines.left_out = 0;
-  if (joint_lines(skeleton, scene_from_joint, 0.05f, lines) != Status::ok) return 1;
+  if (joint_lines(skeleton, model_from_joint, 0.05f, lines) != Status::ok) return 1;
   std::printf("%zu lines show %u joints\n", lines.count, skeleton.joint_count);
 
   std::size_t before = lines.count;
-  if (limit_lines(skeleton, skeleton.limits, local, scene_from_joint, 0.1f, lines) != Status::ok) return 1;
+  if (limit_lines(skeleton, skeleton.limits, local, model_from_joint, 0.1f, lines) != Status::ok) return 1;
   std::printf("%zu lines show %zu limits\n", lines.count - before, skeleton.limits.size);
 
   before = lines.count;

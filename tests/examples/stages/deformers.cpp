@@ -14,10 +14,10 @@ int main(int argc, char** argv) {
   const marrow::Mesh mesh = file.mesh(0);
   const marrow::Clip clip = file.clip(0);
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
-  std::vector<marrow::Affine> scene_from_joint(skeleton.joint_count), palette(mesh.palette_size());
+  std::vector<marrow::Affine> model_from_joint(skeleton.joint_count), palette(mesh.palette_size());
   if (sample(skeleton, clip, 0.5f * clip.duration_s, local) != Status::ok ||
-      local_to_model(skeleton, local, scene_from_joint) != Status::ok ||
-      build_palette(mesh, scene_from_joint, palette) != Status::ok)
+      local_to_model(skeleton, local, model_from_joint) != Status::ok ||
+      build_palette(mesh, model_from_joint, palette) != Status::ok)
     return 1;
 
   const std::size_t floats = 3 * std::size_t(mesh.geometry.slot_count);

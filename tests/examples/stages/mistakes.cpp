@@ -91,8 +91,8 @@ void of_vertices(Stage& s) {
   const std::size_t vertices = 3 * std::size_t(s.body.geometry.vertex_count);
   expect_refused(build_palette(s.body, {s.joints.data(), 8}, s.palette));
   expect_refused(build_palette(s.body, s.joints, {s.palette.data(), 8}));
-  Reach reach;
-  expect_refused(make_reach(s.body, {block_in(s.memory).data, 16}, reach));
+  MeshExtents extents;
+  expect_refused(make_extents(s.body, {block_in(s.memory).data, 16}, extents));
   expect_refused(skin_ssd(s.body, s.palette, {.positions = {s.numbers.data(), vertices}}));
   expect_refused(skin_ssd(s.body, {}, {.positions = s.numbers}));
   expect_refused(skin_ssd(s.body, s.palette, {.positions = s.numbers, .normals = {s.numbers.data(), vertices}}));

@@ -27,13 +27,13 @@ int main(int argc, char** argv) {
 
   // Every frame: a pose, weights, vertices.
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
-  std::vector<marrow::Affine> scene_from_joint(skeleton.joint_count), palette(body.palette_size());
+  std::vector<marrow::Affine> model_from_joint(skeleton.joint_count), palette(body.palette_size());
   std::vector<float> values(clip.channels.size), weights(body.targets.size);
   std::vector<float> positions(3 * std::size_t(body.geometry.slot_count)), plain(positions.size());
   for (const float time_s : {0.0f, 0.7f, 1.4f}) {
     if (sample(skeleton, clip, time_s, local) != Status::ok ||
-        local_to_model(skeleton, local, scene_from_joint) != Status::ok ||
-        build_palette(body, scene_from_joint, palette) != Status::ok)
+        local_to_model(skeleton, local, model_from_joint) != Status::ok ||
+        build_palette(body, model_from_joint, palette) != Status::ok)
       return 1;
     if (sample_channels(clip, time_s, values) != Status::ok ||
         morph_weights(body, channels, values, weights) != Status::ok || morph(weights, morphed) != Status::ok)

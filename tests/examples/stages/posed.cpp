@@ -14,9 +14,9 @@ int main(int argc, char** argv) {
   if (sample(skeleton, file.clip(walk), 0.4f, local) != Status::ok) return 1;
 
   // Local to model: a matrix a joint, in the scene's space.
-  std::vector<marrow::Affine> scene_from_joint(skeleton.joint_count);
-  if (local_to_model(skeleton, local, scene_from_joint) != Status::ok) return 1;
-  const marrow::Affine& at = scene_from_joint[hand];
+  std::vector<marrow::Affine> model_from_joint(skeleton.joint_count);
+  if (local_to_model(skeleton, local, model_from_joint) != Status::ok) return 1;
+  const marrow::Affine& at = model_from_joint[hand];
   std::printf("hand.L is at %.3f %.3f %.3f m\n", double(at.rows[0][3]), double(at.rows[1][3]), double(at.rows[2][3]));
 
   // A joint is turned by hand: only what hangs below it is brought up to date.
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   if (get_joint(local, elbow, t) != Status::ok) return 1;
   for (int i = 0; i < 3; ++i) t.rotation[i] = -t.rotation[i];  // the inverse of a unit quaternion
   if (set_joint(local, elbow, t) != Status::ok ||
-      local_to_model_below(skeleton, local, elbow, scene_from_joint) != Status::ok)
+      local_to_model_below(skeleton, local, elbow, model_from_joint) != Status::ok)
     return 1;
   std::printf("and with the elbow bent the other way %.3f %.3f %.3f m\n", double(at.rows[0][3]), double(at.rows[1][3]),
               double(at.rows[2][3]));
@@ -34,15 +34,15 @@ int main(int argc, char** argv) {
   const std::uint32_t number = file.find_mesh("body");
   const marrow::Mesh body = file.mesh(number);
   std::vector<marrow::Affine> palette(body.palette_size());
-  if (build_palette(body, scene_from_joint, palette) != Status::ok) return 1;
+  if (build_palette(body, model_from_joint, palette) != Status::ok) return 1;
   std::printf("%u joints, %u of them move the body's vertices\n", skeleton.joint_count, body.palette_size());
 
   // Bounds: of the clip from the file, of this pose from the palette.
-  std::vector<std::byte> memory(marrow::block_bytes(reach_bytes(body)));
-  marrow::Reach reach;  // once a load
-  if (make_reach(body, marrow::block_in(memory), reach) != Status::ok) return 1;
+  std::vector<std::byte> memory(marrow::block_bytes(extents_bytes(body)));
+  marrow::MeshExtents extents;  // once a load
+  if (make_extents(body, marrow::block_in(memory), extents) != Status::ok) return 1;
   marrow::Bounds now;
-  if (palette_bounds(reach, palette, {}, now) != Status::ok) return 1;
+  if (palette_bounds(extents, palette, {}, now) != Status::ok) return 1;
   const marrow::Bounds always = file.bounds(walk, number);
   std::printf("the walk stays within %.2f m of %.2f %.2f %.2f, this pose within %.2f m of %.2f %.2f %.2f\n",
               double(always.radius_m), double(always.centre(0)), double(always.centre(1)), double(always.centre(2)),

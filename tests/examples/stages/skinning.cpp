@@ -22,10 +22,10 @@ int main(int argc, char** argv) {
   const marrow::Skeleton skeleton = file.skeleton(0);
   const marrow::Mesh body = file.mesh(file.find_mesh("body"));
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
-  std::vector<marrow::Affine> scene_from_joint(skeleton.joint_count), palette(body.palette_size());
+  std::vector<marrow::Affine> model_from_joint(skeleton.joint_count), palette(body.palette_size());
   if (sample(skeleton, file.clip(file.find_clip("twist")), 1.4f, local) != Status::ok ||
-      local_to_model(skeleton, local, scene_from_joint) != Status::ok ||
-      build_palette(body, scene_from_joint, palette) != Status::ok)
+      local_to_model(skeleton, local, model_from_joint) != Status::ok ||
+      build_palette(body, model_from_joint, palette) != Status::ok)
     return 1;
 
   // Linear blend skinning, with normals for a shader that normalises.

@@ -77,5 +77,5 @@ int main(int argc, char** argv) {
   marrow::TwoBone reach;
   const marrow::CharacterSkeleton& s = body.skeletons[0];
   const std::uint32_t hand = file.find_joint(s.skeleton, "hand.l");  // no such joint: joint_count
-  std::printf("%s\n", to_string(solve_two_bone(s.skeleton, {0, 1, hand}, reach, s.local, s.scene_from_joint)));
+  std::printf("%s\n", to_string(solve_two_bone(s.skeleton, {0, 1, hand}, reach, s.local, s.model_from_joint)));
 }

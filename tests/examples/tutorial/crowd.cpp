@@ -27,7 +27,7 @@ struct Crowd {
       must(create_crowd_mesh(window.gl, window.caps, mesh, {}, frames, kNewts, memory_of(gles3::crowd_mesh_bytes(mesh)),
                              meshes.emplace_back()),
            "the crowd on the GPU");
-      must(build_crowd_programs(window.gl, window.caps, meshes.back(), gles3::Deformer::ssd, 255, programs.set),
+      must(create_crowd_programs(window.gl, window.caps, meshes.back(), gles3::Deformer::ssd, 255, programs.set),
            "programs of the crowd", programs.log);
     }
     must(create_crowd(window.gl, window.caps, kNewts, memory_of(kNewts * gles3::kCrowdInstanceBytes), instances),
@@ -40,7 +40,7 @@ struct Crowd {
     for (std::uint32_t i = 0; i < kNewts; ++i) {
       const float x = 1.1f * (float(i % 20) - 9.5f) + 0.3f * float(i / 20 % 2), z = -1.2f * float(i / 20);
       const std::uint32_t clip = i % 3 == 0 ? 1 : 0;
-      newts[i].scene_from_character = {{{1, 0, 0, x}, {0, 1, 0, 0}, {0, 0, 1, z}}};
+      newts[i].world_from_model = {{{1, 0, 0, x}, {0, 1, 0, 0}, {0, 0, 1, z}}};
       newts[i].a = {.clip = clip, .phase_s = clips[clip].duration_s * std::fmod(0.618f * float(i), 1.0f)};
     }
     must(set_instances(window.gl, instances, frames, 0, newts), "placing the crowd");

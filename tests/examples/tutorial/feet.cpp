@@ -25,11 +25,11 @@ struct Legs {
   void stand(const marrow::CharacterSkeleton& s, Height height, float walked, float dt_s) {
     marrow::FeetFrame frame;
     frame.dt_s = dt_s;
-    frame.world_from_scene = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
+    frame.world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
     marrow::FootGround ground[2];
     for (int i = 0; i < 2; ++i) {
       float ball[3];
-      must(foot_sole(legs[i], frame.world_from_scene, s.scene_from_joint, ball), "a foot");
+      must(foot_sole(legs[i], frame.world_from_model, s.model_from_joint, ball), "a foot");
       const float x = ball[0], z = ball[2];  // a game casts a ray down from here
       const Vec3 n = normal_of(height, x, z);
       ground[i].hit = true;
@@ -41,7 +41,7 @@ struct Legs {
       ground[i].normal[2] = n.z;
       ground[i].planted = ball[1] < kBall_m + 0.002f;  // as low as a foot of the clip that stands
     }
-    must(place_feet(s.skeleton, feet, frame, ground, motion, s.local, s.scene_from_joint), "feet");
+    must(place_feet(s.skeleton, feet, frame, ground, motion, s.local, s.model_from_joint), "feet");
   }
 };
 

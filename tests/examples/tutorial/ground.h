@@ -21,13 +21,13 @@ inline Vec3 normal_of(Height height, float x, float z) {
 inline const char* const kGroundVertex = R"(
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec4 in_normal;
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 uniform float walked;
 out vec3 normal, colour;
 void main() {
   normal = in_normal.xyz;
   colour = vec3(0.30, 0.36, 0.16) * in_normal.w;
-  gl_Position = clip_from_scene * vec4(in_position - vec3(0.0, 0.0, mod(walked, 2.0)), 1.0);
+  gl_Position = clip_from_model * vec4(in_position - vec3(0.0, 0.0, mod(walked, 2.0)), 1.0);
 }
 )";
 

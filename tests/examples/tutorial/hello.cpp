@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     must(finish_character(newt), "palettes");
     must(skin_ssd(body.mesh, body.palette, {.positions = positions}), "skinning");
     if (frame % 15 != 0) continue;
-    const auto& at = bones.scene_from_joint[head].rows;
+    const auto& at = bones.model_from_joint[head].rows;
     std::printf("%.2f s: head at %.3f %.3f %.3f m, vertex 0 of %s at %.3f %.3f %.3f m\n", playback.time_s,
                 double(at[0][3]), double(at[1][3]), double(at[2][3]), body.mesh.name, double(positions[0]),
                 double(positions[1]), double(positions[2]));

@@ -3,10 +3,10 @@
 #include "ground.h"
 
 const char* const kFlyVertex = R"(
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 uniform vec3 fly;
 void main() {
-  gl_Position = clip_from_scene * vec4(fly, 1.0);
+  gl_Position = clip_from_model * vec4(fly, 1.0);
   gl_PointSize = 24.0 / gl_Position.w;
 }
 )";
@@ -35,11 +35,11 @@ struct Gaze {
     aim.weight = 0.8f;      // eyes do the rest
     aim.offset[1] = 0.19f;  // so high above the joint of the head are the eyes
     aim.pole[1] = 1;        // the head's up stays above
-    must(solve_look_at(s.skeleton, chain, aim, 0.5f, s.local, s.scene_from_joint), "the head");
+    must(solve_look_at(s.skeleton, chain, aim, 0.5f, s.local, s.model_from_joint), "the head");
     for (const std::uint32_t eye : eyes) {
       marrow::Aim at_fly;
       for (int i = 0; i < 3; ++i) at_fly.target[i] = fly[i];
-      must(solve_aim(s.skeleton, eye, at_fly, s.local, s.scene_from_joint), "an eye");
+      must(solve_aim(s.skeleton, eye, at_fly, s.local, s.model_from_joint), "an eye");
     }
   }
 };

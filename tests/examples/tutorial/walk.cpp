@@ -5,12 +5,12 @@ const char* const kVertex = R"(
 layout(location = 0) in vec3 in_position;
 layout(location = 1) in vec3 in_normal;
 layout(location = 2) in vec4 in_colour;
-uniform mat4 clip_from_scene;
+uniform mat4 clip_from_model;
 out vec3 normal, colour;
 void main() {
   normal = in_normal;
   colour = in_colour.rgb;
-  gl_Position = clip_from_scene * vec4(in_position, 1.0);
+  gl_Position = clip_from_model * vec4(in_position, 1.0);
 }
 )";
 

@@ -112,12 +112,12 @@ class Window {
     const float tall = 1 / 0.36f, wide = tall * float(height_) / float(std::max(width_, 1));
     const float a = -60.1f / 59.9f, b = -2 * 60 * 0.1f / 59.9f;  // from 0.1 to 60 m
     // Column after column, as GL takes it.
-    const float clip_from_scene[4][4] = {{wide * x.x, tall * y.x, a * z.x, -z.x},
+    const float clip_from_model[4][4] = {{wide * x.x, tall * y.x, a * z.x, -z.x},
                                          {wide * x.y, tall * y.y, a * z.y, -z.y},
                                          {wide * x.z, tall * y.z, a * z.z, -z.z},
                                          {-wide * dot(x, eye), -tall * dot(y, eye), b - a * dot(z, eye), dot(z, eye)}};
     gl.UseProgram(program);
-    gl.UniformMatrix4fv(gl.GetUniformLocation(program, "clip_from_scene"), 1, GL_FALSE, clip_from_scene[0]);
+    gl.UniformMatrix4fv(gl.GetUniformLocation(program, "clip_from_model"), 1, GL_FALSE, clip_from_model[0]);
     gl.Uniform3fv(gl.GetUniformLocation(program, "base_colour"), 1, base_colour);
   }
 

@@ -42,8 +42,8 @@ CrowdPlay play_of(Misuse& m, std::uint32_t clip) {
 
 CrowdInstance instance_of(Misuse& m) {
   CrowdInstance instance;
-  instance.scene_from_character.rows[0][0] = m.number(1);
-  instance.scene_from_character.rows[1][3] = m.number(2);
+  instance.world_from_model.rows[0][0] = m.number(1);
+  instance.world_from_model.rows[1][3] = m.number(2);
   instance.a = play_of(m, 0);
   instance.b = play_of(m, 1);
   instance.blend_start_s = static_cast<double>(m.number(0));
@@ -64,7 +64,7 @@ struct Marching {
     std::vector<CrowdInstance> instances(4);
     for (CrowdInstance& i : instances) i.a.clip = 0;
     EXPECT_EQ(set_instances(gl_stage().api, crowd, baked().frames, 0, instances), Status::ok);
-    EXPECT_EQ(build_crowd_program(gl_stage().api, program), Status::ok);
+    EXPECT_EQ(create_crowd_program(gl_stage().api, program), Status::ok);
     m.stays(paper_calls());
   }
   static const Mesh& stage_mesh() {
@@ -213,27 +213,27 @@ std::vector<MisuseRow> rows_of_instances() {
 
 std::vector<MisuseRow> rows_of_crowd_programs() {
   return {
-      {"build_crowd_program",
+      {"create_crowd_program",
        [](Misuse& m) {
          Program& out = m.one(Program{});
-         m.returned(build_crowd_program(gl_stage().api, out, m.room<char>(4, Length::any)));
+         m.returned(create_crowd_program(gl_stage().api, out, m.room<char>(4, Length::any)));
        }},
-      {"build_crowd_programs",
+      {"create_crowd_programs",
        [](Misuse& m) {
          Marching marching(m);
          ProgramSet programs;
          programs.roles[0] = {m.pointer("vertex"), m.pointer("fragment"), {}};
          programs.role_count = m.index(1);
          programs.count = m.truth(true) ? 0 : kMostPrograms;
-         m.returned(build_crowd_programs(gl_stage().api, caps_of(m), m.either(marching.mesh, CrowdMesh{}),
-                                         m.kind(Deformer::ssd), static_cast<std::uint8_t>(m.index(255)), programs));
+         m.returned(create_crowd_programs(gl_stage().api, caps_of(m), m.either(marching.mesh, CrowdMesh{}),
+                                          m.kind(Deformer::ssd), static_cast<std::uint8_t>(m.index(255)), programs));
        }},
       {"crowd_program_of",
        [](Misuse& m) {
          Marching marching(m);
          ProgramSet programs;
          programs.roles[0] = {"vertex", "fragment", {}};
-         EXPECT_EQ(build_crowd_programs(gl_stage().api, gl_stage().caps, marching.mesh, Deformer::ssd, 255, programs),
+         EXPECT_EQ(create_crowd_programs(gl_stage().api, gl_stage().caps, marching.mesh, Deformer::ssd, 255, programs),
                    Status::ok);
          (void)crowd_program_of(marching.mesh, m.kind(Deformer::ssd), static_cast<std::uint8_t>(m.index(255)), programs,
                                 m.index(0));

@@ -116,14 +116,14 @@ std::vector<MisuseRow> rows_of_loading() {
          destroy(gl_stage().api, skinned);
          m.returned_ok();
        }},
-      {"build_program",
+      {"create_program",
        [](Misuse& m) {
          std::vector<const char*> varyings = {"a", "b"};
          ProgramSource source = source_of(m);
          if (m.truth(false)) source.feedback_varyings = varyings;
          Program& out = m.one(Program{});
          const Span<char> log = m.truth(true) ? Span<char>() : m.room<char>(3, Length::any);
-         m.returned(build_program(gl_stage().api, key_of(m), source, m.index(0), out, log));
+         m.returned(create_program(gl_stage().api, key_of(m), source, m.index(0), out, log));
        }},
   };
 }
@@ -234,15 +234,15 @@ std::vector<MisuseRow> rows_of_palettes() {
                               m.room<float>(slots * 4, Length::any)};
          m.returned(upload_skinned(gl_stage().api, skinned, out));
        }},
-      {"build_preskin",
+      {"create_preskin",
        [](Misuse& m) {
          Program& out = m.one(Program{});
-         m.returned(build_preskin(gl_stage().api, caps_of(m), key_of(m), m.kind(Preskin::feedback), m.index(0), out));
+         m.returned(create_preskin(gl_stage().api, caps_of(m), key_of(m), m.kind(Preskin::feedback), m.index(0), out));
        }},
       {"preskin",
        [](Misuse& m) {
          Program program;
-         EXPECT_EQ(build_preskin(gl_stage().api, gl_stage().caps, {.influences = 8}, Preskin::feedback, 0, program),
+         EXPECT_EQ(create_preskin(gl_stage().api, gl_stage().caps, {.influences = 8}, Preskin::feedback, 0, program),
                    Status::ok);
          program.reads = m.kind(program.reads);
          m.returned(preskin(gl_stage().api, m.either(gl_stage().gpu, GpuMesh{}), m.kind(Deformer::ssd), program,
@@ -273,7 +273,7 @@ GlStage::GlStage()
   std::vector<Affine> scratch(prepare_scratch_bytes(mesh, kWithPoseSpace) / sizeof(Affine) + 1);
   const Span<std::byte> bytes(reinterpret_cast<std::byte*>(scratch.data()), scratch.size() * sizeof(Affine));
   EXPECT_EQ(prepare(api, caps, mesh, kWithPoseSpace, bytes, bind, gpu), Status::ok);
-  EXPECT_EQ(build_program(api, {.influences = 8}, {"vertex", "fragment", {}}, 0, program), Status::ok);
+  EXPECT_EQ(create_program(api, {.influences = 8}, {"vertex", "fragment", {}}, 0, program), Status::ok);
 }
 
 const GlStage& gl_stage() {

@@ -59,7 +59,7 @@ std::vector<gles3::CrowdInstance> some_of_each(const gles3::CrowdFrames& frames,
   const auto clips = static_cast<std::uint32_t>(frames.clips.size);
   for (std::size_t i = 0; i < count; ++i) {
     gles3::CrowdInstance& one = out[i];
-    one.scene_from_character = placed(random, random.between(0.5, 2), reach);
+    one.world_from_model = placed(random, random.between(0.5, 2), reach);
     const auto play = [&](std::uint32_t clip) {
       return gles3::CrowdPlay{clip, static_cast<float>(random.between(0, 3)), static_cast<float>(random.between(-2, 2)),
                               around_s + random.between(-9, 9)};

@@ -60,10 +60,10 @@ const gles3::Program& program(const gles3::ProgramKey& key, Way way) {
   std::vector<char> log(4096);
   if (way == Way::feedback || way == Way::compute) {
     const gles3::Preskin method = way == Way::compute ? gles3::Preskin::compute : gles3::Preskin::feedback;
-    EXPECT_EQ(gles3::build_preskin(gl(), gl().caps(), key, method, 0, at->second, log), Status::ok) << log.data();
+    EXPECT_EQ(gles3::create_preskin(gl(), gl().caps(), key, method, 0, at->second, log), Status::ok) << log.data();
     return at->second;
   }
-  EXPECT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, at->second, log), Status::ok) << log.data();
+  EXPECT_EQ(gles3::create_program(gl(), key, feedback_source(), 0, at->second, log), Status::ok) << log.data();
   return at->second;
 }
 
@@ -202,11 +202,11 @@ void Feedback::capture(gles3::Deformer deformer) {
   gl().Disable(GL_RASTERIZER_DISCARD);
 }
 
-Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights,
+Skinned Feedback::skin(gles3::Deformer deformer, Span<const Affine> model_from_joint, Span<const float> weights,
                        Way way) {
   const std::size_t slots = mesh_.geometry.slot_count;
   std::vector<Affine> palette(mesh_.palette_size());
-  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, scene_from_joint, palette, mesh_.helpers,
+  EXPECT_EQ(build_palette({mesh_.joints, mesh_.joint_count}, bind_, model_from_joint, palette, mesh_.helpers,
                           mesh_.helper_centres),
             Status::ok);
   gles3::ProgramKey key{deformer, gpu_.influences, gpu_.features};

@@ -54,7 +54,7 @@ class Feedback {
   Status prepared() const { return prepared_; }
   const gles3::GpuMesh& gpu() const { return gpu_; }
   // weights: one a morph target of the mesh.
-  Skinned skin(gles3::Deformer deformer, Span<const Affine> scene_from_joint, Span<const float> weights = {},
+  Skinned skin(gles3::Deformer deformer, Span<const Affine> model_from_joint, Span<const float> weights = {},
                Way way = Way::block);
 
  private:

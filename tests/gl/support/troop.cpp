@@ -15,7 +15,7 @@ const gles3::Program& drawing_program(const gles3::ProgramKey& key) {
   const auto [at, added] = programs.try_emplace({key.deformer, key.influences, key.features});
   std::vector<char> log(4096);
   if (!added) return at->second;
-  EXPECT_EQ(gles3::build_program(gl(), key, feedback_source(), 0, at->second, log), Status::ok) << log.data();
+  EXPECT_EQ(gles3::create_program(gl(), key, feedback_source(), 0, at->second, log), Status::ok) << log.data();
   return at->second;
 }
 
@@ -25,7 +25,7 @@ const gles3::Program& crowd_program() {
   static const gles3::Program program = [] {
     gles3::Program made;
     std::vector<char> log(4096);
-    EXPECT_EQ(gles3::build_crowd_program(gl(), made, log), Status::ok) << log.data();
+    EXPECT_EQ(gles3::create_crowd_program(gl(), made, log), Status::ok) << log.data();
     return made;
   }();
   return program;

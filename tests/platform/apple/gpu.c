@@ -43,7 +43,7 @@ long road(const void* bytes, size_t byte_count, float time_s, char* memory, mrw_
     size = mrw_gles3_skinner_bytes(&m->mesh, &options);
     TRY(mrw_gles3_create_skinner(&api, &caps, &m->mesh, &options, &programs, memory, size, &skinners[i]));
     memory += size;
-    TRY(mrw_gles3_pose(&skinners[i], 0, s->scene_from_joint, s->scene_from_joint_count, m->weights, m->weight_count));
+    TRY(mrw_gles3_pose(&skinners[i], 0, s->model_from_joint, s->model_from_joint_count, m->weights, m->weight_count));
     TRY(mrw_gles3_update(&api, &skinners[i], &programs, 1));
     program = mrw_gles3_program_of(&skinners[i], &programs, 0);
     use(program->id);

@@ -56,7 +56,7 @@ static void add_frame(mrw_character* character, float* positions, float* normals
     add(t.translation, 3);
     add(t.rotation, 4);
     add(t.scale, 3);
-    add(s->scene_from_joint[i].rows, 12);
+    add(s->model_from_joint[i].rows, 12);
   }
   for (i = 0; i < character->mesh_count; ++i) {
     const mrw_character_mesh* const m = &character->meshes[i];

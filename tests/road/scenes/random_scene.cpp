@@ -176,9 +176,9 @@ void Maker::make_mesh(const std::vector<int>& joints) {
   mesh.joints = joints;
   const double unit = has(SceneKind::scale_above) || has(SceneKind::scale_within) ? power(-2, 2) : 1;
   const Vec3 centre = chance(0.5) ? origin(placed(joints[0])) : Vec3{0, 0, 0};
-  const Map scene_from_mesh = from_trs(centre, {0, 0, 0, 1}, {unit, unit, unit});
+  const Map model_from_mesh = from_trs(centre, {0, 0, 0, 1}, {unit, unit, unit});
   for (const int joint : joints) {
-    const Map bind = inverse(placed(joint)) * scene_from_mesh;
+    const Map bind = inverse(placed(joint)) * model_from_mesh;
     for (int c = 0; c < 4; ++c)
       for (int r = 0; r < 4; ++r)
         mesh.inverse_bind.push_back(r < 3 ? static_cast<float>(bind.rows[r][c]) : c < 3 ? 0.0f : 1.0f);

@@ -148,7 +148,7 @@ TEST_F(Load, Skeletons) {
   refuse(base + l.parents, std::uint16_t{0}, "a root with a parent");
   refuse(base + l.parents + 2, std::uint16_t{1}, "its own parent");
   refuse(base + l.parents + 2, std::uint16_t{2}, "a parent behind its child");
-  refuse(base + l.parents + 2, kNoParent, "a root behind the roots");
+  refuse(base + l.parents + 2, kNoJoint, "a root behind the roots");
   EXPECT_EQ(refused_, 13);
 }
 

@@ -216,11 +216,11 @@ TEST(Character, IsFinishedWithWhatTheGameDidToItsJoints) {
   ASSERT_EQ(pose_character(l.character, {&dance, 1}), Status::ok);
   const CharacterSkeleton& s = l.character.skeletons[0];
   std::vector<SoaTransform> local(s.local.begin(), s.local.end());
-  std::vector<Affine> model(s.scene_from_joint.begin(), s.scene_from_joint.end());
+  std::vector<Affine> model(s.model_from_joint.begin(), s.model_from_joint.end());
   TwoBone reach;
   for (int c = 0; c < 3; ++c) reach.target[c] = 0.5f * (model[1].rows[c][3] + model[3].rows[c][3]);
   ASSERT_EQ(solve_two_bone(s.skeleton, {1, 2, 3}, reach, local, model), Status::ok);
-  ASSERT_EQ(solve_two_bone(s.skeleton, {1, 2, 3}, reach, s.local, s.scene_from_joint), Status::ok);
+  ASSERT_EQ(solve_two_bone(s.skeleton, {1, 2, 3}, reach, s.local, s.model_from_joint), Status::ok);
   ASSERT_EQ(finish_character(l.character), Status::ok);
   const CharacterMesh& m = l.character.meshes[0];
   std::vector<Affine> palette(m.palette.size);

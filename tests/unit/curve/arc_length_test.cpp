@@ -9,7 +9,7 @@ using test::Random;
 
 std::vector<float> measure(const Keys& keys, std::uint32_t steps) {
   std::vector<float> lengths(arc_length_count(keys.times.size(), steps));
-  EXPECT_EQ(build_arc_length(keys.view(), steps, lengths), Status::ok);
+  EXPECT_EQ(make_arc_length(keys.view(), steps, lengths), Status::ok);
   return lengths;
 }
 

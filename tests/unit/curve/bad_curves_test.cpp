@@ -25,7 +25,7 @@ void expect_refused(const Keys& keys) {
   EXPECT_EQ(curve_velocity(curve, 1.0f, out), Status::bad_argument);
   EXPECT_EQ(natural_spline(curve, out), Status::bad_argument);
   EXPECT_EQ(clamped_spline(curve, out, out, out), Status::bad_argument);
-  EXPECT_EQ(build_arc_length(curve, 1, out), Status::bad_argument);
+  EXPECT_EQ(make_arc_length(curve, 1, out), Status::bad_argument);
   EXPECT_EQ(time_at_distance(curve, {1, out}, 0.0f, time_s), Status::bad_argument);
   EXPECT_EQ(out, std::vector<float>(64, -77.0f));
   EXPECT_EQ(time_s, -77.0f);
@@ -158,19 +158,19 @@ TEST(BadCurves, CallsThatAreWrong) {
   EXPECT_EQ(clamped_spline(keys.view(), two, three, out), Status::bad_argument);
   EXPECT_EQ(clamped_spline(keys.view(), three, two, out), Status::bad_argument);
   EXPECT_EQ(clamped_spline(keys.view(), std::vector<float>{0, kNan, 0}, three, out), Status::bad_data);
-  EXPECT_EQ(build_arc_length(keys.view(), 0, out), Status::bad_argument);
-  EXPECT_EQ(build_arc_length(keys.view(), 2, Span<float>(lengths.data(), 6)), Status::bad_argument);
-  EXPECT_EQ(build_arc_length(keys.view(), 0xFFFFFFFFu, lengths), Status::bad_argument);
-  EXPECT_EQ(build_arc_length(keys.view(), 2, lengths), Status::ok);
+  EXPECT_EQ(make_arc_length(keys.view(), 0, out), Status::bad_argument);
+  EXPECT_EQ(make_arc_length(keys.view(), 2, Span<float>(lengths.data(), 6)), Status::bad_argument);
+  EXPECT_EQ(make_arc_length(keys.view(), 0xFFFFFFFFu, lengths), Status::bad_argument);
+  EXPECT_EQ(make_arc_length(keys.view(), 2, lengths), Status::ok);
   EXPECT_EQ(time_at_distance(keys.view(), {3, lengths}, 0.0f, time_s), Status::bad_argument);
   EXPECT_EQ(time_at_distance(keys.view(), {0, lengths}, 0.0f, time_s), Status::bad_argument);
   EXPECT_EQ(time_at_distance(keys.view(), {2, lengths}, kNan, time_s), Status::bad_argument);
   const Keys turning = random_keys(random, CurveKind::linear, 4, 3, true);
-  EXPECT_EQ(build_arc_length(turning.view(), 1, out), Status::unsupported);
+  EXPECT_EQ(make_arc_length(turning.view(), 1, out), Status::unsupported);
   const Keys steps = random_keys(random, CurveKind::step, 1, 3);
-  EXPECT_EQ(build_arc_length(steps.view(), 1, out), Status::unsupported);
+  EXPECT_EQ(make_arc_length(steps.view(), 1, out), Status::unsupported);
   const Keys huge{CurveKind::linear, false, 2, {0, 1}, {-3e38f, 0, 3e38f, 0}};
-  EXPECT_EQ(build_arc_length(huge.view(), 1, out), Status::bad_data);
+  EXPECT_EQ(make_arc_length(huge.view(), 1, out), Status::bad_data);
 }
 
 TEST(BadCurves, SplineOfKeysTooCloseInTime) {
@@ -220,7 +220,7 @@ TEST(BadCurves, NothingIsAllocated) {
   const std::size_t before = test::allocation_count();
   failures += natural_spline(keys.view(), spline) != Status::ok;
   const Curve smooth{CurveKind::hermite, false, 4, keys.times, spline};
-  failures += build_arc_length(smooth, 8, lengths) != Status::ok;
+  failures += make_arc_length(smooth, 8, lengths) != Status::ok;
   for (int i = 0; i < 1000; ++i) {
     const float u = static_cast<float>(i) / 1000;
     failures += time_at_distance(smooth, {8, lengths}, u * lengths.back(), time_s) != Status::ok;

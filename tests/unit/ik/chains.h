@@ -9,7 +9,7 @@
 
 namespace marrow::test {
 
-// scene_from_joint of every joint of a pose, in double precision.
+// model_from_joint of every joint of a pose, in double precision.
 inline std::vector<Map> scene_maps(const TestSkeleton& skeleton, const SoaTransform* local) {
   std::vector<Map> out;
   std::size_t root = 0;

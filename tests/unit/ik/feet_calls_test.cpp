@@ -84,11 +84,11 @@ TEST(Feet, BadCallsWriteNothing) {
     refuses([&] { w.frame.dt_s = bad; });
     refuses([&] { w.frame.weight = bad; });
     refuses([&] { w.feet.lower_m = bad; });
-    refuses([&] { w.feet.reach = bad; });
+    refuses([&] { w.feet.leg_extension = bad; });
     refuses([&] { w.feet.slope_rad = bad; });
     refuses([&] { w.feet.ease_s = bad; });
     refuses([&] { w.legs[1].weight = bad; });
-    refuses([&] { w.frame.world_from_scene.rows[0][0] = bad; });  // -1: mirrored
+    refuses([&] { w.frame.world_from_model.rows[0][0] = bad; });  // -1: mirrored
     if (bad == -1.0f) continue;
     refuses([&] { w.frame.up[2] = bad; });
     refuses([&] { w.legs[1].sole[0] = bad; });
@@ -101,7 +101,7 @@ TEST(Feet, BadCallsWriteNothing) {
   }
   refuses([&] { w.frame.up[1] = 2; });
   refuses([&] { w.frame.weight = 2; });
-  refuses([&] { w.feet.reach = 2; });
+  refuses([&] { w.feet.leg_extension = 2; });
   refuses([&] { w.feet.ease_s = 0; });
   refuses([&] { w.legs[1].ankle = 11; });
   refuses([&] { w.legs[1].knee = 5; });
@@ -126,7 +126,7 @@ TEST(Feet, BadCallsWriteNothing) {
   EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, w.motion, w.local, {w.scene.data(), 10}),
             Status::bad_argument);
   float sole[3];
-  EXPECT_EQ(foot_sole(w.legs[0], w.frame.world_from_scene, {w.scene.data(), 7}, sole), Status::bad_argument);
+  EXPECT_EQ(foot_sole(w.legs[0], w.frame.world_from_model, {w.scene.data(), 7}, sole), Status::bad_argument);
 }
 
 TEST(Feet, AllocateNothing) {
@@ -149,7 +149,7 @@ TEST(Feet, SameBitsEverywhere) {
   test::Random random(78);
   std::uint64_t state = test::kHashStart;
   for (int i = 0; i < 200; ++i) {
-    w.frame.world_from_scene.rows[2][3] = static_cast<float>(random.between(0, 0.0625)) + 0.01f * static_cast<float>(i);
+    w.frame.world_from_model.rows[2][3] = static_cast<float>(random.between(0, 0.0625)) + 0.01f * static_cast<float>(i);
     w.pose();
     for (FootGround& g : w.ground) {
       g.hit = true;

@@ -63,7 +63,7 @@ class Walker {
     EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok);
   }
   void stand(const Vec3& at, double turn_rad = 0) {
-    frame.world_from_scene = to_affine(from_trs(at, axis_angle({0, 1, 0}, turn_rad), {1, 1, 1}));
+    frame.world_from_model = to_affine(from_trs(at, axis_angle({0, 1, 0}, turn_rad), {1, 1, 1}));
   }
   Status step(float dt_s) {
     frame.dt_s = dt_s;
@@ -79,13 +79,13 @@ class Walker {
   void floor(std::size_t side, double height, const Vec3& normal = {0, 1, 0}) {
     ground[side].hit = true;
     float sole[3];
-    EXPECT_EQ(foot_sole(legs[side], frame.world_from_scene, scene, sole), Status::ok);
+    EXPECT_EQ(foot_sole(legs[side], frame.world_from_model, scene, sole), Status::ok);
     for (int i = 0; i < 3; ++i) {
       ground[side].point[i] = i == 1 ? static_cast<float>(height) : sole[i];
       ground[side].normal[i] = static_cast<float>(normal[static_cast<std::size_t>(i)]);
     }
   }
-  Map world(std::size_t joint) const { return to_map(frame.world_from_scene) * to_map(scene[joint]); }
+  Map world(std::size_t joint) const { return to_map(frame.world_from_model) * to_map(scene[joint]); }
   Vec3 sole(std::size_t side) const { return point(world(legs[side].ankle), vec(legs[side].sole)); }
   Vec3 pelvis() const { return point(world(1), {0, 0, 0}); }
 

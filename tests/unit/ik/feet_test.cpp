@@ -254,7 +254,7 @@ TEST(Feet, ScaledAndMirroredCharactersStandToo) {
   for (const Vec3& scale : {Vec3{1, 1, 1}, Vec3{0.01, 0.01, 0.01}, Vec3{-1, 1, 1}}) {
     Walker w(test::from_trs({0, 0, 0}, {0, 0, 0, 1}, scale));
     const double size = scale[1];
-    w.frame.world_from_scene = test::to_affine(test::from_trs({3, 1, 2}, test::axis_angle({0, 1, 0}, 1), {2, 2, 2}));
+    w.frame.world_from_model = test::to_affine(test::from_trs({3, 1, 2}, test::axis_angle({0, 1, 0}, 1), {2, 2, 2}));
     w.feet.lower_m = 10;
     const Vec3 a = w.sole(0);
     const Vec3 normal{0.2, 1, -0.1};

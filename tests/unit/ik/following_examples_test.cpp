@@ -36,11 +36,11 @@ marrow::Status make_tail(const marrow::Skeleton& skeleton, const std::vector<std
 }
 
 // Every frame: after sample, blend and local_to_model, before the palette.
-marrow::Status swing_tail(const marrow::Skeleton& skeleton, const marrow::Affine& world_from_scene, float dt_s,
+marrow::Status swing_tail(const marrow::Skeleton& skeleton, const marrow::Affine& world_from_model, float dt_s,
                           Tail& tail, std::vector<marrow::SoaTransform>& local, std::vector<marrow::Affine>& scene) {
   marrow::SpringFrame frame;
   frame.dt_s = dt_s;
-  frame.world_from_scene = world_from_scene;
+  frame.world_from_model = world_from_model;
   return marrow::simulate_springs(skeleton, frame, tail.springs, local, scene);
 }
 // [/springs]
@@ -69,7 +69,7 @@ marrow::Status stand(const marrow::Skeleton& skeleton, const marrow::Feet& feet,
   std::vector<marrow::FootGround> ground(feet.feet.size);
   for (std::size_t i = 0; i < ground.size(); ++i) {
     float sole[3];
-    const marrow::Status found = marrow::foot_sole(feet.feet[i], frame.world_from_scene, scene, sole);
+    const marrow::Status found = marrow::foot_sole(feet.feet[i], frame.world_from_model, scene, sole);
     if (found != marrow::Status::ok) return found;
     ground[i].hit = ray(sole, ground[i].point, ground[i].normal);
     ground[i].planted = planted[i];

@@ -341,10 +341,10 @@ TEST(IkGoals, BadCallsWriteNothing) {
 // The example of docs/ik/solvers.md.
 Status plant_and_reach(const Skeleton& skeleton, std::uint16_t foot, std::uint16_t hand, const float (&door_handle)[3],
                        Span<const std::uint16_t> joints, Span<std::byte> scratch, Span<SoaTransform> local,
-                       Span<Affine> scene_from_joint) {
+                       Span<Affine> model_from_joint) {
   IkGoal goals[2];
   goals[0].joint = foot;  // stays where the animation put it
-  for (int i = 0; i < 3; ++i) goals[0].position[i] = scene_from_joint[foot].rows[i][3];
+  for (int i = 0; i < 3; ++i) goals[0].position[i] = model_from_joint[foot].rows[i][3];
   goals[1].joint = hand;
   goals[1].priority = 1;  // reaches as far as the foot allows
   for (int i = 0; i < 3; ++i) goals[1].position[i] = door_handle[i];
@@ -355,7 +355,7 @@ Status plant_and_reach(const Skeleton& skeleton, std::uint16_t foot, std::uint16
   IkOptions options;
   options.max_iterations = 8;
   options.tolerance_m = 1e-3f;
-  return solve_ik(skeleton, local, scene_from_joint, problem, options, scratch);
+  return solve_ik(skeleton, local, model_from_joint, problem, options, scratch);
 }
 
 TEST(IkGoals, TheExampleDoesWhatItSays) {

@@ -40,7 +40,7 @@ struct Chain {
     update();
   }
   void update() { EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok); }
-  // scene_from_joint of the pose as it is now.
+  // model_from_joint of the pose as it is now.
   std::vector<Map> maps() const {
     std::vector<Map> out;
     for (std::uint32_t i = 0; i < skeleton.joint_count; ++i) {

@@ -48,7 +48,7 @@ TEST(Springs, AJumpMovesThemAlong) {
     const test::Quat was = test::axis_angle({0.3, 1, 0.2}, std::sin(4 * 59 / 60.0));
     const Vec3 place{0.1 * std::sin(9 * 59 / 60.0), 0.1 * std::cos(7 * 59 / 60.0), 0};
     const Affine turned = test::to_affine(test::from_trs(far, turn, {1, 1, 1}));
-    rod.frame.world_from_scene = turned;
+    rod.frame.world_from_model = turned;
     rod.frame.teleported = told;
     for (int i = 0; i < 30; ++i) {
       rod.pose(place, was);
@@ -358,7 +358,7 @@ TEST(Springs, BadCallsWriteNothing) {
     refuses([&](F f, M) { f.wind[2] = bad; });
     refuses([&](F f, M) { f.teleport_m = bad; });
     refuses([&](F f, M) { f.weight = bad; });
-    refuses([&](F f, M) { f.world_from_scene.rows[1][2] = bad; });
+    refuses([&](F f, M) { f.world_from_model.rows[1][2] = bad; });
     for (std::size_t j = 0; j < 4; ++j) refuses([&](F, M m) { m[j].rows[2][3] = bad; });
     refuses([&](F f, M) { colliders[0] = {0, 0, {0, bad, 0}, {0, 0, 0}, 1}, f.colliders = colliders; });
     refuses([&](F f, M) { colliders[0] = {0, 0, {0, 0, 0}, {0, 0, bad}, 1}, f.colliders = colliders; });
@@ -429,7 +429,7 @@ TEST(Springs, AllocateNothing) {
   int failures = 0;
   const std::size_t before = test::allocation_count();
   for (int i = 0; i < 1000; ++i) {
-    rod.frame.world_from_scene.rows[0][3] = 0.01f * static_cast<float>(i % 40);
+    rod.frame.world_from_model.rows[0][3] = 0.01f * static_cast<float>(i % 40);
     failures += simulate_springs(rod.skeleton, rod.frame, rod.springs, rod.local, rod.scene) != Status::ok;
     failures += set_springs(rod.skeleton, {&rod.chain(), 1}, rod.springs) != Status::ok;
   }

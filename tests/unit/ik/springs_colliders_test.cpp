@@ -139,7 +139,7 @@ TEST(SpringColliders, MoveWithTheirJointAndScaleWithTheWorld) {
   int cases = 0;
   for (const float scale : {1.0f, 2.0f}) {
     reset_springs(rod.springs);
-    for (int i = 0; i < 3; ++i) rod.frame.world_from_scene.rows[i][i] = scale;
+    for (int i = 0; i < 3; ++i) rod.frame.world_from_model.rows[i][i] = scale;
     for (int i = 0; i < 180; ++i, ++cases) {
       ball.from[1] = ball.to[1] = static_cast<float>(0.15 - 0.001 * i);  // pushes the bone down
       rod.pose();

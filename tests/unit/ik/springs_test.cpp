@@ -330,10 +330,10 @@ TEST(Springs, TheWorldAndThePoseMoveAlike) {
     const double t = i / 60.0;
     ride.pose(posed, t);
     ASSERT_EQ(posed.step(1.0f / 60), Status::ok);
-    carried.frame.world_from_scene = posed.scene[0];
+    carried.frame.world_from_model = posed.scene[0];
     carried.pose();
     ASSERT_EQ(carried.step(1.0f / 60), Status::ok);
-    const test::Map world = test::to_map(carried.frame.world_from_scene);
+    const test::Map world = test::to_map(carried.frame.world_from_model);
     EXPECT_LT(distance(test::direction(world, carried.direction(0)), posed.direction(0)), 2e-5) << i;
     ++cases;
   }

@@ -80,10 +80,10 @@ std::vector<MisuseRow> rows_of_curves() {
          m.returned(bicubic_patch(m.kind(PatchBasis::catmull_rom), m.in(points), m.index(3), m.number(0.5f),
                                   m.number(0.25f), out));
        }},
-      {"build_arc_length",
+      {"make_arc_length",
        [](Misuse& m) {
          const Span<float> out = m.out<float>(arc_length_count(4, 8));
-         m.returned(build_arc_length(curve_of(m), m.index(8), out));
+         m.returned(make_arc_length(curve_of(m), m.index(8), out));
        }},
       {"time_at_distance",
        [](Misuse& m) {

@@ -118,7 +118,7 @@ std::vector<MisuseRow> rows_of_basics() {
   return {
       {"to_string", MISUSED(std::string(to_string(m.kind(Status::ok))))},
       {"set_call_error_handler", MISUSED(set_call_error_handler(set_call_error_handler(nullptr)))},
-      {"set_mark_handler", MISUSED(set_mark_handler(set_mark_handler(nullptr)))},
+      {"set_zone_handler", MISUSED(set_zone_handler(set_zone_handler(nullptr)))},
       {"block_bytes", MISUSED(block_bytes(m.index(7)))},
       {"is_on_boundary", MISUSED(is_on_boundary(m.memory(5).data))},
       {"block_in",

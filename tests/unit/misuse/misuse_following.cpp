@@ -80,8 +80,8 @@ SpringFrame frame_of(Misuse& m, std::vector<SpringCollider>& colliders) {
   colliders = {
       {static_cast<std::uint16_t>(m.index(3)), 0, {m.number(0), 0, 0}, {0, m.number(0.1f), 0}, m.number(0.1f)}};
   SpringFrame frame{.dt_s = m.number(0.02f), .colliders = m.in(colliders, Length::any), .teleport_m = m.number(1)};
-  frame.world_from_scene.rows[1][1] = m.number(1);
-  frame.world_from_scene.rows[2][3] = m.number(3);
+  frame.world_from_model.rows[1][1] = m.number(1);
+  frame.world_from_model.rows[2][3] = m.number(3);
   frame.gravity[1] = m.number(-9.81f);
   frame.wind[0] = m.number(2);
   frame.teleported = m.truth(false);

@@ -111,8 +111,8 @@ void solve(Misuse& m, decltype(solve_ik)& by, IkMethod method) {
 
 FeetFrame feet_frame(Misuse& m) {
   FeetFrame frame{.dt_s = m.number(0.02f)};
-  frame.world_from_scene.rows[0][0] = m.number(1);
-  frame.world_from_scene.rows[2][3] = m.number(4);
+  frame.world_from_model.rows[0][0] = m.number(1);
+  frame.world_from_model.rows[2][3] = m.number(4);
   frame.up[1] = m.number(1);
   frame.teleported = m.truth(false);
   frame.weight = m.number(1);

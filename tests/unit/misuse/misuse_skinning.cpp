@@ -196,28 +196,28 @@ std::vector<MisuseRow> rows_of_palettes() {
          m.returned(build_palette(mesh_of(m), m.in(stage().joints), out));
        }},
       {"palette_size", [](Misuse& m) { m.returned(static_cast<float>(mesh_of(m).palette_size())); }},
-      {"reach_bytes",
+      {"extents_bytes",
        [](Misuse& m) {
-         (void)reach_bytes(m.either(skinned().morphed, Mesh{}));
+         (void)extents_bytes(m.either(skinned().morphed, Mesh{}));
          m.returned_ok();
        }},
-      {"make_reach",
+      {"make_extents",
        [](Misuse& m) {
          const Mesh& mesh = m.either(skinned().morphed, stage().mesh);
-         Reach& out = m.one(Reach{});
-         m.returned(make_reach(mesh, m.memory(reach_bytes(mesh)), out));
+         MeshExtents& out = m.one(MeshExtents{});
+         m.returned(make_extents(mesh, m.memory(extents_bytes(mesh)), out));
        }},
       {"palette_bounds",
        [](Misuse& m) {
-         std::vector<JointReach> joints(stage().palette.size());
-         std::vector<MorphReach> targets(3);
-         Reach reach;
-         reach.joints = joints;
-         reach.targets = targets;
+         std::vector<JointExtent> joints(stage().palette.size());
+         std::vector<MorphExtent> targets(3);
+         MeshExtents extents;
+         extents.joints = joints;
+         extents.targets = targets;
          std::vector<float> weights = {0.5f, -1, 2};
          for (float& w : weights) w = m.number(w);
          Bounds& out = m.one(Bounds{});
-         m.returned(palette_bounds(reach, m.in(stage().palette), m.in(weights, Length::exact_or_none), out));
+         m.returned(palette_bounds(extents, m.in(stage().palette), m.in(weights, Length::exact_or_none), out));
        }},
       {"turns_inside_out",
        [](Misuse& m) {

@@ -19,7 +19,7 @@ class DebugLinesTest : public ::testing::Test {
   DebugLinesTest() {
     skeleton_.joint_count = 2;
     skeleton_.root_count = 1;
-    skeleton_.scene_from_root = &above_;
+    skeleton_.model_from_root = &above_;
     skeleton_.parents = parents_;
     for (auto& w : local_[0].rotation[3]) w = 1;
     lines_.room = room_;
@@ -33,7 +33,7 @@ class DebugLinesTest : public ::testing::Test {
     return std::equal(line.colour, line.colour + 4, colour);
   }
 
-  const std::uint16_t parents_[2] = {kNoParent, 0};
+  const std::uint16_t parents_[2] = {kNoJoint, 0};
   Affine above_ = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   Skeleton skeleton_;
   SoaTransform local_[1] = {};

@@ -17,13 +17,13 @@ namespace {
 
 using test::AlignedBlock;
 
-// A reach with its memory, exactly as long as it must be.
+// A extents with its memory, exactly as long as it must be.
 struct Reached {
-  explicit Reached(const Mesh& mesh) : block(reach_bytes(mesh)) {
-    EXPECT_EQ(make_reach(mesh, {block.data(), block.size()}, reach), Status::ok);
+  explicit Reached(const Mesh& mesh) : block(extents_bytes(mesh)) {
+    EXPECT_EQ(make_extents(mesh, {block.data(), block.size()}, extents), Status::ok);
   }
   AlignedBlock block;
-  Reach reach;
+  MeshExtents extents;
 };
 
 test::TestVertex vertex(double x, double y, double z, const std::vector<double>& weights) {
@@ -42,15 +42,15 @@ constexpr Affine kNowhere = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 TEST(PaletteBounds, AreWhatHandArithmeticSays) {
   const test::TestMesh mesh = three_entries();
   const Reached r(mesh.view());
-  ASSERT_EQ(r.reach.joints.size, 3u);
-  EXPECT_LT(r.reach.joints[2].half[0], 0) << "nothing follows it";
+  ASSERT_EQ(r.extents.joints.size, 3u);
+  EXPECT_LT(r.extents.joints[2].half[0], 0) << "nothing follows it";
   // Entry 0: x to y, y to -x, then 10 along x. Its box is 4 × 2 × 0 about (10, 0, 0).
   // Entry 1: twice as large. Its box, (1 … 3, 2, 0 … 4), becomes (2 … 6, 4, 0 … 8). Entry 2 is far away.
   const std::vector<Affine> palette = {{{{0, -1, 0, 10}, {1, 0, 0, 0}, {0, 0, 1, 0}}},
                                        {{{2, 0, 0, 0}, {0, 2, 0, 0}, {0, 0, 2, 0}}},
                                        {{{1, 0, 0, 1e6f}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
   Bounds b;
-  ASSERT_EQ(palette_bounds(r.reach, palette, {}, b), Status::ok);
+  ASSERT_EQ(palette_bounds(r.extents, palette, {}, b), Status::ok);
   const float least[] = {2, -1, 0}, most[] = {12, 4, 8};
   for (int c = 0; c < 3; ++c) {
     EXPECT_EQ(b.box_min[c], least[c]);
@@ -67,7 +67,7 @@ TEST(PaletteBounds, HaveARadiusWhereverTheyAre) {
   for (const float scale : {1.0f, 1e12f, 1e19f, 1e29f, 1e36f}) {
     const std::vector<Affine> palette(3, Affine{{{scale, 0, 0, 0}, {0, scale, 0, 0}, {0, 0, scale, 0}}});
     Bounds b;
-    ASSERT_EQ(palette_bounds(r.reach, palette, {}, b), Status::ok);
+    ASSERT_EQ(palette_bounds(r.extents, palette, {}, b), Status::ok);
     // Boxes (-1 … 1, -2 … 2, 0) and (1 … 3, 2, 0 … 4): from (1, 0, 2) to (-1, ±2, 0) and (3, 2, 0 or 4), √12.
     EXPECT_NEAR(b.radius_m / scale, std::sqrt(12.0f), 1e-5f) << scale;
   }
@@ -84,11 +84,11 @@ TEST(PaletteBounds, FollowTheWeightsOfMorphTargets) {
   view.geometry.target_blocks = &block;
   view.geometry.target_records = records;
   const Reached r(view);
-  ASSERT_EQ(r.reach.targets.size, 1u);
+  ASSERT_EQ(r.extents.targets.size, 1u);
   const std::vector<Affine> palette(3, kNowhere);
   const auto expect_box = [&](float weight, const test::Vec3& least, const test::Vec3& most) {
     Bounds b;
-    ASSERT_EQ(palette_bounds(r.reach, palette, {&weight, 1}, b), Status::ok);
+    ASSERT_EQ(palette_bounds(r.extents, palette, {&weight, 1}, b), Status::ok);
     for (std::size_t c = 0; c < 3; ++c) {
       EXPECT_EQ(static_cast<double>(b.box_min[c]), least[c]) << weight;
       EXPECT_EQ(static_cast<double>(b.box_max[c]), most[c]) << weight;
@@ -142,7 +142,7 @@ TEST(PaletteBounds, AreAboutEveryVertexOfAnyBlend) {
     std::vector<Affine> palette(mesh.palette_size());
     for (Affine& a : palette) a = affine_of_noise(random);
     Bounds b;
-    ASSERT_EQ(palette_bounds(r.reach, palette, morphs.weights, b), Status::ok);
+    ASSERT_EQ(palette_bounds(r.extents, palette, morphs.weights, b), Status::ok);
     test::Skinned out(mesh.geometry.slot_count);
     ASSERT_EQ(skin_rigid(moved, palette, {out.positions, {}, {}}), Status::ok);
     EXPECT_EQ(outside(out.positions, b), 0u) << seed;
@@ -165,19 +165,19 @@ TEST(PaletteBounds, OfNothingAreEmpty) {
 
 TEST(PaletteBounds, RefuseWhatDoesNotDo) {
   const test::TestMesh mesh = three_entries();
-  AlignedBlock block(reach_bytes(mesh.view()) + 16);
-  Reach reach;
-  EXPECT_EQ(make_reach(mesh.view(), {block.data(), reach_bytes(mesh.view()) - 1}, reach), Status::bad_argument);
-  EXPECT_EQ(make_reach(mesh.view(), {block.data() + 1, block.size() - 1}, reach), Status::bad_argument);
-  EXPECT_TRUE(reach.joints.empty());
-  ASSERT_EQ(make_reach(mesh.view(), {block.data(), block.size()}, reach), Status::ok);
+  AlignedBlock block(extents_bytes(mesh.view()) + 16);
+  MeshExtents extents;
+  EXPECT_EQ(make_extents(mesh.view(), {block.data(), extents_bytes(mesh.view()) - 1}, extents), Status::bad_argument);
+  EXPECT_EQ(make_extents(mesh.view(), {block.data() + 1, block.size() - 1}, extents), Status::bad_argument);
+  EXPECT_TRUE(extents.joints.empty());
+  ASSERT_EQ(make_extents(mesh.view(), {block.data(), block.size()}, extents), Status::ok);
   const std::vector<Affine> two(2, kNowhere), three(3, kNowhere);
-  MorphReach target;
-  reach.targets = {&target, 1};
+  MorphExtent target;
+  extents.targets = {&target, 1};
   Bounds b;
-  EXPECT_EQ(palette_bounds(reach, two, {}, b), Status::bad_argument);
+  EXPECT_EQ(palette_bounds(extents, two, {}, b), Status::bad_argument);
   const float bad = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(palette_bounds(reach, three, {&bad, 1}, b), Status::bad_argument);
+  EXPECT_EQ(palette_bounds(extents, three, {&bad, 1}, b), Status::bad_argument);
   EXPECT_TRUE(b.is_empty());
 }
 

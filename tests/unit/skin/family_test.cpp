@@ -163,7 +163,7 @@ struct Distances {
   Distances(const std::vector<Affine>& palette, const test::TestPoseSpace& space) {
     std::vector<Map> local;
     for (std::size_t j = 0; j < palette.size(); ++j) {
-      const bool alone = space.parents[j] == kNoParent;
+      const bool alone = space.parents[j] == kNoJoint;
       local.push_back(alone ? Map{}
                             : transposed(rotation_of(test::to_map(palette[space.parents[j]]))) *
                                   rotation_of(test::to_map(palette[j])));
@@ -175,7 +175,7 @@ struct Distances {
         Quat q{};
         for (std::size_t c = 0; c < 4; ++c)
           q[c] = static_cast<double>(space.rotations[(k * palette.size() + j) * 4 + c]);
-        const bool alone = space.parents[j] == kNoParent;
+        const bool alone = space.parents[j] == kNoJoint;
         const Map example = alone ? Map{} : test::from_trs({0, 0, 0}, test::normalised(q), {1, 1, 1});
         to[k].push_back(distance(local[j], example));
       }

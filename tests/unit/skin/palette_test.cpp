@@ -9,20 +9,20 @@
 namespace marrow {
 namespace {
 
-TEST(Palette, IsSceneFromJointTimesBindThroughTheRemap) {
+TEST(Palette, IsModelFromJointTimesBindThroughTheRemap) {
   test::Random random(7);
-  std::vector<Affine> scene_from_joint, bind;
+  std::vector<Affine> model_from_joint, bind;
   for (int i = 0; i < 5; ++i) {
     const test::Quat q = random.rotation();
-    scene_from_joint.push_back(test::to_affine(test::from_trs({1.0 * i, 2, -1}, q, {1, -2, 0.5})));
+    model_from_joint.push_back(test::to_affine(test::from_trs({1.0 * i, 2, -1}, q, {1, -2, 0.5})));
     const test::Quat r = random.rotation();
     bind.push_back(test::to_affine(test::from_trs({-3, 0.25, 0.5 * i}, r, {1, 1, 1})));
   }
   const std::vector<std::uint16_t> joints = {4, 0, 0, 3, 1};
   std::vector<Affine> out(6, Affine{});
-  ASSERT_EQ(build_palette(joints, bind, scene_from_joint, out), Status::ok);
+  ASSERT_EQ(build_palette(joints, bind, model_from_joint, out), Status::ok);
   for (std::size_t i = 0; i < 5; ++i) {
-    const test::Map want = test::to_map(scene_from_joint[joints[i]]) * test::to_map(bind[i]);
+    const test::Map want = test::to_map(model_from_joint[joints[i]]) * test::to_map(bind[i]);
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) EXPECT_NEAR(static_cast<double>(out[i].rows[r][c]), want.rows[r][c], 1e-5) << i;
   }

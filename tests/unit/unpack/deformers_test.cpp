@@ -41,7 +41,7 @@ TEST(UnpackDeformers, GivesThemByHand) {
   const std::int16_t rotations[] = {0, 0, 0, 32767, 1000, 0, 0, 32000, -32000, 0, 0, 1000,
                                     0, 0, 0, 32767, 3,    0, 0, 4,     5,      0, 0, 6};
   for (std::size_t i = 0; i < 24; ++i) EXPECT_EQ(space.rotations[i], rotations[i]) << i;
-  const std::uint16_t parents[] = {kNoParent, 0, 1};
+  const std::uint16_t parents[] = {kNoJoint, 0, 1};
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(space.parents[i], parents[i]) << i;
   EXPECT_NE(test::exercise(file), 0u);
 }
@@ -107,7 +107,7 @@ TEST(UnpackDeformers, LoadKnowsTheLimitsOfPoseSpace) {
   };
   EXPECT_EQ(rule_with(parent, static_cast<std::uint16_t>(g.joint_count - 1)), "");
   EXPECT_EQ(rule_with(parent, static_cast<std::uint16_t>(g.joint_count)), "a parent outside the palette");
-  EXPECT_EQ(rule_with(parent, kNoParent), "");
+  EXPECT_EQ(rule_with(parent, kNoJoint), "");
   for (const float good : {1e-3f, 1e3f}) EXPECT_EQ(rule_with(sigma, good), "") << good;
   for (const float bad : {0.000999f, 1000.1f, -1.0f, 0.0f})
     EXPECT_EQ(rule_with(sigma, bad), "sigma from 0.001 to 1000") << bad;

@@ -164,7 +164,7 @@ TEST_F(Structure, SkeletonByHand) {
     EXPECT_NEAR((&rest.translation[0][0])[i], want[i / 4][i % 4], i / 4 == 5 || i / 4 == 6 ? 1e-7 : 0) << i;
   const std::uint32_t names[] = {1, 6, 1};
   EXPECT_EQ(std::memcmp(file_.data() + kSection + l.names, names, sizeof names), 0);
-  const std::uint16_t parents[] = {kNoParent, 0, 0};
+  const std::uint16_t parents[] = {kNoJoint, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kSection + l.parents, parents, sizeof parents), 0);
 }
 

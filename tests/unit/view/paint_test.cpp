@@ -353,9 +353,9 @@ TEST(Ray, MeetsTheFirstTriangle) {
 
 // A camera at (0, 0, 10) that sees 90°: at the right edge of the picture the ray leaves at 45°.
 TEST(Ray, GoesThroughThePicture) {
-  const glm::mat4 clip_from_scene = glm::perspective(1.5707963f, 1.0f, 1.0f, 100.0f) *
+  const glm::mat4 clip_from_model = glm::perspective(1.5707963f, 1.0f, 1.0f, 100.0f) *
                                     glm::lookAt(glm::vec3(0, 0, 10), glm::vec3(0), glm::vec3(0, 1, 0));
-  const Ray middle = ray_through(clip_from_scene, {0, 0}), edge = ray_through(clip_from_scene, {1, 0});
+  const Ray middle = ray_through(clip_from_model, {0, 0}), edge = ray_through(clip_from_model, {1, 0});
   EXPECT_NEAR(glm::distance(middle.from, glm::vec3(0, 0, 9)), 0, 1e-4f);
   EXPECT_NEAR(glm::distance(middle.along, glm::vec3(0, 0, -1)), 0, 1e-5f);
   EXPECT_NEAR(glm::distance(edge.along, std::sqrt(0.5f) * glm::vec3(1, 0, -1)), 0, 1e-4f);

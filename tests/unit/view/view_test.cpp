@@ -43,7 +43,7 @@ TEST(Angles, AreOfTurnsAboutTheParentsAxes) {
 }
 
 TEST(Chain, GoesDownByFirstChildren) {
-  const std::uint16_t parents[] = {kNoParent, 0, 0, 1, 2, 3};
+  const std::uint16_t parents[] = {kNoJoint, 0, 0, 1, 2, 3};
   Skeleton skeleton;
   skeleton.joint_count = 6;
   skeleton.parents = parents;
@@ -73,8 +73,8 @@ TEST(Rig, HoldsWeightsOfTargetsByHand) {
 std::vector<SoaTransform> ridden(const File& file, Rig& rig, const char* clip) {
   Character character(file);
   std::vector<SoaTransform> out;
-  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
-    rig.change(skeleton, local, scene_from_joint);
+  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+    rig.change(skeleton, local, model_from_joint);
     if (skeleton == 0) out.assign(local.begin(), local.end());
   });
   const Play play = play_together(file, file.find_clip(clip));
@@ -109,13 +109,13 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
   const File& file = source.loaded.file;
   Character character(file);
   Rig rig(file);
-  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
-    rig.change(skeleton, local, scene_from_joint);
+  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+    rig.change(skeleton, local, model_from_joint);
   });
   Settings settings;
   rig.prepare(settings, 0, 0, 0);
   character.pose({}, 0);
-  const float before_m = character.scene_from_joint(0)[2].rows[1][3];
+  const float before_m = character.model_from_joint(0)[2].rows[1][3];
   settings.springs = true;
   settings.spring.frequency_hz = 0.5f;
   for (int frame = 0; frame < 120; ++frame) {
@@ -123,7 +123,7 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
     character.pose({}, 0);
   }
   EXPECT_TRUE(rig.trouble().empty()) << rig.trouble();
-  EXPECT_LT(character.scene_from_joint(0)[2].rows[1][3], before_m - 0.5f);
+  EXPECT_LT(character.model_from_joint(0)[2].rows[1][3], before_m - 0.5f);
   // The last joint of a chain has no bone.
   rig.prepare(settings, 0, 2, 1.0f / 60);
   EXPECT_FALSE(rig.trouble().empty());

@@ -147,7 +147,7 @@ void move(const Rig& rig, Motion& motion, Span<SoaTransform> local, Span<Affine>
     frame.dt_s = kFrame_s;
     for (std::size_t i = 0; i < 2; ++i) {
       float sole[3];
-      check(foot_sole(rig.feet[i], frame.world_from_scene, scene, sole));
+      check(foot_sole(rig.feet[i], frame.world_from_model, scene, sole));
       ground[i].hit = true;
       put(ground[i].point, {sole[0], kSlope * sole[0], sole[2]});
       put(ground[i].normal, {-kSlope, 1, 0});

@@ -82,7 +82,7 @@ Bends find_bends(const File& file, Character& character) {
   Bends out;
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
     const Mesh mesh = file.mesh(m);
-    const std::vector<std::uint32_t> joints = joints_of_slots(mesh, rest[m], character.scene_from_joint(mesh.skeleton));
+    const std::vector<std::uint32_t> joints = joints_of_slots(mesh, rest[m], character.model_from_joint(mesh.skeleton));
     const Geometry& g = mesh.geometry;
     for (std::uint32_t i = 0; i + 2 < g.index_count; i += 3) {
       Triangle t = {m, {index_at(g, i), index_at(g, i + 1), index_at(g, i + 2)}, 0};

@@ -99,7 +99,7 @@ JointList joints_in(const File& file, const Owner& owner) {
   out.owner = owner.name;
   for (std::uint32_t j = 0; j < owner.joint_count; ++j) {
     out.names.emplace_back(file.text(owner.names[j]));
-    out.parents.push_back(owner.parents[j] == kNoParent ? kNone : std::size_t{owner.parents[j]});
+    out.parents.push_back(owner.parents[j] == kNoJoint ? kNone : std::size_t{owner.parents[j]});
   }
   return out;
 }
@@ -268,7 +268,7 @@ class Comparison {
   // Between the joints of skeletons that are posed. partners: which joint of the second each of the first is.
   void farthest(std::uint32_t i, std::uint32_t k, const std::vector<std::size_t>& partners, double time_s,
                 Farthest& worst) const {
-    const std::span<const Affine> a = a_.character->scene_from_joint(i), b = b_.character->scene_from_joint(k);
+    const std::span<const Affine> a = a_.character->model_from_joint(i), b = b_.character->model_from_joint(k);
     const double shell = shell_of(a);
     for (std::size_t j = 0; j < a.size(); ++j) {
       if (partners[j] == kNone) continue;

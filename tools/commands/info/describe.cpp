@@ -56,7 +56,7 @@ double diagonal(const Character& character, std::uint32_t skeleton) {
   for (int r = 0; r < 3; ++r) {
     float low = 0, high = 0;
     bool first = true;
-    for (const Affine& joint : character.scene_from_joint(skeleton)) {
+    for (const Affine& joint : character.model_from_joint(skeleton)) {
       low = first ? joint.rows[r][3] : std::min(low, joint.rows[r][3]);
       high = first ? joint.rows[r][3] : std::max(high, joint.rows[r][3]);
       first = false;
@@ -137,7 +137,7 @@ ordered_json describe_joints(const File& file, const Joints& s) {
   ordered_json out = ordered_json::array();
   for (std::uint32_t j = 0; j < s.joint_count; ++j)
     out.push_back(
-        {{"name", file.text(s.names[j])}, {"parent", s.parents[j] == kNoParent ? -1 : static_cast<int>(s.parents[j])}});
+        {{"name", file.text(s.names[j])}, {"parent", s.parents[j] == kNoJoint ? -1 : static_cast<int>(s.parents[j])}});
   return out;
 }
 
@@ -249,9 +249,9 @@ ordered_json speed_of(const double (&travel)[3], const Clip& clip) {
 ordered_json describe_speed(Character& character, const Clip& clip, const Play& play) {
   if (clip.additive || play.empty() || !(clip.duration_s > 0)) return nullptr;
   character.pose(play, 0);
-  const Affine first = character.scene_from_joint(clip.skeleton)[0];
+  const Affine first = character.model_from_joint(clip.skeleton)[0];
   character.pose(play, clip.duration_s);
-  const Affine last = character.scene_from_joint(clip.skeleton)[0];
+  const Affine last = character.model_from_joint(clip.skeleton)[0];
   double travel[3];
   for (int r = 0; r < 3; ++r) travel[r] = static_cast<double>(last.rows[r][3]) - static_cast<double>(first.rows[r][3]);
   return speed_of(travel, clip);

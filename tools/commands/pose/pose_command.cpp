@@ -14,7 +14,7 @@ void add_pose(CLI::App& app, int&) {
   add_between(command, a.between);
   add_deformer(command, a.deformer);
   command
-      ->add_option("-o,--output", a.out, "P.bin: little-endian float32 x y z a vertex, scene space; P.obj: Wavefront")
+      ->add_option("-o,--output", a.out, "P.bin: little-endian float32 x y z a vertex, model space; P.obj: Wavefront")
       ->required()
       ->type_name("P.obj|P.bin");
   command->callback([] { run_pose(a); });

@@ -73,13 +73,13 @@ Character& Sitting::prepared() {
     character_.set_weigh([this](auto... to) {
       if (frames_->has_moved()) frames_->weigh(to...);
     });
-  character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene_from_joint) {
-    if (frames_ && frames_->has_moved()) frames_->change(skeleton, local, scene_from_joint);
-    reach_.apply(skeleton, local, scene_from_joint);
+  character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+    if (frames_ && frames_->has_moved()) frames_->change(skeleton, local, model_from_joint);
+    reach_.apply(skeleton, local, model_from_joint);
     if (swung_s_ < 0 || !springs_.has(skeleton)) return;
     SpringFrame frame;
     frame.dt_s = dt_s_;
-    springs_.swing(skeleton, frame, local, scene_from_joint);
+    springs_.swing(skeleton, frame, local, model_from_joint);
   });
   return character_;
 }
@@ -136,7 +136,7 @@ Shot Sitting::frame(const Instant& instant) const {
     shot.light_turn_rad = light_turn_rad(orbit);
     return shot;
   }
-  const Affine& joint = character_.scene_from_joint(viewpoint_.joint->skeleton)[viewpoint_.joint->joint];
+  const Affine& joint = character_.model_from_joint(viewpoint_.joint->skeleton)[viewpoint_.joint->joint];
   orbit.target = {joint.rows[0][3], joint.rows[1][3], joint.rows[2][3]};
   orbit.distance = viewpoint_.distance.value_or(performance_.radius());
   Shot shot = performance_.shot_by(camera_on(orbit, aspect, performance_.radius()));
@@ -149,7 +149,7 @@ void Sitting::note_misses() {
   ++pictures_;
   for (std::size_t i = 0; i < misses_.size(); ++i) {
     const Reach::Goal& goal = reach_.goals()[i];
-    const std::span<const Affine> joints = character_.scene_from_joint(goal.skeleton);
+    const std::span<const Affine> joints = character_.model_from_joint(goal.skeleton);
     const float miss = reach_.miss_m(goal, {joints.data(), joints.size()});
     misses_[i].largest_m = std::max(misses_[i].largest_m, miss);
     misses_[i].pictures += miss > 0 ? 1 : 0;

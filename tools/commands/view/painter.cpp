@@ -36,7 +36,7 @@ Painter::Painter(const Gl& gl) : gl_(gl), font_(gl), vertices_(gl), indices_(gl)
   const gles3::ProgramSource source{
       shader_text(embedded::shader_panel_vert), shader_text(embedded::shader_panel_frag), {}};
   constexpr std::uint8_t kReads = gles3::kUvs | gles3::kColours;
-  if (gles3::build_program(gl, {gles3::Deformer::none, 4, kReads}, source, 0, program_, log) != Status::ok)
+  if (gles3::create_program(gl, {gles3::Deformer::none, 4, kReads}, source, 0, program_, log) != Status::ok)
     throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
   gl.BindVertexArray(array_);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);

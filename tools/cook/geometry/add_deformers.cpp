@@ -151,7 +151,7 @@ void add_deltas(const std::vector<glm::dvec3>& deltas, std::uint32_t example, do
 
 void add_rotations(const PoseSpaceData& data, const PoseSpaceData::Example& example, OwnedStreams& out) {
   for (std::size_t j = 0; j < data.parents.size(); ++j) {
-    const bool turns = data.parents[j] != kNoParent;
+    const bool turns = data.parents[j] != kNoJoint;
     const glm::dquat q = turns ? example.rotations[j] : glm::dquat(1, 0, 0, 0);
     const double length = glm::length(q);
     if (!(length > 1e-3) || !is_sane(length)) refuse("a rotation that is none");
@@ -168,7 +168,7 @@ void add_pose_space(const RawPrimitive& p, const PoseSpaceData& data, const Mesh
   if (!(data.sigma >= double{format::kLeastSigma} && data.sigma <= double{format::kMostSigma})) refuse("sigma");
   if (data.parents.size() != out.mesh.joint_count) refuse("parents of another palette");
   for (const std::uint16_t parent : data.parents)
-    if (parent != kNoParent && parent >= out.mesh.joint_count) refuse("a parent outside the palette");
+    if (parent != kNoJoint && parent >= out.mesh.joint_count) refuse("a parent outside the palette");
   for (std::size_t k = 0; k < count; ++k) {
     const PoseSpaceData::Example& e = data.examples[k];
     if (e.deltas.size() != p.positions.size() || e.rotations.size() != data.parents.size())

@@ -34,7 +34,7 @@ struct PoseSpaceData {
     std::vector<glm::dvec3> deltas;     // a vertex of the source; metres, mesh space
   };
   double sigma = 1;                    // 0.001 … 1000
-  std::vector<std::uint16_t> parents;  // a palette entry: another one or kNoParent
+  std::vector<std::uint16_t> parents;  // a palette entry: another one or kNoJoint
   std::vector<Example> examples;       // at most kMaxPoseExamples
 };
 
@@ -71,7 +71,7 @@ struct MeshGrid {
   double residual_step = 0;
   double residual_weight_step = 0;
   ResidualSource residual_source = {};
-  std::vector<glm::dmat4> rest = {};  // scene_from_mesh of each palette entry at rest; none: not measured
+  std::vector<glm::dmat4> rest = {};  // model_from_mesh of each palette entry at rest; none: not measured
 };
 
 // Every vertex of the source as it is, bits of floats; but morph targets, which are 16 bits even in memory.

@@ -75,13 +75,13 @@ void take_palette(const OwnedStreams& whole, const std::vector<std::uint16_t>& e
   // An entry whose parent the part lacks has no weight in it; without a parent nothing turns.
   for (const std::uint16_t entry : entries) {
     const std::uint16_t parent = whole.parents[entry];
-    out.parents.push_back(std::ranges::binary_search(entries, parent) ? place_of(entries, parent) : kNoParent);
+    out.parents.push_back(std::ranges::binary_search(entries, parent) ? place_of(entries, parent) : kNoJoint);
   }
   constexpr std::int16_t kIdentity[] = {0, 0, 0, 32767};
   for (std::size_t k = 0; k < whole.mesh.example_count; ++k)
     for (std::size_t j = 0; j < entries.size(); ++j) {
       const std::size_t at = (k * whole.mesh.joint_count + entries[j]) * 4;
-      const std::int16_t* const from = out.parents[j] == kNoParent ? kIdentity : &whole.rotations[at];
+      const std::int16_t* const from = out.parents[j] == kNoJoint ? kIdentity : &whole.rotations[at];
       out.rotations.insert(out.rotations.end(), from, from + 4);
     }
 }

@@ -5,7 +5,7 @@ namespace {
 
 void add_pose_space(const OwnedStreams& s, std::vector<std::byte>& out) {
   add_value(s.mesh.sigma, out);
-  for (const std::uint16_t parent : s.parents) add_varint(parent == kNoParent ? 0u : parent + 1u, out);
+  for (const std::uint16_t parent : s.parents) add_varint(parent == kNoJoint ? 0u : parent + 1u, out);
   for (std::uint32_t k = 0; k < s.mesh.example_count; ++k) {
     const Stream* deltas = nullptr;
     for (const Stream& stream : s.streams)
@@ -13,7 +13,7 @@ void add_pose_space(const OwnedStreams& s, std::vector<std::byte>& out) {
     add_value(deltas == nullptr ? std::uint8_t{0} : deltas->bits, out);
     if (deltas != nullptr) add_value(deltas->step, out);
     for (std::size_t j = 0; j < s.parents.size(); ++j)
-      if (s.parents[j] != kNoParent)
+      if (s.parents[j] != kNoJoint)
         for (std::size_t c = 0; c < 4; ++c) add_value(s.rotations[(k * s.parents.size() + j) * 4 + c], out);
   }
 }

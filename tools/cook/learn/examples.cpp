@@ -142,7 +142,7 @@ void add_moments(const Sheet& sheet, const RawInstance& instance, const Shown& s
   }
 }
 
-glm::dmat4 scene_from_node(const RawScene& scene, int node) {
+glm::dmat4 model_from_node(const RawScene& scene, int node) {
   glm::dmat4 out(1.0);
   for (; node != kNone; node = scene.nodes[static_cast<std::size_t>(node)].parent) {
     const RawNode& n = scene.nodes[static_cast<std::size_t>(node)];
@@ -178,7 +178,7 @@ void add_posed_mesh(const Sheet& sheet, const RawInstance& instance, const Shown
   std::vector<SoaTransform> local(view(skeleton).soa_size());
   if (sample(view(skeleton), view(*clip, view(skeleton)), static_cast<float>(time->number), local) != Status::ok)
     sheet.refuse(where, "clip", "the character's clip cannot be sampled");
-  const glm::dmat4 placed = scene_from_node(sheet.scene, instance.node);
+  const glm::dmat4 placed = model_from_node(sheet.scene, instance.node);
   deform::Positions places;
   for (const RawPrimitive& p : mesh.primitives)
     for (const glm::vec3& v : p.positions) places.emplace_back(placed * glm::dvec4(glm::dvec3(v), 1));

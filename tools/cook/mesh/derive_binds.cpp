@@ -113,7 +113,7 @@ void derive_parts(const std::vector<Affine>& model, std::span<BuiltMesh> parts,
   }
   const Derived derived = derive(model, geometries[parts.front().geometry].position_step / 8, box, binds);
   for (BuiltMesh& part : parts) {
-    part.scene_from_mesh = derived.place;
+    part.model_from_mesh = derived.place;
     part.bind_is_given.clear();
     for (std::size_t i = 0; i < part.joints.size(); ++i) {
       const std::size_t joint = at.at(part.joints[i]);

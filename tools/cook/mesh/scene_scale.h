@@ -17,7 +17,7 @@ class SceneScale {
   // Of what is drawn through a palette.
   double of(std::uint32_t skeleton, const std::vector<std::uint16_t>& joints,
             const std::vector<Affine>& inverse_bind) const;
-  // scene_from_mesh of each palette entry; helpers blend those of their joints.
+  // model_from_mesh of each palette entry; helpers blend those of their joints.
   std::vector<glm::dmat4> places(int skeleton, const Palette& palette) const;
   // Of a mesh wherever the scene has it; built: skeletons, and which joint a node is.
   double of(const RawScene& scene, const BuiltScene& built, int mesh) const;
@@ -25,7 +25,7 @@ class SceneScale {
  private:
   double of_joint(int skeleton, int joint, const glm::dmat4& joint_from_mesh) const;
 
-  std::vector<std::vector<Affine>> rest_;            // scene_from_joint, a skeleton
+  std::vector<std::vector<Affine>> rest_;            // model_from_joint, a skeleton
   std::vector<std::vector<std::size_t>> instances_;  // a mesh
 };
 

@@ -20,7 +20,7 @@ struct Drawn {
 };
 
 // Where a mesh is drawn at rest; of a skin that does not rest in its bind pose, where its first joint puts it.
-glm::dmat4 scene_from_mesh(const RawScene& scene, const RawInstance& instance, const std::vector<glm::dmat4>& rest) {
+glm::dmat4 model_from_mesh(const RawScene& scene, const RawInstance& instance, const std::vector<glm::dmat4>& rest) {
   const int number = instance.skin != kNone ? instance.skin : instance.unused_skin;
   if (number != kNone) {
     const RawSkin& skin = scene.skins[to_index(number)];
@@ -113,8 +113,8 @@ RiggedScene add_skeleton(RawScene scene, const std::string& name, Notes& notes) 
     const RawMesh& mesh = scene.meshes[to_index(instance.mesh)];
     if (!scene.nodes[to_index(instance.node)].in_scene || mesh.primitives.empty()) continue;
     out.made.instances.push_back(i);
-    out.made.scene_from_mesh.push_back(scene_from_mesh(scene, instance, rest));
-    draw(scene, mesh, out.made.scene_from_mesh.back(), drawn);
+    out.made.model_from_mesh.push_back(model_from_mesh(scene, instance, rest));
+    draw(scene, mesh, out.made.model_from_mesh.back(), drawn);
   }
   if (out.made.instances.empty())
     throw tools::Failure(tools::Exit::invalid, scene.source, "/meshes", "no-meshes",

@@ -16,7 +16,7 @@ inline constexpr double kFarthestPlace = 1e29;  // of a coordinate: squares of i
 // For each node the nearest at or above it for which `known` is set; the topmost if it is set for none.
 std::vector<std::size_t> nearest_known(const RawScene& scene, std::vector<char> known);
 
-// scene_from_node of every node, at rest.
+// model_from_node of every node, at rest.
 std::vector<glm::dmat4> rest_of_nodes(const RawScene& scene);
 
 // Bones of joints, each from a joint to the nearest joints below it. One without any reaches to its nodes' children

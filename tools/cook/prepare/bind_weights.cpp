@@ -129,15 +129,15 @@ bool rests_in_bind_pose(const RawSkin& skin, const std::vector<glm::dmat4>& rest
 Group bound_to(const MadeSkeleton& skeleton, const std::string& name, const std::vector<glm::dmat4>& rest,
                RawScene& scene) {
   Group group;
-  std::vector<glm::dmat4> scene_from_joint;
-  for (const int joint : skeleton.joints) scene_from_joint.push_back(rest[to_index(joint)]);
-  group.bones = bones_of(scene, skeleton.joints, scene_from_joint);
+  std::vector<glm::dmat4> model_from_joint;
+  for (const int joint : skeleton.joints) model_from_joint.push_back(rest[to_index(joint)]);
+  group.bones = bones_of(scene, skeleton.joints, model_from_joint);
   group.instances = skeleton.instances;
-  group.space_from_mesh = skeleton.scene_from_mesh;
+  group.space_from_mesh = skeleton.model_from_mesh;
   for (std::size_t i = 0; i < skeleton.instances.size(); ++i) {
     RawSkin skin{name, skeleton.joints, {}};
-    for (const glm::dmat4& m : scene_from_joint)
-      skin.inverse_bind.push_back(glm::inverse(m) * skeleton.scene_from_mesh[i]);
+    for (const glm::dmat4& m : model_from_joint)
+      skin.inverse_bind.push_back(glm::inverse(m) * skeleton.model_from_mesh[i]);
     scene.instances[skeleton.instances[i]].skin = static_cast<int>(scene.skins.size());
     scene.skins.push_back(std::move(skin));
   }
@@ -174,7 +174,7 @@ void add_free_group(RawScene& scene, std::vector<Group>& groups, Left& left, Not
                               "the nodes do not rest in the skin's bind pose; meshes without a skin are bound as they "
                               "rest"});
   MadeSkeleton skeleton{joints, instances, {}};
-  for (const std::size_t i : instances) skeleton.scene_from_mesh.push_back(rest[to_index(scene.instances[i].node)]);
+  for (const std::size_t i : instances) skeleton.model_from_mesh.push_back(rest[to_index(scene.instances[i].node)]);
   groups.push_back(bound_to(skeleton, scene.skins.empty() ? "" : scene.skins.front().name, rest, scene));
 }
 

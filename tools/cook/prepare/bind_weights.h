@@ -26,7 +26,7 @@ RawScene bind_weights(RawScene scene, const WeightOptions& options, Notes& notes
 struct MadeSkeleton {
   std::vector<int> joints;                  // nodes
   std::vector<std::size_t> instances;       // of the scene
-  std::vector<glm::dmat4> scene_from_mesh;  // one an instance, where it is drawn at rest
+  std::vector<glm::dmat4> model_from_mesh;  // one an instance, where it is drawn at rest
 };
 // Binds all of it to them, whatever skin or weights it has, and goes on as bind_weights() does.
 RawScene bind_to(const MadeSkeleton& made, RawScene scene, const WeightOptions& options, Notes& notes);

@@ -60,7 +60,7 @@ Distance worst_distance(const std::vector<Follower>& followers, const std::vecto
   return out;
 }
 
-// scene_from_joint.
+// model_from_joint.
 std::vector<glm::dmat4> rest_of(const BuiltSkeleton& skeleton) {
   std::vector<glm::dmat4> out;
   for (const Transform& t : rest_transforms(skeleton)) {
@@ -70,13 +70,13 @@ std::vector<glm::dmat4> rest_of(const BuiltSkeleton& skeleton) {
     joint.scale = t.scale;
     const std::size_t j = out.size();
     const std::uint16_t parent = skeleton.parents[j];
-    const glm::dmat4 above = parent == kNoParent ? to_matrix(skeleton.scene_from_root[j]) : out[parent];
+    const glm::dmat4 above = parent == kNoJoint ? to_matrix(skeleton.model_from_root[j]) : out[parent];
     out.push_back(above * local_matrix(joint));
   }
   return out;
 }
 
-// scene_from_node as the file has them.
+// model_from_node as the file has them.
 std::vector<glm::dmat4> own_rest(const RawScene& scene) {
   std::vector<glm::dmat4> out(scene.nodes.size());
   for (const std::size_t n : parents_first(scene)) {

@@ -119,7 +119,7 @@ void Dressing::check_places() const {
     const BuiltSkeleton& skeleton = skeleton_of(at_[n]);
     const auto parent_of = [&](int joint) {
       const std::uint16_t parent = skeleton.parents[static_cast<std::size_t>(joint)];
-      return parent == kNoParent ? kNone : static_cast<int>(parent);
+      return parent == kNoJoint ? kNone : static_cast<int>(parent);
     };
     int joint = parent_of(at_[n].joint);
     while (joint != kNone && joint != at_[up].joint) joint = parent_of(joint);
@@ -216,7 +216,7 @@ std::vector<Origin> Dressing::merged(int skeleton) const {
   std::vector<std::vector<Origin>> below_body(from.parents.size()), below_own(scene_.nodes.size());
   std::vector<Origin> out;
   for (std::size_t j = 0; j < from.parents.size(); ++j)
-    (from.parents[j] == kNoParent ? out : below_body[from.parents[j]]).push_back({static_cast<int>(j), kNone});
+    (from.parents[j] == kNoJoint ? out : below_body[from.parents[j]]).push_back({static_cast<int>(j), kNone});
   for (std::size_t n = 0; n < own_.size(); ++n) {
     if (own_[n] == 0 || wearer_of(n) != skeleton) continue;
     const auto parent = static_cast<std::size_t>(node(n).parent);
@@ -247,7 +247,7 @@ BuiltSkeleton Dressing::build_skeleton(const BuiltSkeleton& from, const std::vec
                                        std::vector<int>& number_of_body) {
   BuiltSkeleton to;
   to.name = from.name;
-  to.scene_from_root = from.scene_from_root;
+  to.model_from_root = from.model_from_root;
   to.rest.assign(soa_count(joints.size()), kRestOfNone);
   number_of_body.resize(from.parents.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -255,7 +255,7 @@ BuiltSkeleton Dressing::build_skeleton(const BuiltSkeleton& from, const std::vec
     if (joints[j].node == kNone) {
       const auto body_joint = static_cast<std::size_t>(joints[j].body_joint);
       number_of_body[body_joint] = static_cast<int>(j);
-      if (from.parents[body_joint] != kNoParent) parent = number_of_body[from.parents[body_joint]];
+      if (from.parents[body_joint] != kNoJoint) parent = number_of_body[from.parents[body_joint]];
       to.joint_names.push_back(from.joint_names[body_joint]);
       copy_rest(from, body_joint, to, j);
     } else {
@@ -265,7 +265,7 @@ BuiltSkeleton Dressing::build_skeleton(const BuiltSkeleton& from, const std::vec
       to.joint_names.push_back(node(n).name);
       set_rest(node(n), j, to);
     }
-    to.parents.push_back(parent == kNone ? kNoParent : static_cast<std::uint16_t>(parent));
+    to.parents.push_back(parent == kNone ? kNoJoint : static_cast<std::uint16_t>(parent));
     to.node_of_joint.push_back(joints[j].node);
   }
   return to;

@@ -65,13 +65,13 @@ std::string words_of(const glm::dvec3& scale) {
 // Of what stands above each joint at rest.
 std::vector<glm::dvec3> scales_above(const BuiltSkeleton& skeleton) {
   const std::vector<Transform> rest = rest_transforms(skeleton);
-  std::vector<glm::dmat4> scene_from_joint;
+  std::vector<glm::dmat4> model_from_joint;
   std::vector<glm::dvec3> out;
   for (std::size_t j = 0; j < rest.size(); ++j) {
-    const glm::dmat4 above = skeleton.parents[j] == kNoParent ? to_matrix(skeleton.scene_from_root[j])
-                                                              : scene_from_joint[skeleton.parents[j]];
+    const glm::dmat4 above = skeleton.parents[j] == kNoJoint ? to_matrix(skeleton.model_from_root[j])
+                                                             : model_from_joint[skeleton.parents[j]];
     out.push_back(scale_of(above));
-    scene_from_joint.push_back(above * matrix_of(rest[j]));
+    model_from_joint.push_back(above * matrix_of(rest[j]));
   }
   return out;
 }
@@ -136,7 +136,7 @@ void Matching::check_place(int node) const {
   if (twice || node_of_.at({at.skeleton, at.joint}) != node)
     fail(node, "a name that is not unique",
          name_of(node) + " is found twice in " + (twice ? character_.file : "this file") + "; rename one");
-  if (skeleton.parents[joint] == kNoParent) return;
+  if (skeleton.parents[joint] == kNoJoint) return;
   const int parent = scene_.nodes[static_cast<std::size_t>(node)].parent;
   if (parent != kNone && out_.nearest[static_cast<std::size_t>(parent)].skeleton == at.skeleton &&
       out_.joint_of_node[static_cast<std::size_t>(parent)] == skeleton.parents[joint])
@@ -211,12 +211,12 @@ double Matching::factor_at(int node, const glm::dvec3& here, const glm::dvec3& t
 std::vector<double> Matching::factors() const {
   std::vector<std::vector<glm::dvec3>> there;
   for (const BuiltSkeleton& skeleton : character_.skeletons) there.push_back(scales_above(skeleton));
-  std::vector<glm::dmat4> scene_from_node(scene_.nodes.size());
+  std::vector<glm::dmat4> model_from_node(scene_.nodes.size());
   std::vector<double> out(scene_.nodes.size(), 1);
   for (const std::size_t n : parents_first(scene_)) {
     const int parent = scene_.nodes[n].parent;
-    const glm::dmat4 above = parent == kNone ? glm::dmat4(1.0) : scene_from_node[to_index(parent)];
-    scene_from_node[n] = above * local_matrix(scene_.nodes[n]);
+    const glm::dmat4 above = parent == kNone ? glm::dmat4(1.0) : model_from_node[to_index(parent)];
+    model_from_node[n] = above * local_matrix(scene_.nodes[n]);
     const NearestJoint& at = out_.nearest[n];
     if (at.joint == kNone || node_of_.at({at.skeleton, at.joint}) != static_cast<int>(n)) continue;
     const bool begins = parent == kNone || out_.nearest[to_index(parent)].skeleton != at.skeleton;
@@ -234,7 +234,7 @@ void Matching::check_unit() const {
   for (const auto& [joint, node] : node_of_) {
     const BuiltSkeleton& skeleton = character_.skeletons[to_index(joint.first)];
     const auto j = static_cast<std::size_t>(joint.second);
-    if (skeleton.parents[j] == kNoParent) continue;
+    if (skeleton.parents[j] == kNoJoint) continue;
     const auto& t = skeleton.rest[j / 4].translation;
     const double there = glm::length(glm::dvec3(t[0][j % 4], t[1][j % 4], t[2][j % 4]));
     const double here = glm::length(scene_.nodes[to_index(node)].translation);
@@ -308,7 +308,7 @@ Character view_character(const std::string& path, const File& file) {
     built.name = s.name;
     for (std::uint32_t j = 0; j < s.joint_count; ++j) built.joint_names.emplace_back(file.text(s.names[j]));
     built.parents.assign(s.parents, s.parents + s.joint_count);
-    built.scene_from_root.assign(s.scene_from_root, s.scene_from_root + s.root_count);
+    built.model_from_root.assign(s.model_from_root, s.model_from_root + s.root_count);
     built.rest.assign(s.rest, s.rest + s.soa_size());
   }
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i)

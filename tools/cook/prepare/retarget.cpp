@@ -161,7 +161,7 @@ bool carry(const RetargetPlan& plan, const std::vector<std::vector<Sole>>& soles
     const CarriedJoint& carried = plan.carried[c];
     const RetargetJoint& joint = plan.joints[carried.joint];
     const glm::dmat4& above =
-        joint.parent == kNone ? joint.scene_above : puppet.scene_from_joint[to_index(joint.parent)];
+        joint.parent == kNone ? joint.scene_above : puppet.model_from_joint[to_index(joint.parent)];
     const glm::dvec3 place(glm::inverse(above) * glm::dvec4(place_of(plan, carried, soles[c], capture, puppet), 1));
     for (int axis = 0; axis < 3; ++axis)
       if (!(std::abs(place[axis]) <= double{format::kFarthest})) return false;

@@ -33,7 +33,7 @@ struct BuiltSkeleton {
   std::string name;
   std::vector<std::string> joint_names;
   std::vector<std::uint16_t> parents;
-  std::vector<Affine> scene_from_root;
+  std::vector<Affine> model_from_root;
   std::vector<SoaTransform> rest;
   std::vector<int> node_of_joint;  // the way back to the source; kNone: of an outfit, a joint of its body
   std::vector<JointLimit> limits;  // ascending by joint
@@ -140,7 +140,7 @@ struct BuiltMesh {
   std::size_t doubled = 0;            // vertices that stand in several of them, one counted for each but the first
   std::vector<std::uint16_t> joints;
   std::vector<Affine> inverse_bind;
-  Affine scene_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
+  Affine model_from_mesh = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // in the rest pose; for what follows from it
   std::vector<char> bind_is_given;  // a joint; 0: the inverse bind follows from the rest pose; of packed files
   std::vector<Helper> helpers;
   std::vector<float> helper_centres;     // as Mesh::helper_centres

@@ -19,7 +19,7 @@ class NodeMotion {
  public:
   NodeMotion(const RawScene& scene, const RawClip& clip, const std::vector<int>& nodes);
 
-  // scene_from_node, one a node asked for. Cost: step_count() products of matrices and three curves each.
+  // model_from_node, one a node asked for. Cost: step_count() products of matrices and three curves each.
   std::vector<glm::dmat4> at(float time_s) const;
   std::size_t step_count() const { return steps_.size(); }
 

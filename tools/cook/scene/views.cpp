@@ -8,8 +8,8 @@ namespace marrow::cook {
 Skeleton view(const BuiltSkeleton& skeleton) {
   Skeleton out;
   out.joint_count = static_cast<std::uint32_t>(skeleton.parents.size());
-  out.root_count = static_cast<std::uint32_t>(skeleton.scene_from_root.size());
-  out.scene_from_root = skeleton.scene_from_root.data();
+  out.root_count = static_cast<std::uint32_t>(skeleton.model_from_root.size());
+  out.model_from_root = skeleton.model_from_root.data();
   out.rest = skeleton.rest.data();
   out.parents = skeleton.parents.data();
   return out;

@@ -86,8 +86,8 @@ BuiltSkeleton build_skeleton(const RawScene& scene, std::vector<int> joints, con
     const RawNode& node = scene.nodes[static_cast<std::size_t>(joints[j])];
     const NearestJoint up = node.parent == kNone ? NearestJoint{} : nearest[static_cast<std::size_t>(node.parent)];
     out.joint_names.push_back(node.name);
-    out.parents.push_back(up.joint == kNone ? kNoParent : static_cast<std::uint16_t>(up.joint));
-    if (up.joint == kNone) out.scene_from_root.push_back(to_affine(up.joint_from_node));
+    out.parents.push_back(up.joint == kNone ? kNoJoint : static_cast<std::uint16_t>(up.joint));
+    if (up.joint == kNone) out.model_from_root.push_back(to_affine(up.joint_from_node));
     set_rest(node, j, out);
   }
   out.node_of_joint = std::move(joints);

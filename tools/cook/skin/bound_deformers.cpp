@@ -28,7 +28,7 @@ PoseSpaceData pose_space_data(const deform::PoseSpace& space, const std::vector<
                               std::size_t palette_size) {
   PoseSpaceData out;
   out.sigma = space.sigma;
-  out.parents.assign(palette_size, kNoParent);
+  out.parents.assign(palette_size, kNoJoint);
   std::vector<std::uint32_t> joint_of(palette_size, 0);
   for (const BoundVertex& vertex : vertices)
     for (const BoundInfluence& i : vertex) {
@@ -39,7 +39,7 @@ PoseSpaceData pose_space_data(const deform::PoseSpace& space, const std::vector<
   for (const deform::PoseSpaceExample& from : space.examples) {
     PoseSpaceData::Example& e = out.examples.emplace_back();
     for (std::size_t entry = 0; entry < palette_size; ++entry)
-      e.rotations.push_back(out.parents[entry] == kNoParent ? glm::dquat(1, 0, 0, 0) : from.rotations[joint_of[entry]]);
+      e.rotations.push_back(out.parents[entry] == kNoJoint ? glm::dquat(1, 0, 0, 0) : from.rotations[joint_of[entry]]);
     for (const std::uint32_t v : vertex_of) e.deltas.push_back(from.deltas[v]);
   }
   return out;

@@ -30,8 +30,8 @@ std::vector<int> nearest_above(const std::vector<std::uint16_t>& joints, const s
   std::vector<int> out;
   for (const std::uint16_t joint : joints) {
     std::uint16_t above = parents[joint];
-    while (above != kNoParent && !of_skin.contains(above)) above = parents[above];
-    out.push_back(above == kNoParent ? kNone : of_skin.at(above));
+    while (above != kNoJoint && !of_skin.contains(above)) above = parents[above];
+    out.push_back(above == kNoJoint ? kNone : of_skin.at(above));
   }
   return out;
 }
@@ -78,10 +78,10 @@ DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinB
 
 deform::Pose deform_pose(const DeformSource& source, const BuiltSkeleton& skeleton,
                          const std::vector<SoaTransform>& local) {
-  const std::vector<Affine> scene_from_joint = model_pose(skeleton, local);
+  const std::vector<Affine> model_from_joint = model_pose(skeleton, local);
   deform::Pose out;
   for (std::size_t j = 0; j < source.joints.size(); ++j)
-    out.emplace_back(to_matrix(scene_from_joint[source.joints[j]]) * source.inverse_bind[j]);
+    out.emplace_back(to_matrix(model_from_joint[source.joints[j]]) * source.inverse_bind[j]);
   return out;
 }
 

@@ -27,7 +27,7 @@ std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const st
 // its limit if it has one. The same on every run.
 std::vector<SampledPose> turned_poses(const BuiltSkeleton& skeleton, std::size_t count, double most_rad);
 
-// scene_from_joint.
+// model_from_joint.
 std::vector<Affine> model_pose(const BuiltSkeleton& skeleton, const std::vector<SoaTransform>& local);
 
 }  // namespace marrow::cook

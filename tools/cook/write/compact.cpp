@@ -111,12 +111,12 @@ std::uint32_t shared_start(const std::string& a, const std::string& b) {
 
 std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t name,
                                         const std::vector<std::uint32_t>& joint_names) {
-  const std::size_t joints = s.parents.size(), roots = s.scene_from_root.size();
+  const std::size_t joints = s.parents.size(), roots = s.model_from_root.size();
   std::vector<std::byte> out;
   add_varint(name, out);
   add_varint(static_cast<std::uint32_t>(joints), out);
   add_varint(static_cast<std::uint32_t>(roots), out);
-  for (const Affine& above : s.scene_from_root) {
+  for (const Affine& above : s.model_from_root) {
     add_value(static_cast<std::uint8_t>(is_identity(above) ? 0 : 1), out);
     if (!is_identity(above)) add_map(above, out);
   }
@@ -153,7 +153,7 @@ std::vector<std::byte> compact_skeleton(const BuiltSkeleton& s, std::uint32_t na
 std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHeader& h,
                                     const std::vector<MeshTarget>& targets) {
   const bool coloured = std::any_of(h.base_colour, h.base_colour + 4, [](float c) { return c != 1; });
-  const bool placed = !is_identity(mesh.scene_from_mesh);
+  const bool placed = !is_identity(mesh.model_from_mesh);
   const bool helps = !mesh.helpers.empty();
   const bool gives = std::count(mesh.bind_is_given.begin(), mesh.bind_is_given.end(), 1) > 0;
   std::vector<std::byte> out;
@@ -170,7 +170,7 @@ std::vector<std::byte> compact_mesh(const BuiltMesh& mesh, const format::MeshHea
   if (helps) add_varint(h.helper_count, out);
   if (!mesh.lods.empty()) add_varint(h.lod_count, out);
   if (coloured) add_value(h.base_colour, out);
-  if (placed) add_map(mesh.scene_from_mesh, out);
+  if (placed) add_map(mesh.model_from_mesh, out);
   std::uint32_t next = 0;
   for (const std::uint16_t joint : mesh.joints) {
     const std::uint32_t step = joint - next;

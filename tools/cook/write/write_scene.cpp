@@ -49,13 +49,13 @@ Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   std::uint32_t name = 0;
   const std::uint32_t name_code = names.add_in_turn(s.name, name);
   const auto l =
-      out.begin(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.scene_from_root.size()), 0});
+      out.begin(format::SkeletonHeader{name, joints, static_cast<std::uint32_t>(s.model_from_root.size()), 0});
   std::vector<std::uint32_t> codes, joint_names;
   for (const std::string& joint : s.joint_names) {
     codes.push_back(names.add_in_turn(joint, name));
     joint_names.push_back(name);
   }
-  out.set(l.roots, s.scene_from_root);
+  out.set(l.roots, s.model_from_root);
   out.set(l.rest, s.rest);
   out.set(l.names, joint_names);
   out.set(l.parents, s.parents);

@@ -15,7 +15,7 @@ constexpr int kMarkReach = 9;     // of the edge
 }  // namespace
 
 void draw_mark(Image& image, const Camera& camera, const std::array<float, 3>& point) {
-  const glm::vec4 clip = camera.clip_from_scene * glm::vec4(point[0], point[1], point[2], 1);
+  const glm::vec4 clip = camera.clip_from_model * glm::vec4(point[0], point[1], point[2], 1);
   if (!(clip.w > 0)) return;
   const float x = (0.5f + 0.5f * clip.x / clip.w) * static_cast<float>(image.width);
   const float y = (0.5f - 0.5f * clip.y / clip.w) * static_cast<float>(image.height);

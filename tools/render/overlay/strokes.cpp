@@ -23,7 +23,7 @@ Strokes::Strokes(const Gl& gl) : gl_(gl), buffer_(gl), array_(gl) {
   std::array<char, 1024> log{};
   const auto text = [](const unsigned char* embedded) { return reinterpret_cast<const char*>(embedded); };
   const gles3::ProgramSource source{text(embedded::shader_strokes_vert), text(embedded::shader_strokes_frag), {}};
-  if (gles3::build_program(gl, {gles3::Deformer::none, 4, gles3::kColours}, source, 0, program_, log) != Status::ok)
+  if (gles3::create_program(gl, {gles3::Deformer::none, 4, gles3::kColours}, source, 0, program_, log) != Status::ok)
     throw Failure(Exit::internal, "shader", "", log.data(), "please report this with the driver: " + gl.driver());
   gl.BindVertexArray(array_);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer_);
@@ -65,8 +65,8 @@ void Strokes::draw_all(GLenum mode, const std::vector<Corner>& corners) {
 void Strokes::draw(const Camera& camera) {
   if (empty()) return;
   gl_.UseProgram(program_.id);
-  gl_.UniformMatrix4fv(gl_.GetUniformLocation(program_.id, "clip_from_scene"), 1, GL_FALSE,
-                       glm::value_ptr(camera.clip_from_scene));
+  gl_.UniformMatrix4fv(gl_.GetUniformLocation(program_.id, "clip_from_model"), 1, GL_FALSE,
+                       glm::value_ptr(camera.clip_from_model));
   gl_.Uniform1f(gl_.GetUniformLocation(program_.id, "nearer"), kNearer);
   gl_.Enable(GL_BLEND);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);

@@ -22,7 +22,7 @@ class Strokes {
 
   void clear();
   bool empty() const { return lines_.empty() && faces_.empty(); }
-  // Scene space; colour: linear RGBA, 0 … 1. Lines are one pixel of the picture wide.
+  // Model space; colour: linear RGBA, 0 … 1. Lines are one pixel of the picture wide.
   void line(glm::vec3 from, glm::vec3 to, glm::vec4 colour);
   struct Corner {
     glm::vec3 at{0};

@@ -22,7 +22,7 @@ public sealed unsafe partial class MarrowCharacter {
     /// <summary>-1 for a root. A parent comes before its children.</summary>
     public int JointParent(int skeleton, int joint) {
         ushort parent = JointOf(skeleton, joint)->skeleton.parents[joint];
-        return parent == Marrow.NoParent ? -1 : parent;
+        return parent == Marrow.NoJoint ? -1 : parent;
     }
 
     /// <summary>-1 if there is none of this name. Look joints up once, not a frame.</summary>
@@ -68,17 +68,17 @@ public sealed unsafe partial class MarrowCharacter {
     /// <summary>After SetLocal(): where joints are in the scene.</summary>
     public void UpdateJoints() { MarrowException.Must(Marrow.CharacterToModel(Native), name); }
 
-    /// <summary>scene_from_joint as 12 floats, three rows of four; scene: the character's own.</summary>
+    /// <summary>model_from_joint as 12 floats, three rows of four; scene: the character's own.</summary>
     public void GetScene(int skeleton, int joint, float[] rows) {
         CharacterSkeleton* s = JointOf(skeleton, joint);
-        CopyRows(s->scene_from_joint[joint], rows);
+        CopyRows(s->model_from_joint[joint], rows);
     }
 
-    /// <summary>What stands above a root and never moves: scene_from_root, as GetScene().</summary>
+    /// <summary>What stands above a root and never moves: model_from_root, as GetScene().</summary>
     public void GetAboveRoot(int skeleton, int root, float[] rows) {
         CharacterSkeleton* s = SkeletonAt(skeleton);
         if (root < 0 || root >= s->skeleton.root_count) throw new ArgumentOutOfRangeException("root");
-        CopyRows(s->skeleton.scene_from_root[root], rows);
+        CopyRows(s->skeleton.model_from_root[root], rows);
     }
 
     void CopyRows(Affine map, float[] rows) {

@@ -59,10 +59,10 @@ public sealed unsafe class MarrowGles3Renderer : MonoBehaviour {
     void OnRenderObject() {
         Matrix4x4 mirror = Matrix4x4.Scale(new Vector3(-1, 1, 1));
         Camera camera = Camera.current;
-        Matrix4x4 clipFromScene = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true) *
+        Matrix4x4 clipFromModel = GL.GetGPUProjectionMatrix(camera.projectionMatrix, true) *
                                   camera.worldToCameraMatrix * transform.localToWorldMatrix * mirror;
         for (int i = 0; i < handles.Length; ++i) {
-            int id = MarrowRenderEvent.Request(handles[i], (float*)&clipFromScene);
+            int id = MarrowRenderEvent.Request(handles[i], (float*)&clipFromModel);
             if (id > 0) GL.IssuePluginEvent(MarrowRenderEvent.Callback, id);
         }
     }

@@ -14,7 +14,7 @@ public static unsafe class MarrowRenderEvent {
     internal static int Open(MarrowRuntime.Mesh* mesh) { return 0; }
     internal static void Pose(int handle, MarrowRuntime.CharacterSkeleton* skeleton,
                               MarrowRuntime.CharacterMesh* mesh) {}
-    internal static int Request(int handle, float* clipFromScene) { return 0; }
+    internal static int Request(int handle, float* clipFromModel) { return 0; }
     internal static string Problem(int handle) { return ""; }
     internal static void Close(int handle) {}
 #else
@@ -27,7 +27,7 @@ public static unsafe class MarrowRenderEvent {
     [DllImport(Library)]
     static extern MarrowRuntime.Status marrow_unity_pose(int handle, MarrowRuntime.Affine* joints, UIntPtr jointCount,
                                                          float* weights, UIntPtr weightCount);
-    [DllImport(Library)] static extern int marrow_unity_request(int handle, float* clipFromScene);
+    [DllImport(Library)] static extern int marrow_unity_request(int handle, float* clipFromModel);
     [DllImport(Library)] static extern MarrowRuntime.Status marrow_unity_status(int handle);
     [DllImport(Library)] static extern byte* marrow_unity_log();
     [DllImport(Library)] static extern void marrow_unity_close(int handle);
@@ -49,11 +49,11 @@ public static unsafe class MarrowRenderEvent {
     internal static int Open(MarrowRuntime.Mesh* mesh) { return marrow_unity_open(mesh); }
     internal static void Pose(int handle, MarrowRuntime.CharacterSkeleton* skeleton,
                               MarrowRuntime.CharacterMesh* mesh) {
-        marrow_unity_pose(handle, skeleton->scene_from_joint, skeleton->scene_from_joint_count, mesh->weights,
+        marrow_unity_pose(handle, skeleton->model_from_joint, skeleton->model_from_joint_count, mesh->weights,
                           mesh->weight_count);
     }
-    internal static int Request(int handle, float* clipFromScene) {
-        return marrow_unity_request(handle, clipFromScene);
+    internal static int Request(int handle, float* clipFromModel) {
+        return marrow_unity_request(handle, clipFromModel);
     }
 
     /// <summary>What keeps a mesh from being drawn; empty: nothing that lasts.</summary>

@@ -12,13 +12,13 @@ namespace {
 
 BuiltSkeleton one_joint() {
   BuiltSkeleton out;
-  out.scene_from_root.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+  out.model_from_root.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
   out.rest.resize(1);
   for (int lane = 0; lane < 4; ++lane) {
     out.rest[0].rotation[3][lane] = 1;
     for (int i = 0; i < 3; ++i) out.rest[0].scale[i][lane] = 1;
   }
-  out.parents.push_back(kNoParent);
+  out.parents.push_back(kNoJoint);
   out.joint_names.push_back("j");
   return out;
 }

@@ -26,7 +26,7 @@ const double kAngle = kError / (kShell * std::sqrt(2.0 / 3));
 // A tree in which every joint has up to three children, one after the other along y.
 BuiltSkeleton tree(std::size_t joints) {
   BuiltSkeleton s;
-  s.scene_from_root.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+  s.model_from_root.push_back({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
   s.rest.resize(soa_count(joints));
   for (SoaTransform& four : s.rest)
     for (int lane = 0; lane < 4; ++lane) {
@@ -34,7 +34,7 @@ BuiltSkeleton tree(std::size_t joints) {
       for (int i = 0; i < 3; ++i) four.scale[i][lane] = 1;
     }
   for (std::size_t j = 0; j < joints; ++j) {
-    s.parents.push_back(j == 0 ? kNoParent : static_cast<std::uint16_t>((j - 1) / 3));
+    s.parents.push_back(j == 0 ? kNoJoint : static_cast<std::uint16_t>((j - 1) / 3));
     s.joint_names.push_back("j" + std::to_string(j));
     if (j > 0) s.rest[j / 4].translation[1][j % 4] = static_cast<float>(kLength);
   }
@@ -320,7 +320,7 @@ test::Map world_of(const BuiltSkeleton& skeleton, const std::vector<std::vector<
   const test::Map own =
       test::from_trs({t.translation.x, t.translation.y, t.translation.z},
                      {t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w}, {t.scale.x, t.scale.y, t.scale.z});
-  return skeleton.parents[joint] == kNoParent ? own : world_of(skeleton, local, skeleton.parents[joint], moment) * own;
+  return skeleton.parents[joint] == kNoJoint ? own : world_of(skeleton, local, skeleton.parents[joint], moment) * own;
 }
 
 // Squared, of the six points of the shell and of one that hangs on the joint.

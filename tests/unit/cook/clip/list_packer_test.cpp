@@ -174,9 +174,9 @@ TEST(RoundKeys, AsCoarseAsThePromise) {
   BuiltSkeleton skeleton;
   skeleton.rest = {{{}, {{}, {}, {}, {1, 1, 1, 1}}, {{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}}};
   skeleton.rest[0].translation[1][1] = 2;
-  skeleton.parents = {kNoParent, 0};
+  skeleton.parents = {kNoJoint, 0};
   skeleton.joint_names = {"root", "top"};
-  skeleton.scene_from_root = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
+  skeleton.model_from_root = {{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}};
   const Rig rig(skeleton);
   Promise promise;
   promise.error = {0.02, 0.02};

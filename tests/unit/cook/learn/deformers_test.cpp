@@ -63,7 +63,7 @@ struct FittedCylinder {
       }
     }
     data.pose_space.sigma = space.sigma;
-    data.pose_space.parents = {kNoParent, 0};
+    data.pose_space.parents = {kNoJoint, 0};
     for (const deform::PoseSpaceExample& e : space.examples)
       data.pose_space.examples.push_back({e.rotations, e.deltas});
   }
@@ -91,9 +91,9 @@ struct CookedDeformers {
     BuiltScene scene;
     BuiltSkeleton skeleton;
     skeleton.joint_names = {"a", "b"};
-    skeleton.parents = {kNoParent, 0};
+    skeleton.parents = {kNoJoint, 0};
     const Affine identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-    skeleton.scene_from_root = {identity};
+    skeleton.model_from_root = {identity};
     SoaTransform rest{};
     for (int lane = 0; lane < 4; ++lane) {
       rest.rotation[3][lane] = 1;

@@ -116,14 +116,14 @@ TEST(Codecs, ManyMorphTargetsGoThroughAnother) {
 }
 
 // At rest, how far vertices are from where this map takes the source's.
-double farthest_from(const Loaded& cooked, const std::vector<glm::vec3>& source, const glm::dmat4& scene_from_mesh) {
+double farthest_from(const Loaded& cooked, const std::vector<glm::vec3>& source, const glm::dmat4& model_from_mesh) {
   const Mesh mesh = cooked.file.mesh(0);
   const test::PosedMesh posed = test::pose_mesh(cooked.file, cooked.file.clip_count(), 0, 0, test::Deformer::ssd);
   double worst = 0;
   for (std::size_t v = 0; v < source.size(); ++v) {
     const std::size_t slot = mesh.geometry.source_slots[v];
     if (slot == kNoSlot) continue;
-    const glm::dvec3 want(scene_from_mesh * glm::dvec4(glm::dvec3(source[v]), 1));
+    const glm::dvec3 want(model_from_mesh * glm::dvec4(glm::dvec3(source[v]), 1));
     glm::dvec3 got;
     for (int c = 0; c < 3; ++c) got[c] = static_cast<double>(posed.positions[3 * slot + static_cast<std::size_t>(c)]);
     worst = std::max(worst, glm::length(got - want));

@@ -64,7 +64,7 @@ TEST(OutfitRules, OwnJointsStandBehindTheBodysOfTheirParent) {
   ASSERT_EQ(built.skeletons.size(), 1u);
   EXPECT_EQ(built.skeletons[0].name, "Ada");
   EXPECT_EQ(built.skeletons[0].joint_names, (Names{"hips", "spine", "head", "arm", "feather", "tip"}));
-  EXPECT_EQ(built.skeletons[0].parents, (std::vector<std::uint16_t>{kNoParent, 0, 1, 1, 2, 4}));
+  EXPECT_EQ(built.skeletons[0].parents, (std::vector<std::uint16_t>{kNoJoint, 0, 1, 1, 2, 4}));
   EXPECT_EQ(hat.joints_of_mesh(built, 0), (Names{"head", "tip"}));
   EXPECT_TRUE(hat.notes.warnings.empty()) << hat.notes.warnings.front().text;
   Hat knee;  // between the body's joints of a generation

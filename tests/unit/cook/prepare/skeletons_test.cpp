@@ -41,10 +41,10 @@ TEST(Skeletons, ACharacterEach) {
   EXPECT_EQ(skeleton_names(built), (Names{"Ada", "Bob"}));
   for (const BuiltSkeleton& skeleton : built.skeletons) {
     EXPECT_EQ(skeleton.joint_names, (Names{"hips", "spine", "head", "arm"}));
-    EXPECT_EQ(skeleton.scene_from_root.size(), 1u);
+    EXPECT_EQ(skeleton.model_from_root.size(), 1u);
   }
-  EXPECT_EQ(built.skeletons[0].scene_from_root[0].rows[0][3], -1.0f);
-  EXPECT_EQ(built.skeletons[1].scene_from_root[0].rows[0][3], 1.0f);
+  EXPECT_EQ(built.skeletons[0].model_from_root[0].rows[0][3], -1.0f);
+  EXPECT_EQ(built.skeletons[1].model_from_root[0].rows[0][3], 1.0f);
   EXPECT_EQ(clip_names(built), (Names{"greet/0", "greet/1", "nod/1"}));
   EXPECT_EQ(built.clips[0].duration_s, 1.0f);
   EXPECT_EQ(built.clips[1].duration_s, 1.0f) << "they stay in step";
@@ -158,7 +158,7 @@ TEST(Skeletons, SceneryIsOneAtTheEnd) {
   ASSERT_EQ(built.skeletons.size(), 2u);
   EXPECT_EQ(built.skeletons[0].name, "Ada");
   EXPECT_EQ(built.skeletons[1].joint_names.size(), 300u);
-  EXPECT_EQ(built.skeletons[1].parents, std::vector<std::uint16_t>(300, kNoParent));
+  EXPECT_EQ(built.skeletons[1].parents, std::vector<std::uint16_t>(300, kNoJoint));
   ASSERT_EQ(built.meshes.size(), 301u);
   EXPECT_EQ(built.meshes[7].skeleton, 1u);
   EXPECT_EQ(built.meshes[7].joints, std::vector<std::uint16_t>{7});

@@ -71,7 +71,7 @@ WeightsOverTime rule(int splines = 1, double radius_m = 0) {
   return {"loose", "chest", "pole", splines, radius_m, {"", ""}};
 }
 
-// scene_from_mesh of a joint of the skin at a moment of the clip.
+// model_from_mesh of a joint of the skin at a moment of the clip.
 glm::dmat4 matrix(const RawScene& scene, std::size_t joint, float time_s) {
   const RawSkin& skin = scene.skins[0];
   return NodeMotion(scene, scene.clips[0], {skin.joints[joint]}).at(time_s)[0] * skin.inverse_bind[joint];

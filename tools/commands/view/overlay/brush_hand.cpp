@@ -16,12 +16,12 @@ std::optional<SurfaceHit> hit_at(const Painting& painting, const Camera& camera,
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   if (window.x <= left || window.y <= 0) return std::nullopt;
   const glm::vec2 at(2 * (mouse.x - left) / (window.x - left) - 1, 1 - 2 * mouse.y / window.y);
-  return painting.hit(ray_through(camera.clip_from_scene, at));
+  return painting.hit(ray_through(camera.clip_from_model, at));
 }
 
 // Points of the window that the brush's radius is long, where it is.
 float radius_in_points(const SurfaceHit& hit, const Camera& camera, float radius) {
-  const glm::vec4 clip = camera.clip_from_scene * glm::vec4(hit.place, 1);
+  const glm::vec4 clip = camera.clip_from_model * glm::vec4(hit.place, 1);
   return 0.5f * ImGui::GetIO().DisplaySize.y * radius / (std::max(clip.w, 1e-20f) * 0.5f * view_height());
 }
 

@@ -27,13 +27,13 @@ Drawer::~Drawer() {
 }
 
 std::optional<ImVec2> Drawer::project(glm::vec3 place) const {
-  const glm::vec4 clip = camera_.clip_from_scene * glm::vec4(place, 1);
+  const glm::vec4 clip = camera_.clip_from_model * glm::vec4(place, 1);
   if (clip.w <= 0 || clip.z < -clip.w) return std::nullopt;
   return in_window(clip, left_);
 }
 
 void Drawer::line(glm::vec3 from, glm::vec3 to, ImU32 colour, float width) {
-  glm::vec4 a = camera_.clip_from_scene * glm::vec4(from, 1), b = camera_.clip_from_scene * glm::vec4(to, 1);
+  glm::vec4 a = camera_.clip_from_model * glm::vec4(from, 1), b = camera_.clip_from_model * glm::vec4(to, 1);
   const float before_a = a.z + a.w, before_b = b.z + b.w;  // the near plane
   if (before_a <= 0 && before_b <= 0) return;
   const glm::vec4 cut = a + (b - a) * (before_a / (before_a - before_b));

@@ -74,7 +74,7 @@ void press_or_click(const Actor& actor, const Drawer& drawer, Dragging& dragging
 
 glm::vec3 place_of(const Actor& actor, std::size_t joint) {
   const NamedJoint& named = actor.joints()[joint];
-  return place_of(actor.character().scene_from_joint(named.skeleton)[named.joint]);
+  return place_of(actor.character().model_from_joint(named.skeleton)[named.joint]);
 }
 
 void add_goal(const Actor& actor, Settings& settings) {
@@ -143,9 +143,9 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
   const std::vector<NamedJoint>& joints = actor.joints();
   const bool marked = s.picked || s.colours == Colours::weights;
   for (std::size_t i = 0; i < joints.size() && s.overlays.bones; ++i) {
-    const std::span<const Affine> places = actor.character().scene_from_joint(joints[i].skeleton);
+    const std::span<const Affine> places = actor.character().model_from_joint(joints[i].skeleton);
     const std::uint16_t parent = actor.file().skeleton(joints[i].skeleton).parents[joints[i].joint];
-    if (parent != kNoParent) drawer.line(place_of(places[parent]), place_of(actor, i), kBone, 1.6f);
+    if (parent != kNoJoint) drawer.line(place_of(places[parent]), place_of(actor, i), kBone, 1.6f);
   }
   if (s.overlays.trail) draw_trail(actor, s, drawer);
   const float axis = 0.05f * actor.performance().radius();
@@ -153,7 +153,7 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
     const bool chosen = marked && i == s.joint;
     const glm::vec3 at = place_of(actor, i);
     if (s.overlays.axes || (chosen && s.picked))
-      draw_axes(actor.character().scene_from_joint(joints[i].skeleton)[joints[i].joint], chosen ? 2 * axis : axis,
+      draw_axes(actor.character().model_from_joint(joints[i].skeleton)[joints[i].joint], chosen ? 2 * axis : axis,
                 drawer, chosen ? 2.5f : 1.4f);
     if (s.overlays.bones && !chosen) drawer.point(at, 2.2f, kBone);
   }

@@ -7,7 +7,7 @@
 
 namespace marrow::tools {
 
-// The place of a joint of Actor::joints(), scene space.
+// The place of a joint of Actor::joints(), model space.
 glm::vec3 place_of(const Actor& actor, std::size_t joint);
 
 // A goal where the chosen joint is.

@@ -79,7 +79,7 @@ bool alike(const glm::mat4& a, const glm::mat4& b) {
 }
 
 // The one that most of its joints agree on, as some may rest otherwise than they were bound.
-glm::mat4 scene_from_mesh(const CanvasGroup& group, std::span<const Affine> rest) {
+glm::mat4 model_from_mesh(const CanvasGroup& group, std::span<const Affine> rest) {
   constexpr std::size_t kMostAsked = 64;
   std::vector<glm::mat4> all;
   for (const auto& [joint, inverse_bind] : group.inverse_bind)
@@ -122,7 +122,7 @@ Canvas canvas_of(const File& file, std::span<const std::vector<Affine>> rest) {
   std::vector<glm::mat4> to_scene;
   for (CanvasGroup& group : out.groups) {
     group.hangs = group.inverse_bind.size() == 1;
-    to_scene.push_back(scene_from_mesh(group, rest[group.skeleton]));
+    to_scene.push_back(model_from_mesh(group, rest[group.skeleton]));
   }
   for (std::size_t p = 0; p < out.bind.size(); ++p)
     out.model.emplace_back(glm::vec3(to_scene[out.group_of[p]] * glm::vec4(out.bind[p], 1)));
@@ -135,7 +135,7 @@ Canvas canvas_of(const File& file, std::span<const std::vector<Affine>> rest) {
 }
 
 std::vector<glm::mat4> bind_matrices(const CanvasGroup& group, std::span<const Affine> rest) {
-  const glm::mat4 to_scene = scene_from_mesh(group, rest);
+  const glm::mat4 to_scene = model_from_mesh(group, rest);
   std::vector<glm::mat4> out;
   for (std::uint32_t j = 0; j < rest.size(); ++j) {
     const auto known = group.inverse_bind.find(j);

@@ -49,7 +49,7 @@ struct Canvas {
   std::span<const std::uint32_t> neighbours(std::uint32_t place) const { return surface.front().neighbours(place); }
 };
 
-// rest: scene_from_joint of each skeleton at rest. Of vertices at one place the first says the weights. Cost: n log n.
+// rest: model_from_joint of each skeleton at rest. Of vertices at one place the first says the weights. Cost: n log n.
 Canvas canvas_of(const File& file, std::span<const std::vector<Affine>> rest);
 
 // The matrices of a group's bind pose, joint_from_mesh, for every joint of its skeleton. Of joints that its meshes do

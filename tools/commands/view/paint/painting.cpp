@@ -25,7 +25,7 @@ std::vector<std::vector<Affine>> rest_of(const File& file) {
   character.pose({}, 0);
   std::vector<std::vector<Affine>> out;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
-    const std::span<const Affine> joints = character.scene_from_joint(s);
+    const std::span<const Affine> joints = character.model_from_joint(s);
     out.emplace_back(joints.begin(), joints.end());
   }
   return out;
@@ -167,7 +167,7 @@ void Painting::save() {
 void Painting::pose(const Character& character) {
   std::vector<std::vector<Affine>> joints;
   for (std::uint32_t s = 0; s < file_.skeleton_count(); ++s) {
-    const std::span<const Affine> posed = character.scene_from_joint(s);
+    const std::span<const Affine> posed = character.model_from_joint(s);
     joints.emplace_back(posed.begin(), posed.end());
   }
   pose_canvas(canvas_, binds_, joints, posed_);

@@ -72,7 +72,7 @@ class Painting {
 
   const File& file_;
   std::string path_, refusal_, trouble_;
-  std::vector<std::vector<Affine>> rest_;  // a skeleton: scene_from_joint
+  std::vector<std::vector<Affine>> rest_;  // a skeleton: model_from_joint
   Canvas canvas_;
   std::vector<std::vector<glm::mat4>> binds_;  // a group
   PosedCanvas posed_;

@@ -18,11 +18,11 @@ glm::vec3 turn_normal(const glm::mat3& m, const glm::vec3& n) {
 }  // namespace
 
 void pose_canvas(const Canvas& canvas, std::span<const std::vector<glm::mat4>> binds,
-                 std::span<const std::vector<Affine>> scene_from_joint, PosedCanvas& out) {
+                 std::span<const std::vector<Affine>> model_from_joint, PosedCanvas& out) {
   std::vector<std::vector<glm::mat4>> palettes;
   for (std::size_t g = 0; g < canvas.groups.size(); ++g) {
     std::vector<glm::mat4>& palette = palettes.emplace_back();
-    const std::vector<Affine>& joints = scene_from_joint[canvas.groups[g].skeleton];
+    const std::vector<Affine>& joints = model_from_joint[canvas.groups[g].skeleton];
     for (std::size_t j = 0; j < joints.size(); ++j) palette.push_back(to_glm(joints[j]) * binds[g][j]);
   }
   out.places.resize(canvas.bind.size());

@@ -13,13 +13,13 @@
 namespace marrow::tools {
 
 struct PosedCanvas {
-  std::vector<glm::vec3> places;    // scene space
-  std::vector<glm::mat4> matrices;  // a place: scene_from_mesh
+  std::vector<glm::vec3> places;    // model space
+  std::vector<glm::mat4> matrices;  // a place: model_from_mesh
 };
 
-// binds: of each group, as bind_matrices() gives them. scene_from_joint: of each skeleton.
+// binds: of each group, as bind_matrices() gives them. model_from_joint: of each skeleton.
 void pose_canvas(const Canvas& canvas, std::span<const std::vector<glm::mat4>> binds,
-                 std::span<const std::vector<Affine>> scene_from_joint, PosedCanvas& out);
+                 std::span<const std::vector<Affine>> model_from_joint, PosedCanvas& out);
 
 // Slots of a mesh of the file. As skin_ssd() does it, without tangents.
 PosedMesh posed_mesh(const Mesh& mesh, std::span<const std::uint32_t> place_of_slot, const PosedCanvas& posed);

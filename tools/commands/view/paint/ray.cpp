@@ -7,10 +7,10 @@
 
 namespace marrow::tools {
 
-Ray ray_through(const glm::mat4& clip_from_scene, glm::vec2 at) {
-  const glm::mat4 scene_from_clip = glm::inverse(clip_from_scene);
+Ray ray_through(const glm::mat4& clip_from_model, glm::vec2 at) {
+  const glm::mat4 model_from_clip = glm::inverse(clip_from_model);
   const auto place = [&](float depth) {
-    const glm::vec4 p = scene_from_clip * glm::vec4(at, depth, 1);
+    const glm::vec4 p = model_from_clip * glm::vec4(at, depth, 1);
     return glm::vec3(p) / p.w;
   };
   const glm::vec3 from = place(-1);

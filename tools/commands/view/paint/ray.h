@@ -17,7 +17,7 @@ struct Ray {
 };
 
 // From the near plane on. at: -1 … 1 each way, to the right and up.
-Ray ray_through(const glm::mat4& clip_from_scene, glm::vec2 at);
+Ray ray_through(const glm::mat4& clip_from_model, glm::vec2 at);
 
 struct SurfaceHit {
   std::uint32_t triangle = 0;

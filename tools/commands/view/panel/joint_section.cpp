@@ -19,7 +19,7 @@ std::vector<std::vector<std::size_t>> children_of(const Actor& actor, std::vecto
     const Skeleton skeleton = actor.file().skeleton(s);
     for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
       const std::uint16_t parent = skeleton.parents[j];
-      (parent == kNoParent ? roots : out[first + parent]).push_back(first + j);
+      (parent == kNoJoint ? roots : out[first + parent]).push_back(first + j);
     }
     first += skeleton.joint_count;
   }
@@ -56,7 +56,7 @@ void transforms(const Actor& actor, const Settings& s) {
   const NamedJoint& joint = actor.joints()[s.joint];
   const JointTransform t = actor.local(s.joint);
   const glm::vec3 angles = angles_deg(t.rotation);
-  const Affine& place = actor.character().scene_from_joint(joint.skeleton)[joint.joint];
+  const Affine& place = actor.character().model_from_joint(joint.skeleton)[joint.joint];
   const auto row = [](const char* name, float x, float y, float z, const char* unit) {
     text(fmt::format("{:<7}{:8.3f}{:9.3f}{:9.3f} {}", name, x, y, z, unit));
   };

@@ -14,7 +14,7 @@ struct JointCurves {
   std::vector<float> translation[3];   // metres, from the parent
   std::vector<float> rotation_deg[3];  // about x, then y, then z of the parent's axes; without jumps of whole turns
   std::vector<float> scale[3];
-  std::vector<glm::vec3> places;  // scene space
+  std::vector<glm::vec3> places;  // model space
 };
 
 // Poses `play` at `moments` even moments, its first and its end among them, as the clip alone has it. moments: ≥ 2.

@@ -17,7 +17,7 @@ struct TrackId {
   TrackPath path;
 };
 
-// Works on poses in scene space through the whole hierarchy, and on the very integers that are stored. First every
+// Works on poses in model space through the whole hierarchy, and on the very integers that are stored. First every
 // track gets a step by how far its joint reaches, all shrunk together until the promise holds; then one track at a time
 // is coarsened, always where most bits are saved for the least rise of Σ (error / promise)⁸. Then every track aims
 // again, so that it makes good what the joints above it miss, and the rest of the slack is spent. Last, tracks are

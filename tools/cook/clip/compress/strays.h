@@ -22,7 +22,7 @@ class Strays {
   Strays(const Rig& rig, const Promise& promise, const std::vector<std::span<const Transform>>& source);
 
   std::size_t frame_count() const { return frame_count_; }
-  // scene_from_joint.
+  // model_from_joint.
   const World& source(std::size_t joint, std::size_t moment) const { return source_[joint][moment]; }
   World decoded(std::size_t joint, std::size_t moment) const;  // as placed and committed
 

@@ -8,7 +8,7 @@
 
 namespace marrow::cook {
 
-// By the runtime's own decoder, in scene space through the whole hierarchy.
+// By the runtime's own decoder, in model space through the whole hierarchy.
 class ClipMeasure {
  public:
   // What is given outlives this. channels: by which the clip weighs morph targets.

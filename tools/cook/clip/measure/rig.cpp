@@ -23,10 +23,10 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
   children.resize(count);
   world.resize(count);
   for (std::size_t j = 0; j < count; ++j) {
-    const bool root = skeleton.parents[j] == kNoParent;
+    const bool root = skeleton.parents[j] == kNoJoint;
     parents.push_back(root ? kNone : skeleton.parents[j]);
     if (root) {
-      const Affine& a = skeleton.scene_from_root[j];
+      const Affine& a = skeleton.model_from_root[j];
       for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) above[j].linear[c][r] = static_cast<double>(a.rows[r][c]);
         above[j].origin[r] = static_cast<double>(a.rows[r][3]);

@@ -23,7 +23,7 @@ struct Rig {
   explicit Rig(const BuiltSkeleton& skeleton);
 
   std::size_t size() const { return parents.size(); }
-  // scene_from_joint of a joint above whose parent stands at `parent` (null for roots).
+  // model_from_joint of a joint above whose parent stands at `parent` (null for roots).
   World place(std::size_t joint, const World* parent, const Transform& local) const {
     return (parent != nullptr ? *parent : above[joint]) * to_world(local);
   }
@@ -38,7 +38,7 @@ struct Rig {
   std::vector<Transform> rest;                     // parent_from_joint
   std::vector<std::vector<std::size_t>> children;  // of a joint
   std::vector<std::size_t> subtree_sizes;          // of a joint and everything below it
-  std::vector<World> world;                        // scene_from_joint at rest
+  std::vector<World> world;                        // model_from_joint at rest
   std::vector<double> scale_above;                 // scene units a unit of a joint's translation, at rest
 };
 

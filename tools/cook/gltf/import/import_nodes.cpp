@@ -118,7 +118,7 @@ RawNode import_node(const tinygltf::Node& node, std::size_t index, Report& repor
   return raw;
 }
 
-// scene_from_node at rest, for all nodes; chains may be too long to recurse along.
+// model_from_node at rest, for all nodes; chains may be too long to recurse along.
 std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
   std::vector<glm::dmat4> matrices(nodes.size());
   std::vector<bool> known(nodes.size());

@@ -9,7 +9,7 @@
 namespace marrow::cook::gltf {
 namespace {
 
-std::vector<glm::dmat4> scene_from_nodes(const std::vector<RawNode>& nodes) {
+std::vector<glm::dmat4> model_from_nodes(const std::vector<RawNode>& nodes) {
   std::vector<glm::dmat4> out(nodes.size());
   std::vector<char> known(nodes.size(), 0);
   std::vector<std::size_t> way;
@@ -74,7 +74,7 @@ void import_vrm(const Document& document, Budget& budget, Report& report, RawSce
   const char* const name = vrm.is_0 ? "VRM" : "VRMC_vrm";
   if (document.vrm.contains(name)) vrm.vrm = document.vrm.at(name);
   vrm.where = pointer("extensions", name);
-  vrm.scene_from_node = scene_from_nodes(scene.nodes);
+  vrm.model_from_node = model_from_nodes(scene.nodes);
   if (!vrm.vrm.empty()) {
     import_properties(vrm);
     import_expressions(vrm);

@@ -18,7 +18,7 @@ struct VrmImport {
   bool is_0 = false;  // VRM, not VRMC_vrm
   Json vrm;           // of whichever there is; an object
   std::string where;  // it stands
-  std::vector<glm::dmat4> scene_from_node;
+  std::vector<glm::dmat4> model_from_node;
   int head = kNone;              // humanoid bones
   int eyes[2] = {kNone, kNone};  // left, right
   int avatar = kNone;            // the node with what is said of all: the hips

@@ -116,7 +116,7 @@ class SpringImporter {
   }
 
   RawNode& node(int n) { return vrm_.scene.nodes[static_cast<std::size_t>(n)]; }
-  glm::dvec3 place(int n) const { return glm::dvec3(vrm_.scene_from_node[static_cast<std::size_t>(n)][3]); }
+  glm::dvec3 place(int n) const { return glm::dvec3(vrm_.model_from_node[static_cast<std::size_t>(n)][3]); }
 
   // kNone for version 0's -1.
   int node_of(const Json& index, const std::string& where) {
@@ -156,7 +156,7 @@ class SpringImporter {
     source.groups.erase(std::unique(source.groups.begin(), source.groups.end()), source.groups.end());
     if (member_or_empty(spring, "center").is_number() && spring.at("center").get<double>() >= 0)
       vrm_.report.warn(under(where, "center"), "spring-center-dropped",
-                       "springs feel all motion in the world; SpringFrame::world_from_scene can leave out some");
+                       "springs feel all motion in the world; SpringFrame::world_from_model can leave out some");
   }
 
   VrmSpring setting_of(const Json& json, const char* stiffness, const char* gravity, const std::string& where) {
@@ -193,7 +193,7 @@ class SpringImporter {
       const bool has_length = length > kShortestBone_m && length < kFarthest_m;
       spring.settings.push_back(has_length ? spring_settings(settings[i], length, bone / length) : SpringJoint{});
     }
-    const glm::dmat4& last = vrm_.scene_from_node[static_cast<std::size_t>(spring.nodes.back())];
+    const glm::dmat4& last = vrm_.model_from_node[static_cast<std::size_t>(spring.nodes.back())];
     spring.tip = glm::dvec3(glm::inverse(last) * glm::dvec4(end, 1));
     const double reach = glm::length(spring.tip);
     if (!(reach > kShortestBone_m && reach < kFarthest_m)) spring.tip = glm::dvec3(0);

@@ -29,26 +29,26 @@ glm::dquat rotation_of(const glm::dmat4& m) {
 
 Joints lay_out(const BuiltSkeleton& skeleton, const std::vector<int>& node_of_joint) {
   const std::vector<Transform> rest = rest_transforms(skeleton);
-  std::vector<glm::dmat4> scene_from_joint;
+  std::vector<glm::dmat4> model_from_joint;
   Joints out(rest.size());
   for (std::size_t j = 0; j < out.size(); ++j) {
     RetargetJoint& joint = out[j];
     joint.node = node_of_joint[j];
     joint.rest = rest[j];
     glm::dquat turn_above;
-    if (skeleton.parents[j] == kNoParent) {
-      joint.scene_above = to_matrix(skeleton.scene_from_root[j]);
+    if (skeleton.parents[j] == kNoJoint) {
+      joint.scene_above = to_matrix(skeleton.model_from_root[j]);
       joint.turn_above = turn_above = rotation_of(joint.scene_above);
-      scene_from_joint.push_back(joint.scene_above * matrix_of(rest[j]));
+      model_from_joint.push_back(joint.scene_above * matrix_of(rest[j]));
     } else {
       joint.parent = skeleton.parents[j];
       const RetargetJoint& parent = out[to_index(joint.parent)];
       joint.upper = parent.node == kNone ? parent.upper : joint.parent;
       turn_above = parent.turn;
-      scene_from_joint.push_back(scene_from_joint[to_index(joint.parent)] * matrix_of(rest[j]));
+      model_from_joint.push_back(model_from_joint[to_index(joint.parent)] * matrix_of(rest[j]));
     }
     joint.turn = turn_above * rest[j].rotation;
-    joint.place = glm::dvec3(scene_from_joint[j][3]);
+    joint.place = glm::dvec3(model_from_joint[j][3]);
   }
   return out;
 }

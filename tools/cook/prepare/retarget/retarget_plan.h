@@ -23,7 +23,7 @@ struct RetargetJoint {
   int node = kNone;                   // of the capture, that it turns as; kNone: it keeps its rest pose
   int upper = kNone;                  // the next joint above that has a node
   Transform rest;                     // below its parent
-  glm::dmat4 scene_above{1.0};        // of a root: scene_from_root
+  glm::dmat4 scene_above{1.0};        // of a root: model_from_root
   glm::dquat turn_above{1, 0, 0, 0};  // its rotation
   glm::dvec3 place{0};                // in the scene at rest
   glm::dquat turn{1, 0, 0, 0};        // likewise

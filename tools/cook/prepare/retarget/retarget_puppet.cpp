@@ -7,7 +7,7 @@ Puppet::Puppet(std::size_t joints)
       wanted(joints, glm::dquat(1, 0, 0, 0)),
       turns(wanted),
       local(wanted),
-      scene_from_joint(joints, glm::dmat4(1.0)) {}
+      model_from_joint(joints, glm::dmat4(1.0)) {}
 
 void Puppet::pose(const RetargetPlan& plan) {
   for (std::size_t j = 0; j < plan.joints.size(); ++j) {
@@ -18,7 +18,7 @@ void Puppet::pose(const RetargetPlan& plan) {
     if (is_turned[j] != 0) below.rotation = glm::normalize(glm::conjugate(turn_above) * wanted[j]);
     local[j] = below.rotation;
     turns[j] = turn_above * below.rotation;
-    scene_from_joint[j] = (is_root ? joint.scene_above : scene_from_joint[to_index(joint.parent)]) * matrix_of(below);
+    model_from_joint[j] = (is_root ? joint.scene_above : model_from_joint[to_index(joint.parent)]) * matrix_of(below);
   }
 }
 

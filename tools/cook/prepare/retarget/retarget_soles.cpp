@@ -155,9 +155,9 @@ void finish(const RetargetPlan& plan, const std::vector<glm::dmat4>& at_rest, So
 
 }  // namespace
 
-glm::dvec3 SolePoint::at(const std::vector<glm::dmat4>& scene_from_joint) const {
+glm::dvec3 SolePoint::at(const std::vector<glm::dmat4>& model_from_joint) const {
   glm::dvec4 sum(0);
-  for (const Share& share : shares) sum += scene_from_joint[share.joint] * share.coordinate;
+  for (const Share& share : shares) sum += model_from_joint[share.joint] * share.coordinate;
   return glm::dvec3(sum);
 }
 
@@ -167,9 +167,9 @@ std::vector<Sole> find_soles(const RetargetPlan& plan, const Legs& legs, const s
   for (const auto& [sole, part] : feet.parts) farthest.emplace_back(feet.soles[sole].parts[part]);
   Puppet rest(plan.joints.size());
   rest.pose(plan);
-  for (const Mesh& mesh : meshes) add_mesh(mesh, feet, rest.scene_from_joint, farthest);
+  for (const Mesh& mesh : meshes) add_mesh(mesh, feet, rest.model_from_joint, farthest);
   for (const Outermost& of : farthest) of.finish();
-  for (Sole& sole : feet.soles) finish(plan, rest.scene_from_joint, sole);
+  for (Sole& sole : feet.soles) finish(plan, rest.model_from_joint, sole);
   return std::move(feet.soles);
 }
 

@@ -21,7 +21,7 @@ struct SolePoint {
   std::vector<Share> shares;
   glm::dvec3 rest{0};  // in the scene
 
-  glm::dvec3 at(const std::vector<glm::dmat4>& scene_from_joint) const;
+  glm::dvec3 at(const std::vector<glm::dmat4>& model_from_joint) const;
 };
 
 // What bends about one joint: the foot about the ankle, toes about theirs.

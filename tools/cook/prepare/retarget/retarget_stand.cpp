@@ -50,7 +50,7 @@ void bend(const RetargetPlan& plan, const Sole& sole, const SolePart& part, doub
 double lowest_of(const Sole& sole, const Puppet& puppet) {
   double out = std::numeric_limits<double>::infinity();
   for (const SolePart& part : sole.parts)
-    for (const SolePoint& point : part.points) out = std::min(out, point.at(puppet.scene_from_joint).y);
+    for (const SolePoint& point : part.points) out = std::min(out, point.at(puppet.model_from_joint).y);
   return out - puppet.place(sole.parts[0].joint).y;
 }
 
