@@ -16,6 +16,7 @@
 #include "marrow/ik_solve.h"
 #include "marrow/limits.h"
 #include "marrow/local_to_model.h"
+#include "marrow/math.h"
 #include "marrow/morph.h"
 #include "marrow/outfit.h"
 #include "marrow/palette.h"
@@ -325,6 +326,38 @@ mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t 
     const mrw_joint_transform* transform) {
   MRW_NEEDS(is_list<SoaTransform>(local, local_count) && leads_to<JointTransform>(transform), MRW_BAD_ARGUMENT);
   return code(marrow::set_joint(span<SoaTransform>(local, local_count), joint, of<JointTransform>(transform)));
+}
+
+mrw_status mrw_affine_of(const mrw_joint_transform* transform, mrw_affine* out) {
+  MRW_NEEDS(leads_to<JointTransform>(transform) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  give<Affine>(out, marrow::affine_of(of<JointTransform>(transform)));
+  return MRW_OK;
+}
+
+mrw_status mrw_compose(const mrw_affine* a, const mrw_affine* b, mrw_affine* out) {
+  MRW_NEEDS(leads_to<Affine>(a) && leads_to<Affine>(b) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  give<Affine>(out, marrow::compose(of<Affine>(a), of<Affine>(b)));
+  return MRW_OK;
+}
+
+mrw_status mrw_invert(const mrw_affine* map, mrw_affine* out) {
+  MRW_NEEDS(leads_to<Affine>(map) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::invert(of<Affine>(map), to<Affine>(out)));
+}
+
+void mrw_transform_point(const mrw_affine* map, const float point[3], float out[3]) {
+  MRW_NEEDS(leads_to<Affine>(map) && leads_to<float>(point) && leads_to<float>(out), );
+  marrow::transform_point(of<Affine>(map), array<const float, 3>(point), array<float, 3>(out));
+}
+
+void mrw_transform_direction(const mrw_affine* map, const float direction[3], float out[3]) {
+  MRW_NEEDS(leads_to<Affine>(map) && leads_to<float>(direction) && leads_to<float>(out), );
+  marrow::transform_direction(of<Affine>(map), array<const float, 3>(direction), array<float, 3>(out));
+}
+
+mrw_status mrw_direction_in_joint(const mrw_affine* model_from_joint, const float direction[3], float out[3]) {
+  MRW_NEEDS(leads_to<Affine>(model_from_joint) && leads_to<float>(direction) && leads_to<float>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::direction_in_joint(of<Affine>(model_from_joint), array<const float, 3>(direction), array<float, 3>(out)));
 }
 
 bool mrw_is_valid(const mrw_joint_limit* limit) {

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x510e10f3u
+#define MRW_ABI 0x1bec162eu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -254,6 +254,35 @@ mrw_status mrw_get_joint(const mrw_soa_transform* local, size_t local_count, uin
     mrw_joint_transform* out) MRW_NODISCARD;
 mrw_status mrw_set_joint(mrw_soa_transform* local, size_t local_count, uint32_t joint,
     const mrw_joint_transform* transform) MRW_NODISCARD;
+
+// ---- Part math ------------------------------------------------------------------------------------------------------
+// A little mathematics of joints and places, for games that bring none: maps one after another, back, and on points.
+//
+// Maps take column vectors: mrw_compose(a, b) does b first. None of it allocates; all of it is thread-safe.
+// marrow/glm.h is for games that have GLM.
+
+// translate · rotate · scale. The rotation is taken as it is: a unit quaternion gives a rotation.
+mrw_status mrw_affine_of(const mrw_joint_transform* transform, mrw_affine* out) MRW_NODISCARD;
+
+// a · b: what `b` makes, taken through `a`. world_from_joint = mrw_compose(world_from_model, model_from_joint[j]).
+mrw_status mrw_compose(const mrw_affine* a, const mrw_affine* b, mrw_affine* out) MRW_NODISCARD;
+
+// The way back: mrw_compose(out, map) is the identity, within rounding.
+// Errors: MRW_BAD_ARGUMENT for a map that is flat (a scale of 0) or not finite, or whose inverse is not finite; nothing
+// is written. Method: cofactors over the determinant.
+mrw_status mrw_invert(const mrw_affine* map, mrw_affine* out) MRW_NODISCARD;
+
+// A point through a map. out may be point.
+void mrw_transform_point(const mrw_affine* map, const float point[3], float out[3]);
+
+// A direction through a map: as a point, but without the map's translation. Its length changes as the map scales.
+void mrw_transform_direction(const mrw_affine* map, const float direction[3], float out[3]);
+
+// Which way in the joint's own axes a direction of model space is, of unit length: what mrw_aim.forward and mrw_aim.up
+// ask for. With the rest pose's matrices it says once a load where a head's front is.
+// Errors: MRW_BAD_ARGUMENT as mrw_invert(), and for a direction without length; nothing is written.
+mrw_status mrw_direction_in_joint(const mrw_affine* model_from_joint, const float direction[3],
+    float out[3]) MRW_NODISCARD;
 
 // ---- Part example_space ---------------------------------------------------------------------------------------------
 // Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
@@ -1911,7 +1940,7 @@ struct mrw_feet {
   size_t foot_count;
   uint32_t pelvis;  // moves up and down with all that hangs on it, hips included; MRW_NO_JOINT: none does
   float lower_m;  // ≥ 0: the most that the pelvis goes down, or up; world
-  float leg_extension;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
+  float leg_extension;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
   float slope_rad;  // 0 … 1.5: the most that a foot leans with the ground
   float ease_s;  // > 0: the time after which 2 % of a step in the ground, or of a release, is left
 };

@@ -20,8 +20,8 @@ struct Feet {
   Span<const Foot> feet = {};       // two or more
   std::uint32_t pelvis = kNoJoint;  // moves up and down with all that hangs on it, hips included; kNoJoint: none does
   float lower_m = 0.5f;             // ≥ 0: the most that the pelvis goes down, or up; world
-  float leg_extension =
-      0.99f;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it
+  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
+  float leg_extension = 0.99f;
   float slope_rad = 0.6f;  // 0 … 1.5: the most that a foot leans with the ground
   float ease_s = 0.25f;    // > 0: the time after which 2 % of a step in the ground, or of a release, is left
 };

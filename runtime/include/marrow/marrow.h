@@ -6,6 +6,7 @@
 #include "marrow/status.h"         // how calls fail
 #include "marrow/call_error.h"     // who is told of bad calls
 #include "marrow/zones.h"          // begin and end of calls, for profilers
+#include "marrow/math.h"           // maps one after another, back, on points
 #include "marrow/block.h"          // memory on 16-byte boundaries
 #include "marrow/unpack.h"         // packed file → .mrw in memory
 #include "marrow/file.h"           // .mrw → Skeleton, Clip, Mesh

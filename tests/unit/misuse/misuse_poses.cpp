@@ -54,6 +54,14 @@ void misuse_weight(Misuse& m, float weight) {
   EXPECT_LE(weight, 1);
 }
 
+JointTransform joint_of(Misuse& m) {
+  return {{m.number(1), 2, 3}, {0, 0, m.number(0), m.number(1)}, {1, m.number(1), 1}};
+}
+
+Affine map_of(Misuse& m) {
+  return {{{m.number(1), 0, 0, m.number(4)}, {0, m.number(1), m.number(0), 5}, {0, 0, m.number(1), 6}}};
+}
+
 }  // namespace
 
 std::vector<MisuseRow> rows_of_poses() {
@@ -67,6 +75,40 @@ std::vector<MisuseRow> rows_of_poses() {
        [](Misuse& m) {
          const Span<SoaTransform> local = m.out(stage().pose);
          m.returned(set_joint(local, m.index(19), {}));
+       }},
+      {"affine_of",
+       [](Misuse& m) {
+         static_cast<void>(affine_of(joint_of(m)));
+         m.returned_ok();
+       }},
+      {"compose",
+       [](Misuse& m) {
+         const Affine a = map_of(m), b = map_of(m);
+         static_cast<void>(compose(a, b));
+         m.returned_ok();
+       }},
+      {"invert",
+       [](Misuse& m) {
+         Affine& out = m.one(Affine{});
+         m.returned(invert(map_of(m), out));
+       }},
+      {"transform_point",
+       [](Misuse& m) {
+         float out[3];
+         transform_point(map_of(m), {m.number(1), 2, 3}, out);
+         m.returned_ok();
+       }},
+      {"transform_direction",
+       [](Misuse& m) {
+         float out[3];
+         transform_direction(map_of(m), {m.number(1), 2, 3}, out);
+         m.returned_ok();
+       }},
+      {"direction_in_joint",
+       [](Misuse& m) {
+         float out[3] = {};
+         m.returned(direction_in_joint(map_of(m), {m.number(1), 2, 3}, out));
+         EXPECT_TRUE(std::isfinite(out[0] + out[1] + out[2]));
        }},
       {"soa_count", [](Misuse& m) { m.returned(static_cast<float>(soa_count(m.index(5)))); }},
       {"advance",
