@@ -6,7 +6,7 @@ namespace marrow {
 namespace {
 
 // Within kLongestSpringBone generations. joint: below the skeleton's count, and not `above` itself.
-bool is_below(const std::uint16_t* parents, std::uint32_t joint, std::uint32_t above) {
+bool is_near_below(const std::uint16_t* parents, std::uint32_t joint, std::uint32_t above) {
   for (std::uint32_t n = 0; n < format::kLongestSpringBone && joint > above; ++n) {  // a parent has the lower number
     joint = parents[joint];
     if (joint == above) return true;
@@ -20,7 +20,7 @@ bool check_chain_joints(Checker& c, Span<const SpringJoint> joints) {
   const std::uint16_t* const parents = layout(skeleton).parents.in(&skeleton).data;
   for (const SpringJoint* j = joints.begin(); j != joints.end(); ++j) {
     if (j->joint >= skeleton.joint_count) return c.fail(j, "a joint outside the skeleton");
-    if (j != joints.begin() && !is_below(parents, j->joint, j[-1].joint))
+    if (j != joints.begin() && !is_near_below(parents, j->joint, j[-1].joint))
       return c.fail(j, "each joint of a chain is below the one before it, by 255 generations at most");
     if (!good_settings(*j)) return c.fail(j, "a setting out of its range");
   }

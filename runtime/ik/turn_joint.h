@@ -5,6 +5,7 @@
 #include "marrow/file.h"
 #include "marrow/local_to_model.h"
 #include "math/joint.h"
+#include "pose/hierarchy.h"
 
 namespace marrow {
 
@@ -26,12 +27,6 @@ inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float 
   const Vector3 s = scale_of(local, joint);
   const f32x4 next = rotated_xyz(lanes(s.x, s.y, s.z, 1)), mirrored = flip(next, rotated_xyz(next));
   set_direction(local, joint, wide_rotation_of(local, joint) * WideRotation{flip(load(turn), mirrored)});
-}
-
-// Whether `joint` is `above` or below it, at any depth. Both are joints of the skeleton.
-inline bool hangs_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
-  while (joint > above && joint >= skeleton.root_count) joint = skeleton.parents[joint];
-  return joint == above;
 }
 
 // The pose and its matrices are there.

@@ -7,6 +7,7 @@
 #include "core/off_boundary.h"
 #include "core/zone.h"
 #include "math/finite.h"
+#include "pose/hierarchy.h"
 #include "springs/spring_state.h"
 
 namespace marrow {
@@ -24,15 +25,6 @@ std::size_t groups_of(Span<const SpringChain> chains) {
   return (bones + 3) / 4;
 }
 
-// Whether `joint` is `above` or below it, at any depth.
-bool is_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t above) {
-  while (joint > above) {  // a parent has the lower number
-    if (joint < skeleton.root_count) return false;
-    joint = skeleton.parents[joint];
-  }
-  return joint == above;
-}
-
 BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
   MARROW_CHECK(holds(chains) && chains.size <= skeleton.joint_count);
   std::size_t joints = 0;
@@ -45,7 +37,7 @@ BadCall check_chains(const Skeleton& skeleton, Span<const SpringChain> chains) {
       const SpringJoint& j = chain.joints[i];
       MARROW_CHECK(j.joint < skeleton.joint_count);
       MARROW_CHECK(i == 0 ||
-                   (j.joint != chain.joints[i - 1].joint && is_below(skeleton, j.joint, chain.joints[i - 1].joint)));
+                   (j.joint != chain.joints[i - 1].joint && hangs_below(skeleton, j.joint, chain.joints[i - 1].joint)));
       MARROW_CHECK(good_settings(j));
     }
   }
