@@ -37,7 +37,8 @@ TEST(Owned, IsWhatTheCallsMake) {
   OwnedFile owned;
   ASSERT_EQ(make_owned({bytes.data() + 1, block.size()}, owned), Status::ok);
   OwnedCharacter made;
-  ASSERT_EQ(make_owned(owned, {}, made), Status::ok);
+  ASSERT_EQ(make_owned(owned, {.layers = 3}, made), Status::ok);
+  EXPECT_EQ(made.skeletons[0].caches.size, 3u);
   const OwnedFile kept = std::move(owned);
   OwnedCharacter character = std::move(made);
   ASSERT_EQ(kept.animations.all.size, animations.all.size);
