@@ -696,6 +696,12 @@ mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* laye
   return code(marrow::overlay(of<Skeleton>(skeleton), of<BlendLayer>(layer), span<SoaTransform>(pose, pose_count)));
 }
 
+mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
+    size_t mask_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<float>(mask, mask_count), MRW_BAD_ARGUMENT);
+  return code(marrow::mask_below(of<Skeleton>(skeleton), joint, falloff, span<float>(mask, mask_count)));
+}
+
 mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose, size_t pose_count,
     const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out, size_t out_count) {
   MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(pose, pose_count) && is_list<SoaTransform>(reference, reference_count) && is_list<AdditiveTransform>(out, out_count), MRW_BAD_ARGUMENT);
@@ -1115,6 +1121,12 @@ mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name) {
   MRW_NEEDS(leads_to<Animations>(animations), nullptr);
   return to_c<const mrw_animation>(marrow::find_animation(of<Animations>(animations), name));
+}
+
+mrw_status mrw_clip_of(const mrw_animation* animation, uint32_t skeleton, mrw_clip* out) {
+  MRW_NEEDS(leads_to<Animation>(animation) && leads_to<Clip>(out), MRW_BAD_ARGUMENT);
+  give<Clip>(out, marrow::clip_of(of<Animation>(animation), skeleton));
+  return MRW_OK;
 }
 
 size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options) {

@@ -120,7 +120,7 @@ Status make_animations(const File& file, const File& clips, Span<std::byte> memo
     const Span<std::uint32_t> chosen(pieces.clips.data + i * skeletons, skeletons);
     const Span<std::uint32_t> channels(pieces.channels.data + i * targets, targets);
     choose_clips(file, clips, i, chosen);
-    Animation made{clips, 0, chosen, channels};
+    Animation made{clips.clip(i).name, clips, 0, chosen, channels};
     for (const std::uint32_t clip : chosen)
       if (clip != kNoClip && clips.clip(clip).duration_s > made.duration_s)
         made.duration_s = clips.clip(clip).duration_s;
@@ -138,9 +138,14 @@ const Animation* find_animation(const Animations& animations, const char* name) 
   if (name == nullptr) return nullptr;
   for (std::uint32_t i = 0; i < animations.all.size; ++i) {
     const Animation& animation = animations.all[i];
-    if (std::strcmp(animation.clips.clip(i).name, name) == 0 && moves_anything(animation)) return &animation;
+    if (std::strcmp(animation.name, name) == 0 && moves_anything(animation)) return &animation;
   }
   return nullptr;
+}
+
+Clip clip_of(const Animation& animation, std::uint32_t skeleton) {
+  if (skeleton >= animation.clip_of_skeleton.size) return {};
+  return animation.clips.clip(animation.clip_of_skeleton[skeleton]);  // of kNoClip an empty one
 }
 
 }  // namespace marrow

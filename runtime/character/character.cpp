@@ -102,17 +102,25 @@ Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::
   return Status::ok;
 }
 
-Status sample_skeleton(Character& c, std::uint32_t index, Span<const AnimationLayer> layers) {
+// first_joint: where the skeleton begins in masks.
+Status sample_skeleton(Character& c, std::uint32_t index, std::size_t first_joint, Span<const AnimationLayer> layers) {
   const CharacterSkeleton& s = c.skeletons[index];
   const std::size_t size = s.skeleton.soa_size();
+  std::size_t averaged = 0, over = layers.size;  // those from the front, these from the back
   for (std::size_t i = 0; i < layers.size; ++i) {
+    const AnimationLayer& layer = layers[i];
     const Span<SoaTransform> pose(s.sampled.data + i * size, size);
-    c.blended[i] = {pose, layers[i].weight, {}};
-    if (layers[i].weight == 0.0f) continue;  // blend() does not read it
-    const Status status = sample_layer(s.skeleton, layers[i], index, c.change, pose, s.caches[i]);
+    BlendLayer& blended = c.blended[layer.mask.empty() ? averaged++ : --over];
+    blended = {pose, layer.weight, {}};
+    if (!layer.mask.empty()) blended.mask = {layer.mask.data + first_joint, 4 * size};
+    if (layer.weight == 0.0f) continue;  // nobody reads it
+    const Status status = sample_layer(s.skeleton, layer, index, c.change, pose, s.caches[i]);
     if (status != Status::ok) return status;
   }
-  return blend(s.skeleton, {c.blended.data, layers.size}, s.local);
+  Status status = blend(s.skeleton, {c.blended.data, averaged}, s.local);
+  for (std::size_t i = layers.size; i-- > averaged && status == Status::ok;)
+    status = overlay(s.skeleton, c.blended[i], s.local);
+  return status;
 }
 
 // Calls f(target, its weight in the animation, its default); driven: only for targets that a channel drives.
@@ -146,11 +154,11 @@ Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
 // Means by the rule of blend(): defaults join in below the threshold.
 Status sample_weights(Span<const AnimationLayer> layers, CharacterMesh& m) {
   float total = 0;
-  for (const AnimationLayer& layer : layers) total += layer.weight;
+  for (const AnimationLayer& layer : layers) total += layer.mask.empty() ? layer.weight : 0;
   const float rest = total < kRestThreshold ? kRestThreshold - total : 0.0f;
   for (std::size_t t = 0; t < m.weights.size; ++t) m.weights[t] = rest / (total + rest) * m.mesh.targets[t].weight;
   for (const AnimationLayer& layer : layers) {
-    if (layer.weight == 0.0f) continue;
+    if (layer.weight == 0.0f || !layer.mask.empty()) continue;
     const Status status = add_weights(layer, layer.weight / (total + rest), m);
     if (status != Status::ok) return status;
   }
@@ -179,8 +187,16 @@ BadCall check_animation(const Character& c, const Animation* animation) {
   return {};
 }
 
+// Of all skeletons, each up to a multiple of four.
+std::size_t masked_joints(const Character& c) {
+  std::size_t joints = 0;
+  for (const CharacterSkeleton& s : c.skeletons) joints += 4 * s.skeleton.soa_size();
+  return joints;
+}
+
 BadCall check_layer(const Character& c, const AnimationLayer& layer) {
-  MARROW_CHECK(within(layer.weight, 0.0f, kMaxBlendWeight));
+  MARROW_CHECK(within(layer.weight, 0.0f, layer.mask.empty() ? kMaxBlendWeight : 1.0f));
+  MARROW_CHECK(layer.mask.empty() || holds(layer.mask, masked_joints(c)));
   MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
   return check_animation(c, layer.animation);
 }
@@ -193,9 +209,11 @@ BadCall check_layers(const Character& c, Span<const AnimationLayer> layers) {
 }
 
 Status sample_layers(Character& character, Span<const AnimationLayer> layers) {
+  std::size_t first_joint = 0;
   for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
-    const Status status = sample_skeleton(character, s, layers);
+    const Status status = sample_skeleton(character, s, first_joint, layers);
     if (status != Status::ok) return status;
+    first_joint += 4 * character.skeletons[s].skeleton.soa_size();
   }
   for (CharacterMesh& m : character.meshes) {
     const Status status = sample_weights(layers, m);

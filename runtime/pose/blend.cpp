@@ -220,6 +220,20 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
   return Status::ok;
 }
 
+Status mask_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t falloff, Span<float> mask) {
+  MARROW_REQUIRE(joint < skeleton.joint_count);
+  MARROW_REQUIRE(holds(mask, 4 * skeleton.soa_size()));
+  const float full = static_cast<float>(falloff) + 1.0f;
+  for (std::uint32_t j = joint; j < skeleton.joint_count; ++j) {
+    float depth = 1;  // of `joint` itself
+    std::uint32_t at = j;
+    for (; at > joint && at >= skeleton.root_count; at = skeleton.parents[at]) ++depth;
+    const float share = depth < full ? depth / full : 1.0f;
+    if (at == joint && !(mask[j] > share)) mask[j] = share;
+  }
+  return Status::ok;
+}
+
 Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose) {
   MARROW_ZONE;
   const std::size_t groups = skeleton.soa_size();

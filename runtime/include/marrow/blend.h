@@ -44,6 +44,15 @@ MARROW_API Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers,
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
+// A mask of a joint and of all that hangs on it, for layers that move a part of the body. Other joints keep what the
+// mask has, so that calls add up: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2:
+// `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
+//
+// mask: at least 4 · skeleton.soa_size(). A joint that has more keeps it.
+// Errors: bad_argument if `joint` is no joint or the mask is too short; nothing is written. Cost: a pass over the
+// joints; once a load.
+MARROW_API Status mask_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t falloff, Span<float> mask);
+
 // A change, and how much of it.
 struct AdditiveLayer {
   Span<const AdditiveTransform> change = {};  // at least skeleton.soa_size()

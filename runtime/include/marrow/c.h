@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x1bec162eu
+#define MRW_ABI 0xbc42d89eu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1395,6 +1395,16 @@ mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers
 mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
 
+// A mask of a joint and of all that hangs on it, for layers that move a part of the body. Other joints keep what the
+// mask has, so that calls add up: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2:
+// `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
+//
+// mask: at least 4 · mrw_skeleton_soa_size(skeleton). A joint that has more keeps it.
+// Errors: MRW_BAD_ARGUMENT if `joint` is no joint or the mask is too short; nothing is written. Cost: a pass over the
+// joints; once a load.
+mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
+    size_t mask_count) MRW_NODISCARD;
+
 // out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
 // scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
 // their reference and yield changes by themselves: mrw_sample_additive(). Errors: MRW_BAD_ARGUMENT if a list is too
@@ -2551,6 +2561,7 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
 typedef struct mrw_animation mrw_animation;
 struct mrw_animation {
+  const char* name;  // of its clips; may be empty
   mrw_file clips;  // that they are from: the character's file, or a clip pack
   float duration_s;  // of the longest
   const uint32_t* clip_of_skeleton;  // One a skeleton of the character: which clip it plays; MRW_NO_CLIP: it rests.
@@ -2634,7 +2645,12 @@ typedef struct mrw_animation_layer mrw_animation_layer;
 struct mrw_animation_layer {
   const mrw_animation* animation;  // made for the character's file
   float time_s;  // see part playback
-  float weight;  // 0 … MRW_MAX_BLEND_WEIGHT
+  float weight;  // 0 … MRW_MAX_BLEND_WEIGHT; with a mask 0 … 1
+  // Empty: the layer is averaged with the others. Else the layer is laid over those and over the masked layers before
+  // it, joint by joint, as mrw_overlay() does: a hand waves while the legs walk. As in mrw_blend_layer; of several
+  // skeletons one after the other, each from a multiple of four floats. mrw_mask_below() fills one.
+  const float* mask;
+  size_t mask_count;
 };
 void mrw_animation_layer_init(mrw_animation_layer* out);
 
@@ -2655,6 +2671,9 @@ mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void
 // The first with this name that moves anything; null if there is none. Cost: compares names.
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
 
+// The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
+mrw_status mrw_clip_of(const mrw_animation* animation, uint32_t skeleton, mrw_clip* out) MRW_NODISCARD;
+
 // Bytes that mrw_make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
 // May be null: options.
 size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* options);
@@ -2668,13 +2687,15 @@ size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* op
 mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out) MRW_NODISCARD;
 
-// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
-// mrw_blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
-// reference.
+// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers without
+// masks, as mrw_blend() has it; without such layers all rest. Then layers with masks are laid over the poses. They
+// leave weights of morph targets alone: mrw_add_expression() is for those. A clip that is cooked as additive counts as
+// its changes laid on their reference.
 //
 // Errors: MRW_BAD_ARGUMENT (more layers than the options say, an animation that is null or not made for this file, a
-// weight out of range, a time that is not a number); a part of the character may have been written then.
-// Cost: mrw_sample() and mrw_blend() of each skeleton, mrw_sample_channels() of what drives morph targets.
+// weight out of range, a time that is not a number, a mask too short); a part of the character may have been written
+// then. Cost: mrw_sample(), mrw_blend() and mrw_overlay() of each skeleton, mrw_sample_channels() of what drives morph
+// targets.
 mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count) MRW_NODISCARD;
 

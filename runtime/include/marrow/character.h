@@ -25,8 +25,9 @@ namespace marrow {
 
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
 struct Animation {
-  File clips = {};       // that they are from: the character's file, or a clip pack
-  float duration_s = 0;  // of the longest
+  const char* name = "";  // of its clips; may be empty
+  File clips = {};        // that they are from: the character's file, or a clip pack
+  float duration_s = 0;   // of the longest
   // One a skeleton of the character: which clip it plays; kNoClip: it rests.
   Span<const std::uint32_t> clip_of_skeleton = {};
   // One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
@@ -55,6 +56,9 @@ MARROW_API Status make_animations(const File& file, const File& clips, Span<std:
 
 // The first with this name that moves anything; null if there is none. Cost: compares names.
 MARROW_API const Animation* find_animation(const Animations& animations, const char* name);
+
+// The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
+MARROW_API Clip clip_of(const Animation& animation, std::uint32_t skeleton);
 
 // What a character is made for.
 struct CharacterOptions {
@@ -114,16 +118,21 @@ MARROW_API Status make_character(const File& file, const CharacterOptions& optio
 struct AnimationLayer {
   const Animation* animation = nullptr;  // made for the character's file
   float time_s = 0;                      // see playback.h
-  float weight = 1;                      // 0 … kMaxBlendWeight
+  float weight = 1;                      // 0 … kMaxBlendWeight; with a mask 0 … 1
+  // Empty: the layer is averaged with the others. Else the layer is laid over those and over the masked layers before
+  // it, joint by joint, as overlay() does: a hand waves while the legs walk. As in BlendLayer; of several skeletons one
+  // after the other, each from a multiple of four floats. mask_below() fills one.
+  Span<const float> mask = {};
 };
 
-// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers, as
-// blend() has it; without layers all rest. A clip that is cooked as additive counts as its changes laid on their
-// reference.
+// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers without
+// masks, as blend() has it; without such layers all rest. Then layers with masks are laid over the poses. They leave
+// weights of morph targets alone: add_expression() is for those. A clip that is cooked as additive counts as its
+// changes laid on their reference.
 //
 // Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
-// out of range, a time that is not a number); a part of the character may have been written then.
-// Cost: sample() and blend() of each skeleton, sample_channels() of what drives morph targets.
+// out of range, a time that is not a number, a mask too short); a part of the character may have been written then.
+// Cost: sample(), blend() and overlay() of each skeleton, sample_channels() of what drives morph targets.
 MARROW_API Status sample_character(Character& character, Span<const AnimationLayer> layers);
 
 // Brings model_from_joint of all skeletons up to date with `local`.

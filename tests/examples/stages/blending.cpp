@@ -20,18 +20,11 @@ struct Character {
     if (status != Status::ok) std::printf("%s: %s\n", clip, to_string(status));
     return out;
   }
-  // A factor a joint: 1 for `name` and all that hangs below it, else 0.
-  std::vector<float> mask_below(const char* name) const {
-    std::vector<float> out(4 * skeleton.soa_size());
-    const std::uint32_t top = asset.file.find_joint(skeleton, name);
-    for (std::uint32_t j = top; j < skeleton.joint_count; ++j)  // parents come first
-      out[j] = j == top || (skeleton.parents[j] != marrow::kNoJoint && out[skeleton.parents[j]] == 1) ? 1.0f : 0.0f;
-    return out;
-  }
-  void print(const char* what, const Pose& pose, const char* joint) const {
+  std::uint32_t joint(const char* name) const { return asset.file.find_joint(skeleton, name); }
+  void print(const char* what, const Pose& pose, const char* name) const {
     marrow::JointTransform t;
-    if (get_joint(pose, asset.file.find_joint(skeleton, joint), t) != Status::ok) return;
-    std::printf("%s: %s is at %.4f %.4f %.4f m, turned by %.4f %.4f %.4f %.4f\n", what, joint, double(t.translation[0]),
+    if (get_joint(pose, joint(name), t) != Status::ok) return;
+    std::printf("%s: %s is at %.4f %.4f %.4f m, turned by %.4f %.4f %.4f %.4f\n", what, name, double(t.translation[0]),
                 double(t.translation[1]), double(t.translation[2]), double(t.rotation[0]), double(t.rotation[1]),
                 double(t.rotation[2]), double(t.rotation[3]));
   }
@@ -48,7 +41,8 @@ int main(int argc, char** argv) {
   c.print("blended", pose, "pelvis");
 
   // The left arm reaches, whatever the rest of the body does.
-  const std::vector<float> arm = c.mask_below("clavicle.L");
+  std::vector<float> arm(4 * c.skeleton.soa_size());
+  if (mask_below(c.skeleton, c.joint("clavicle.L"), 0, arm) != Status::ok) return 1;
   if (overlay(c.skeleton, {.pose = reach, .weight = 1, .mask = arm}, pose) != Status::ok) return 1;
   c.print("reaching", pose, "pelvis");
   c.print("reaching", pose, "upper_arm.L");

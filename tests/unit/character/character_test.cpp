@@ -168,6 +168,47 @@ TEST(Character, BlendsLayersAsBlendDoes) {
   EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
 }
 
+// Layers with masks over the mean of those without, in their order, whatever stands between.
+TEST(Character, LaysMaskedLayersOver) {
+  Loaded l(test::golden_copy);
+  const Skeleton skeleton = l.file.skeleton(0);
+  std::vector<SoaTransform> wave(skeleton.soa_size()), point(wave.size()), want(wave.size());
+  std::vector<float> some(4 * skeleton.soa_size()), all(some.size(), 1.0f);
+  for (std::size_t j = 0; j < some.size(); ++j) some[j] = j % 2 == 0 ? 0.75f : 0.0f;
+  ASSERT_EQ(sample(skeleton, l.file.clip(l.file.find_clip("wave")), 0.3f, wave), Status::ok);
+  ASSERT_EQ(sample(skeleton, l.file.clip(l.file.find_clip("point")), 0, point), Status::ok);
+  std::memcpy(want.data(), point.data(), point.size() * sizeof(SoaTransform));
+  ASSERT_EQ(overlay(skeleton, {wave, 0.5f, all}, want), Status::ok);
+  ASSERT_EQ(overlay(skeleton, {point, 1, some}, want), Status::ok);
+  AnimationLayer half = l.layer("wave", 0.3f, 0.5f), over = l.layer("point", 0);
+  half.mask = all;
+  over.mask = some;
+  ASSERT_EQ(l.play({half, l.layer("point", 0), over}), Status::ok);
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  // Alone it lies over the rest pose.
+  std::memcpy(want.data(), skeleton.rest, want.size() * sizeof(SoaTransform));
+  ASSERT_EQ(overlay(skeleton, {point, 1, some}, want), Status::ok);
+  ASSERT_EQ(l.play({&over, 1}), Status::ok);
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  over.mask = {some.data(), some.size() - 1};
+  EXPECT_EQ(l.play({&over, 1}), Status::bad_argument);
+  over.mask = some;
+  over.weight = 1.5f;
+  EXPECT_EQ(l.play({&over, 1}), Status::bad_argument);
+}
+
+TEST(Character, MaskedLayersLeaveMorphTargetsAlone) {
+  Loaded l(test::golden_channels_copy);
+  const std::vector<float> all(4 * l.file.skeleton(0).soa_size(), 1.0f);
+  AnimationLayer early = l.layer("speak", 0.2f, 0.5f), late = l.layer("speak", 0.7f);
+  ASSERT_EQ(l.play({&early, 1}), Status::ok);
+  const Span<float> weights = l.character.meshes[0].weights;
+  const std::vector<float> before(weights.begin(), weights.end());
+  late.mask = all;
+  ASSERT_EQ(l.play({early, late}), Status::ok);
+  EXPECT_EQ(std::vector<float>(weights.begin(), weights.end()), before);
+}
+
 TEST(Character, BlendsWeightsOfMorphTargets) {
   Loaded l(test::golden_channels_copy);
   const AnimationLayer early = l.layer("speak", 0.2f), late = l.layer("speak", 0.7f);
@@ -306,6 +347,9 @@ TEST(Character, PlaysAClipAgainAfterAnotherPoseInItsLayer) {
 TEST(Character, FindsAnimationsByName) {
   const Loaded l(test::golden_copy);
   EXPECT_EQ(find_animation(l.animations, "point"), &l.animations.all[l.file.find_clip("point")]);
+  EXPECT_STREQ(find_animation(l.animations, "point")->name, "point");
+  EXPECT_STREQ(clip_of(*find_animation(l.animations, "point"), 0).name, "point");
+  EXPECT_STREQ(clip_of(*find_animation(l.animations, "point"), 1).name, "");
   EXPECT_EQ(find_animation(l.animations, "sleep"), nullptr);
   EXPECT_EQ(find_animation({}, "point"), nullptr);
 }

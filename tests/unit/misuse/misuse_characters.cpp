@@ -45,10 +45,16 @@ const Animation* animation_of(Misuse& m, const Animations& own) {
   return m.pointer(m.either(&own.all[0], &dance().animations.all[0]));
 }
 
+std::size_t own_soa_size() {
+  return face().file.skeleton(0).soa_size();
+}
+
 // Two layers, or more than there is room for.
 std::vector<AnimationLayer> layers_of(Misuse& m, const Animations& own) {
   std::vector<AnimationLayer> layers(m.truth(true) ? 2 : 3);
-  for (AnimationLayer& layer : layers) layer = {animation_of(m, own), m.number(0.3f), m.number(0.5f)};
+  for (AnimationLayer& layer : layers) layer = {animation_of(m, own), m.number(0.3f), m.number(0.5f), {}};
+  const std::vector<float> mask(4 * own_soa_size(), 0.5f);
+  layers.back().mask = m.in(mask, Length::exact_or_none);
   return layers;
 }
 
@@ -92,6 +98,11 @@ std::vector<MisuseRow> rows_of_characters() {
          (void)find_animation(m.either(face().animations, Animations{}), m.pointer("no such"));
          m.returned_ok();
        }},
+      {"clip_of",
+       [](Misuse& m) {
+         (void)clip_of(m.either(face().animations.all[0], Animation{}), m.index(0));
+         m.returned_ok();
+       }},
       {"character_bytes",
        [](Misuse& m) {
          (void)character_bytes(m.either(face().file, File{}), options_of(m));
@@ -127,7 +138,7 @@ std::vector<MisuseRow> rows_of_characters() {
        [](Misuse& m) {
          Whole whole(golden_channels_copy);
          const std::vector<AnimationLayer> layers = layers_of(m, whole.animations);
-         m.returned(add_expression(whole.character, layers.empty() ? AnimationLayer{} : layers.front()));
+         m.returned(add_expression(whole.character, layers.empty() ? AnimationLayer{} : layers.back()));
        }},
       {"finish_character",
        [](Misuse& m) {

@@ -168,6 +168,11 @@ std::vector<MisuseRow> rows_of_poses() {
          const Span<SoaTransform> out = m.out(stage().pose);
          m.returned(overlay(skeleton_of(m), layer, out));
        }},
+      {"mask_below",
+       [](Misuse& m) {
+         const Span<float> mask = m.out<float>(stage().pose.size() * 4);
+         m.returned(mask_below(skeleton_of(m), m.index(2), m.index(1), mask));
+       }},
       {"make_additive",
        [](Misuse& m) {
          const Span<AdditiveTransform> out = m.out<AdditiveTransform>(stage().pose.size());

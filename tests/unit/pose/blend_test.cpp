@@ -243,5 +243,26 @@ TEST(Blend, NextToNoWeightGivesTheRestPose) {
   EXPECT_EQ(cases, 5 * 4 * 2 * 10);
 }
 
+TEST(Masks, OfAJointAndWhatHangsOnIt) {
+  // 0 → 2 → {3 → 5, 4}; 1 is alone.
+  const std::uint16_t parents[] = {kNoJoint, kNoJoint, 0, 2, 2, 3};
+  Skeleton skeleton;
+  skeleton.joint_count = 6;
+  skeleton.root_count = 2;
+  skeleton.parents = parents;
+  std::vector<float> mask(8, 0.0f);
+  ASSERT_EQ(mask_below(skeleton, 2, 0, mask), Status::ok);
+  EXPECT_EQ(mask, (std::vector<float>{0, 0, 1, 1, 1, 1, 0, 0}));
+  mask.assign(8, 0.0f);
+  ASSERT_EQ(mask_below(skeleton, 0, 3, mask), Status::ok);
+  EXPECT_EQ(mask, (std::vector<float>{0.25f, 0, 0.5f, 0.75f, 0.75f, 1, 0, 0}));
+  ASSERT_EQ(mask_below(skeleton, 3, 1, mask), Status::ok);  // has less than it had
+  EXPECT_EQ(mask, (std::vector<float>{0.25f, 0, 0.5f, 0.75f, 0.75f, 1, 0, 0}));
+  ASSERT_EQ(mask_below(skeleton, 4, 0, mask), Status::ok);
+  EXPECT_EQ(mask[4], 1);
+  EXPECT_EQ(mask_below(skeleton, 6, 0, mask), Status::bad_argument);
+  EXPECT_EQ(mask_below(skeleton, 0, 0, {mask.data(), 7}), Status::bad_argument);
+}
+
 }  // namespace
 }  // namespace marrow
