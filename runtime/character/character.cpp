@@ -23,7 +23,7 @@ constexpr std::size_t kOtherPairs = 4;
 
 // For each layer a pose, and what sample_cached() keeps.
 void take_layers(std::uint32_t layers, Memory& memory, CharacterSkeleton& s) {
-  const std::size_t size = s.skeleton.soa_size();
+  const std::size_t size = s.pose.skeleton.soa_size();
   s.sampled = memory.take<SoaTransform>(std::uint64_t{layers} * size);
   s.caches = memory.take<SampleCache>(layers);
   const Span<FramePair> pairs = memory.take<FramePair>(std::uint64_t{layers} * (size + kOtherPairs));
@@ -40,12 +40,14 @@ void take_skeletons(const File& file, const CharacterOptions& options, Memory& m
   out.skeletons = memory.take<CharacterSkeleton>(file.skeleton_count());
   std::size_t largest = 0;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
+    const Skeleton skeleton = file.skeleton(s);
+    const std::size_t size = skeleton.soa_size();
     CharacterSkeleton made;
-    made.skeleton = file.skeleton(s);
-    made.local = memory.take<SoaTransform>(made.skeleton.soa_size());
-    made.model_from_joint = memory.take<Affine>(made.skeleton.joint_count);
+    made.pose.skeleton = skeleton;
+    made.pose.local = memory.take<SoaTransform>(size);
+    made.pose.model_from_joint = memory.take<Affine>(skeleton.joint_count);
     take_layers(options.layers, memory, made);
-    if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
+    if (size > largest) largest = size;
     if (!out.skeletons.empty()) out.skeletons[s] = made;
   }
   out.blended = memory.take<BlendLayer>(options.layers);
@@ -104,15 +106,16 @@ Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::
 
 Status sample_skeleton(Character& c, std::uint32_t index, Span<const AnimationLayer> layers) {
   const CharacterSkeleton& s = c.skeletons[index];
-  const std::size_t size = s.skeleton.soa_size();
+  const Skeleton& skeleton = s.pose.skeleton;
+  const std::size_t size = skeleton.soa_size();
   for (std::size_t i = 0; i < layers.size; ++i) {
-    const Span<SoaTransform> pose(s.sampled.data + i * size, size);
-    c.blended[i] = {pose, layers[i].weight, {}};
+    const Span<SoaTransform> sampled(s.sampled.data + i * size, size);
+    c.blended[i] = {sampled, layers[i].weight, {}};
     if (layers[i].weight == 0.0f) continue;  // blend() does not read it
-    const Status status = sample_layer(s.skeleton, layers[i], index, c.change, pose, s.caches[i]);
+    const Status status = sample_layer(skeleton, layers[i], index, c.change, sampled, s.caches[i]);
     if (status != Status::ok) return status;
   }
-  return blend(s.skeleton, {c.blended.data, layers.size}, s.local);
+  return blend(skeleton, {c.blended.data, layers.size}, s.pose.local);
 }
 
 // Calls f(target, its weight in the animation, its default); driven: only for targets that a channel drives.
@@ -165,7 +168,7 @@ BadCall check_animation(const Character& c, const Animation* animation) {
     const std::uint32_t clip = animation->clip_of_skeleton[s];
     if (clip == kNoClip) continue;
     MARROW_CHECK(clip < animation->clips.clip_count());
-    MARROW_CHECK(fits(animation->clips.clip(clip), c.skeletons[s].skeleton));
+    MARROW_CHECK(fits(animation->clips.clip(clip), c.skeletons[s].pose.skeleton));
   }
   for (const CharacterMesh& m : c.meshes) {
     const std::uint32_t clip = animation->clip_of_skeleton[m.mesh.skeleton];
@@ -242,7 +245,7 @@ Status sample_character(Character& character, Span<const AnimationLayer> layers)
 Status local_to_model(Character& character) {
   MARROW_ZONE;
   for (const CharacterSkeleton& s : character.skeletons) {
-    const Status status = local_to_model(s.skeleton, s.local, s.model_from_joint);
+    const Status status = local_to_model(s.pose.skeleton, s.pose.local, s.pose.model_from_joint);
     if (status != Status::ok) return status;
   }
   return Status::ok;
@@ -272,7 +275,7 @@ Status finish_character(Character& character) {
   if (!character.options.skin) return Status::ok;
   for (const CharacterMesh& m : character.meshes) MARROW_REQUIRE(all_finite(m.weights.data, m.weights.size));
   for (CharacterMesh& m : character.meshes) {
-    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].model_from_joint, m.palette);
+    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].pose.model_from_joint, m.palette);
     if (status == Status::ok && !m.weights.empty()) status = morph(m.weights, m.morphed);
     if (status == Status::ok && !m.coordinates.empty()) status = morph_coordinates(m.morphed, m.coordinates);
     if (status != Status::ok) return status;
