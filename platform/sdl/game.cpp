@@ -29,7 +29,7 @@ struct Hero {
     if (walk == nullptr) fail(options.file + ": has no animation \"walk\"" + kCookSample);
     const marrow::CharacterOptions on_gpu{.layers = 1, .level = 0, .skin = false, .animation_space = false};
     must(make_character(file, on_gpu, block_of(character_bytes(file, on_gpu)), body), "the hero");
-    const marrow::Skeleton& skeleton = body.skeletons[0].skeleton;
+    const marrow::Skeleton& skeleton = body.skeletons[0].pose.skeleton;
     const auto joint = [&](const std::string& name) {
       const std::uint32_t found = file.find_joint(skeleton, name.c_str());
       if (found == skeleton.joint_count) fail(options.file + ": has no joint \"" + name + "\"" + kCookSample);
@@ -58,20 +58,20 @@ struct Hero {
   void move(float dt_s, float walked) {
     must(advance(playback, walk->duration_s, dt_s), "playback");
     must(pose_character(body, {{walk, clip_time(playback)}}), "the pose");
-    const marrow::CharacterSkeleton& s = body.skeletons[0];
+    const marrow::Pose& pose = body.skeletons[0].pose;
     marrow::FeetFrame frame;
     frame.dt_s = dt_s;
     frame.world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
     marrow::FootGround ground[2];
     for (int i = 0; i < 2; ++i) {
       float ball[3];
-      must(foot_sole(legs[i], frame.world_from_model, s.model_from_joint, ball), "a foot");
+      must(foot_sole(legs[i], frame.world_from_model, pose.model_from_joint, ball), "a foot");
       const float x = ball[0], z = ball[2], d = 0.02f;
       const bool stands = ball[1] < kBall_m + 0.002f;  // as animated; then it stays where it is
       ground[i] = {
           true, {x, hill(x, z), z}, {hill(x - d, z) - hill(x + d, z), 2 * d, hill(x, z - d) - hill(x, z + d)}, stands};
     }
-    must(place_feet(s.skeleton, feet, frame, {ground, 2}, {motion, 2}, s.local, s.model_from_joint), "feet");
+    must(place_feet(pose, feet, frame, {ground, 2}, {motion, 2}), "feet");
     for (int i = 0; i < 2; ++i)
       if (ground[i].planted) {
         const float* const at = motion[i].place;
@@ -82,7 +82,7 @@ struct Hero {
   void update(const Stage& stage, const gles3::ProgramSet& programs) {
     for (std::size_t i = 0; i < skinners.size(); ++i) {
       const marrow::CharacterMesh& m = body.meshes[i];
-      must(pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].model_from_joint, m.weights), "posing");
+      must(pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].pose.model_from_joint, m.weights), "posing");
       must(gles3::update(stage.gl, skinners[i], programs, 1), "updating");
     }
   }

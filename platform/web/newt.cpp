@@ -128,7 +128,7 @@ Status open(marrow::Span<const std::byte> bytes, const gles3::SkinnerOptions& ho
 Status draw_mesh(const marrow::CharacterMesh& m, gles3::Skinner& skinner, const float (&position)[3],
                  const float (&clip)[16]) {
   const gles3::Api& gl = game.gl;
-  Status status = pose(skinner, 0, game.body.skeletons[m.mesh.skeleton].model_from_joint, m.weights);
+  Status status = pose(skinner, 0, game.body.skeletons[m.mesh.skeleton].pose.model_from_joint, m.weights);
   if (status == Status::ok) status = update(gl, skinner, game.programs, 1);
   const gles3::Program& program = program_of(skinner, game.programs, 0);
   gl.UseProgram(program.id);
@@ -144,7 +144,7 @@ Status draw_body(int width, int height, float distance) {
   glViewport(0, 0, width, height);
   glEnable(GL_DEPTH_TEST);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  const marrow::Affine& pelvis = game.body.skeletons[0].model_from_joint[0];
+  const marrow::Affine& pelvis = game.body.skeletons[0].pose.model_from_joint[0];
   float position[3], clip[16];
   look_at({pelvis.rows[0][3], pelvis.rows[1][3], pelvis.rows[2][3]}, distance,
           static_cast<float>(width) / static_cast<float>(height), position, clip);

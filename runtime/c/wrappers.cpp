@@ -144,6 +144,11 @@ void mrw_inertial_start_init(mrw_inertial_start* out) {
   to<InertialStart>(out) = InertialStart{};
 }
 
+void mrw_pose_init(mrw_pose* out) {
+  MRW_NEEDS(leads_to<Pose>(out), );
+  to<Pose>(out) = Pose{};
+}
+
 void mrw_limit_description_init(mrw_limit_description* out) {
   MRW_NEEDS(leads_to<LimitDescription>(out), );
   to<LimitDescription>(out) = LimitDescription{};
@@ -814,11 +819,10 @@ mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_t
   return code(marrow::two_bone_x4(array<const TwoBoneJoints, 4>(joints), array<const TwoBone, 4>(goals), array<TwoBoneTurns, 4>(out)));
 }
 
-mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count,
+mrw_status mrw_solve_two_bone(const mrw_pose* pose, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
     bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_two_bone(of<Skeleton>(skeleton), of<TwoBoneLimb>(limb), of<TwoBone>(goal), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<TwoBoneLimb>(limb) && leads_to<TwoBone>(goal) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_two_bone(of<Pose>(pose), of<TwoBoneLimb>(limb), of<TwoBone>(goal), reached));
 }
 
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) {
@@ -826,17 +830,15 @@ mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_tu
   return code(marrow::aim(of<Affine>(joint), of<Aim>(goal), to<AimTurn>(out)));
 }
 
-mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
-    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_aim(of<Skeleton>(skeleton), joint, of<Aim>(goal), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
+mrw_status mrw_solve_aim(const mrw_pose* pose, uint32_t joint, const mrw_aim* goal, bool* reached) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<Aim>(goal) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_aim(of<Pose>(pose), joint, of<Aim>(goal), reached));
 }
 
-mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
-    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
-    size_t model_from_joint_count, bool* reached) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<std::uint32_t>(joints, joint_count) && leads_to<Aim>(goal) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_look_at(of<Skeleton>(skeleton), span<const std::uint32_t>(joints, joint_count), of<Aim>(goal), falloff, span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), reached));
+mrw_status mrw_solve_look_at(const mrw_pose* pose, const uint32_t* joints, size_t joint_count, const mrw_aim* goal,
+    float falloff, bool* reached) {
+  MRW_NEEDS(leads_to<Pose>(pose) && is_list<std::uint32_t>(joints, joint_count) && leads_to<Aim>(goal) && leads_to_if_any<bool>(reached), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_look_at(of<Pose>(pose), span<const std::uint32_t>(joints, joint_count), of<Aim>(goal), falloff, reached));
 }
 
 size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem,
@@ -845,25 +847,22 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
   return marrow::ik_scratch_bytes(of<Skeleton>(skeleton), of<IkProblem>(problem), or_default<IkOptions>(options));
 }
 
-mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+mrw_status mrw_solve_ik(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
-mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_chain(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+mrw_status mrw_solve_ik_chain(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_chain(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
-mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_body(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+mrw_status mrw_solve_ik_body(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_body(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem) {
@@ -871,11 +870,10 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
   return marrow::ik_genetic_scratch_bytes(of<Skeleton>(skeleton), of<IkProblem>(problem));
 }
 
-mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
-  return code(marrow::solve_ik_genetic(of<Skeleton>(skeleton), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
+  return code(marrow::solve_ik_genetic(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_model, const mrw_affine* model_from_joint,
@@ -884,11 +882,10 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_mode
   return code(marrow::foot_sole(of<Foot>(foot), of<Affine>(world_from_model), span<const Affine>(model_from_joint, model_from_joint_count), array<float, 3>(sole_world)));
 }
 
-mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
-    const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list<FootGround>(ground, ground_count) && is_list<FootMotion>(motion, motion_count) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::place_feet(of<Skeleton>(skeleton), of<Feet>(feet), of<FeetFrame>(frame), span<const FootGround>(ground, ground_count), span<FootMotion>(motion, motion_count), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count)));
+mrw_status mrw_place_feet(const mrw_pose* pose, const mrw_feet* feet, const mrw_feet_frame* frame,
+    const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<Feet>(feet) && leads_to<FeetFrame>(frame) && is_list<FootGround>(ground, ground_count) && is_list<FootMotion>(motion, motion_count), MRW_BAD_ARGUMENT);
+  return code(marrow::place_feet(of<Pose>(pose), of<Feet>(feet), of<FeetFrame>(frame), span<const FootGround>(ground, ground_count), span<FootMotion>(motion, motion_count)));
 }
 
 size_t mrw_springs_bytes(const mrw_skeleton* skeleton, const mrw_spring_chain* chains, size_t chain_count) {
@@ -913,10 +910,9 @@ void mrw_reset_springs(mrw_springs* springs) {
   marrow::reset_springs(to<Springs>(springs));
 }
 
-mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs) && is_list<SoaTransform>(local, local_count) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::simulate_springs(of<Skeleton>(skeleton), of<SpringFrame>(frame), to<Springs>(springs), span<SoaTransform>(local, local_count), span<Affine>(model_from_joint, model_from_joint_count)));
+mrw_status mrw_simulate_springs(const mrw_pose* pose, const mrw_spring_frame* frame, mrw_springs* springs) {
+  MRW_NEEDS(leads_to<Pose>(pose) && leads_to<SpringFrame>(frame) && leads_to<Springs>(springs), MRW_BAD_ARGUMENT);
+  return code(marrow::simulate_springs(of<Pose>(pose), of<SpringFrame>(frame), to<Springs>(springs)));
 }
 
 mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,

@@ -23,7 +23,7 @@ constexpr std::size_t kOtherPairs = 4;
 
 // For each layer a pose, and what sample_cached() keeps.
 void take_layers(std::uint32_t layers, Memory& memory, CharacterSkeleton& s) {
-  const std::size_t size = s.skeleton.soa_size();
+  const std::size_t size = s.pose.skeleton.soa_size();
   s.sampled = memory.take<SoaTransform>(std::uint64_t{layers} * size);
   s.caches = memory.take<SampleCache>(layers);
   const Span<FramePair> pairs = memory.take<FramePair>(std::uint64_t{layers} * (size + kOtherPairs));
@@ -40,12 +40,14 @@ void take_skeletons(const File& file, const CharacterOptions& options, Memory& m
   out.skeletons = memory.take<CharacterSkeleton>(file.skeleton_count());
   std::size_t largest = 0;
   for (std::uint32_t s = 0; s < file.skeleton_count(); ++s) {
+    const Skeleton skeleton = file.skeleton(s);
+    const std::size_t size = skeleton.soa_size();
     CharacterSkeleton made;
-    made.skeleton = file.skeleton(s);
-    made.local = memory.take<SoaTransform>(made.skeleton.soa_size());
-    made.model_from_joint = memory.take<Affine>(made.skeleton.joint_count);
+    made.pose.skeleton = skeleton;
+    made.pose.local = memory.take<SoaTransform>(size);
+    made.pose.model_from_joint = memory.take<Affine>(skeleton.joint_count);
     take_layers(options.layers, memory, made);
-    if (made.skeleton.soa_size() > largest) largest = made.skeleton.soa_size();
+    if (size > largest) largest = size;
     if (!out.skeletons.empty()) out.skeletons[s] = made;
   }
   out.blended = memory.take<BlendLayer>(options.layers);
@@ -105,21 +107,22 @@ Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::
 // first_joint: where the skeleton begins in masks.
 Status sample_skeleton(Character& c, std::uint32_t index, std::size_t first_joint, Span<const AnimationLayer> layers) {
   const CharacterSkeleton& s = c.skeletons[index];
-  const std::size_t size = s.skeleton.soa_size();
+  const Skeleton& skeleton = s.pose.skeleton;
+  const std::size_t size = skeleton.soa_size();
   std::size_t averaged = 0, over = layers.size;  // those from the front, these from the back
   for (std::size_t i = 0; i < layers.size; ++i) {
     const AnimationLayer& layer = layers[i];
-    const Span<SoaTransform> pose(s.sampled.data + i * size, size);
+    const Span<SoaTransform> sampled(s.sampled.data + i * size, size);
     BlendLayer& blended = c.blended[layer.mask.empty() ? averaged++ : --over];
-    blended = {pose, layer.weight, {}};
+    blended = {sampled, layer.weight, {}};
     if (!layer.mask.empty()) blended.mask = {layer.mask.data + first_joint, 4 * size};
     if (layer.weight == 0.0f) continue;  // nobody reads it
-    const Status status = sample_layer(s.skeleton, layer, index, c.change, pose, s.caches[i]);
+    const Status status = sample_layer(skeleton, layer, index, c.change, sampled, s.caches[i]);
     if (status != Status::ok) return status;
   }
-  Status status = blend(s.skeleton, {c.blended.data, averaged}, s.local);
+  Status status = blend(skeleton, {c.blended.data, averaged}, s.pose.local);
   for (std::size_t i = layers.size; i-- > averaged && status == Status::ok;)
-    status = overlay(s.skeleton, c.blended[i], s.local);
+    status = overlay(skeleton, c.blended[i], s.pose.local);
   return status;
 }
 
@@ -173,7 +176,7 @@ BadCall check_animation(const Character& c, const Animation* animation) {
     const std::uint32_t clip = animation->clip_of_skeleton[s];
     if (clip == kNoClip) continue;
     MARROW_CHECK(clip < animation->clips.clip_count());
-    MARROW_CHECK(fits(animation->clips.clip(clip), c.skeletons[s].skeleton));
+    MARROW_CHECK(fits(animation->clips.clip(clip), c.skeletons[s].pose.skeleton));
   }
   for (const CharacterMesh& m : c.meshes) {
     const std::uint32_t clip = animation->clip_of_skeleton[m.mesh.skeleton];
@@ -190,7 +193,7 @@ BadCall check_animation(const Character& c, const Animation* animation) {
 // Of all skeletons, each up to a multiple of four.
 std::size_t masked_joints(const Character& c) {
   std::size_t joints = 0;
-  for (const CharacterSkeleton& s : c.skeletons) joints += 4 * s.skeleton.soa_size();
+  for (const CharacterSkeleton& s : c.skeletons) joints += 4 * s.pose.skeleton.soa_size();
   return joints;
 }
 
@@ -213,7 +216,7 @@ Status sample_layers(Character& character, Span<const AnimationLayer> layers) {
   for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
     const Status status = sample_skeleton(character, s, first_joint, layers);
     if (status != Status::ok) return status;
-    first_joint += 4 * character.skeletons[s].skeleton.soa_size();
+    first_joint += 4 * character.skeletons[s].pose.skeleton.soa_size();
   }
   for (CharacterMesh& m : character.meshes) {
     const Status status = sample_weights(layers, m);
@@ -260,7 +263,7 @@ Status sample_character(Character& character, Span<const AnimationLayer> layers)
 Status local_to_model(Character& character) {
   MARROW_ZONE;
   for (const CharacterSkeleton& s : character.skeletons) {
-    const Status status = local_to_model(s.skeleton, s.local, s.model_from_joint);
+    const Status status = local_to_model(s.pose.skeleton, s.pose.local, s.pose.model_from_joint);
     if (status != Status::ok) return status;
   }
   return Status::ok;
@@ -290,7 +293,7 @@ Status finish_character(Character& character) {
   if (!character.options.skin) return Status::ok;
   for (const CharacterMesh& m : character.meshes) MARROW_REQUIRE(all_finite(m.weights.data, m.weights.size));
   for (CharacterMesh& m : character.meshes) {
-    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].model_from_joint, m.palette);
+    Status status = build_palette(m.mesh, character.skeletons[m.mesh.skeleton].pose.model_from_joint, m.palette);
     if (status == Status::ok && !m.weights.empty()) status = morph(m.weights, m.morphed);
     if (status == Status::ok && !m.coordinates.empty()) status = morph_coordinates(m.morphed, m.coordinates);
     if (status != Status::ok) return status;

@@ -39,10 +39,10 @@ BadCall check_outfit(const Outfit& outfit, const Character& body, const Characte
   MARROW_CHECK(outfit.skeletons.size == worn.skeletons.size);
   for (std::size_t s = 0; s < worn.skeletons.size; ++s) {
     const OutfitSkeleton& follows = outfit.skeletons[s];
-    const Skeleton& own = worn.skeletons[s].skeleton;
+    const Skeleton& own = worn.skeletons[s].pose.skeleton;
     MARROW_CHECK(follows.body_skeleton < body.skeletons.size);
     MARROW_CHECK(holds(follows.body_joints, own.joint_count));
-    const std::size_t joints = body.skeletons[follows.body_skeleton].model_from_joint.size;
+    const std::size_t joints = body.skeletons[follows.body_skeleton].pose.model_from_joint.size;
     for (std::uint32_t j = 0; j < own.joint_count; ++j)
       MARROW_CHECK(follows.body_joints[j] == kNoJoint ? j >= own.root_count : follows.body_joints[j] < joints);
   }
@@ -81,10 +81,9 @@ Status follow_body(const Outfit& outfit, const Character& body, Character& worn)
   MARROW_REQUIRE_GOOD(check_outfit(outfit, body, worn));
   for (std::size_t s = 0; s < worn.skeletons.size; ++s) {
     const OutfitSkeleton& follows = outfit.skeletons[s];
-    const CharacterSkeleton& own = worn.skeletons[s];
+    const Pose &own = worn.skeletons[s].pose, &on = body.skeletons[follows.body_skeleton].pose;
     const Status status =
-        follow_body(own.skeleton, follows.body_joints, body.skeletons[follows.body_skeleton].model_from_joint,
-                    own.local, own.model_from_joint);
+        follow_body(own.skeleton, follows.body_joints, on.model_from_joint, own.local, own.model_from_joint);
     if (status != Status::ok) return status;
   }
   return Status::ok;

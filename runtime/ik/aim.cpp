@@ -144,8 +144,8 @@ bool turn_gaze(const Affine& joint, float weight, View& gaze, AimTurn& out) {
 
 // Finds all joints' turns, and puts them into the pose if `for_good`. Gives the last turn. Bad if some number is not
 // finite.
-BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                    bool for_good, AimTurn& turn) {
+BadCall turn_joints(const Pose& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff, bool for_good,
+                    AimTurn& turn) {
   const Affine& last = pose.model_from_joint[joints[joints.size - 1]];
   View gaze = {wide(goal.target),
                to_model(last, goal.forward),
@@ -162,8 +162,7 @@ BadCall turn_joints(const PosedJoints& pose, Span<const std::uint32_t> joints, c
 }
 
 // Turns a chain, or one joint.
-BadCall turn_chain(const PosedJoints& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                   bool* reached) {
+BadCall turn_chain(const Pose& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff, bool* reached) {
   if (const BadCall bad = check_chain(pose, joints)) return bad;
   MARROW_CHECK(is_share(goal.weight) && is_share(falloff));
   AimTurn turn;
@@ -186,15 +185,14 @@ Status aim(const Affine& joint, const Aim& goal, AimTurn& out) {
   return Status::ok;
 }
 
-Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
-                 Span<Affine> model_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, model_from_joint}, {&joint, 1}, goal, 1, reached));
+Status solve_aim(const Pose& pose, std::uint32_t joint, const Aim& goal, bool* reached) {
+  MARROW_REQUIRE_GOOD(turn_chain(pose, {&joint, 1}, goal, 1, reached));
   return Status::ok;
 }
 
-Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
-                     Span<SoaTransform> local, Span<Affine> model_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(turn_chain({skeleton, local, model_from_joint}, joints, goal, falloff, reached));
+Status solve_look_at(const Pose& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
+                     bool* reached) {
+  MARROW_REQUIRE_GOOD(turn_chain(pose, joints, goal, falloff, reached));
   return Status::ok;
 }
 

@@ -19,7 +19,7 @@ constexpr float kLeastRise = 0.173648178f;   // cos 80°
 
 // What all feet of a call share.
 struct FeetCall {
-  PosedJoints pose;
+  const Pose& pose;
   const Feet& feet;
   const FeetFrame& frame;
   f32x4 up = load_wide(frame.up);
@@ -68,18 +68,18 @@ Inverse inverse_of_linear(const Affine& m) {
 }
 
 BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& ground) {
-  const Skeleton& skeleton = call.pose.skeleton;
-  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < skeleton.joint_count);
+  const Pose& pose = call.pose;
+  MARROW_CHECK(foot.hip < foot.knee && foot.knee < foot.ankle && foot.ankle < pose.skeleton.joint_count);
   const std::uint32_t joints[] = {foot.hip, foot.knee, foot.ankle};
-  if (const BadCall bad = check_chain(call.pose, {joints, 3})) return bad;
-  MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(skeleton, foot.hip, call.feet.pelvis));
+  if (const BadCall bad = check_chain(pose, {joints, 3})) return bad;
+  MARROW_CHECK(call.feet.pelvis == kNoJoint || hangs_below(pose.skeleton, foot.hip, call.feet.pelvis));
   MARROW_CHECK(in_range(foot.sole));
   MARROW_CHECK(in_range(foot.bend_axis));
   MARROW_CHECK(within(foot.weight, 0, 1));
   MARROW_CHECK(in_range(ground.point));
   MARROW_CHECK(in_range(ground.normal));
   for (const std::uint32_t joint : joints) {
-    const Affine& m = call.pose.model_from_joint[joint];
+    const Affine& m = pose.model_from_joint[joint];
     MARROW_CHECK(in_range(m));
     MARROW_CHECK(in_range(place_of(call, joint)));
     MARROW_CHECK(in_range(turned_by(m, load_three(foot.sole))));
@@ -88,9 +88,9 @@ BadCall check_foot(const FeetCall& call, const Foot& foot, const FootGround& gro
 }
 
 BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<const FootMotion> motion) {
-  const Skeleton& skeleton = call.pose.skeleton;
+  const Pose& pose = call.pose;
   const FeetFrame& frame = call.frame;
-  if (const BadCall bad = check_pose(call.pose)) return bad;
+  if (const BadCall bad = check_pose(pose)) return bad;
   MARROW_CHECK(holds(call.feet.feet));
   MARROW_CHECK(holds(ground, call.feet.feet.size));
   MARROW_CHECK(holds(motion, call.feet.feet.size));
@@ -104,8 +104,8 @@ BadCall check_feet(const FeetCall& call, Span<const FootGround> ground, Span<con
   MARROW_CHECK(within(call.feet.slope_rad, 0, 1.5f));
   MARROW_CHECK(within(call.feet.ease_s, 1e-3f, 1e3f));
   const std::uint32_t pelvis = call.feet.pelvis;
-  MARROW_CHECK(pelvis == kNoJoint || pelvis < skeleton.joint_count);
-  if (pelvis != kNoJoint) MARROW_CHECK(in_range(call.pose.model_from_joint[pelvis]));
+  MARROW_CHECK(pelvis == kNoJoint || pelvis < pose.skeleton.joint_count);
+  if (pelvis != kNoJoint) MARROW_CHECK(in_range(pose.model_from_joint[pelvis]));
   for (std::size_t i = 0; i < call.feet.feet.size; ++i) {
     if (const BadCall bad = check_foot(call, call.feet.feet[i], ground[i])) return bad;
   }
@@ -363,10 +363,10 @@ Status foot_sole(const Foot& foot, const Affine& world_from_model, Span<const Af
   return Status::ok;
 }
 
-Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
-                  Span<FootMotion> motion, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+Status place_feet(const Pose& pose, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
+                  Span<FootMotion> motion) {
   MARROW_ZONE;
-  FeetCall call{{skeleton, local, model_from_joint}, feet, frame};
+  FeetCall call{pose, feet, frame};
   MARROW_REQUIRE_GOOD(check_feet(call, ground, motion));
   call.rate = kAllButTwoPercent / feet.ease_s;
   call.decay = exp_negative(-(call.rate * frame.dt_s));

@@ -15,7 +15,7 @@ constexpr std::size_t kElites = 6;  // the best of them, which learn and live on
 constexpr int kLessons = 4;         // CCD steps of an elite in a generation, at most
 constexpr float kProgress = 0.9f;   // an elite that keeps more of its error than this share makes room
 
-struct Pose {
+struct Candidate {
   WideRotation* rotations;  // one a node
   float error;
 };
@@ -24,35 +24,35 @@ struct Pose {
 struct Population {
   IkHeuristic h;
   Chance chance;
-  Pose poses[kPoses], next[kPoses];
+  Candidate poses[kPoses], next[kPoses];
 };
 
-void put(IkTree& tree, const Pose& pose) {
+void put(IkTree& tree, const Candidate& pose) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) tree.nodes[i].rotation = pose.rotations[i];
   update_frames(tree);
 }
 
-void take(const IkTree& tree, Pose& pose) {
+void take(const IkTree& tree, Candidate& pose) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) pose.rotations[i] = tree.nodes[i].rotation;
   pose.error = total_error(tree);
 }
 
 // Makes a pose from the start by random turns of its joints, which are small or large.
-void be_born(Population& p, Pose& pose) {
+void be_born(Population& p, Candidate& pose) {
   const float wide = p.chance.unit();
   begin_anew(*p.h.tree, p.chance, 4.0f * wide * wide);
   take(*p.h.tree, pose);
 }
 
 // The better of two poses chosen at random.
-const Pose& parent(Population& p) {
-  const Pose &a = p.poses[p.chance.below(kPoses)], &b = p.poses[p.chance.below(kPoses)];
+const Candidate& parent(Population& p) {
+  const Candidate &a = p.poses[p.chance.below(kPoses)], &b = p.poses[p.chance.below(kPoses)];
   return a.error < b.error ? a : b;
 }
 
-void cross(Population& p, Pose& child) {
+void cross(Population& p, Candidate& child) {
   IkTree& tree = *p.h.tree;
-  const Pose &a = parent(p), &b = parent(p);
+  const Candidate &a = parent(p), &b = parent(p);
   const float wide = p.chance.unit(), size = wide * wide * wide, share = p.chance.unit();
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     const WideRotation between =
@@ -65,7 +65,7 @@ void cross(Population& p, Pose& child) {
 }
 
 // Improves a pose by cyclic coordinate descent, as long as that helps.
-void learn(Population& p, Pose& pose, float tolerance) {
+void learn(Population& p, Candidate& pose, float tolerance) {
   IkTree& tree = *p.h.tree;
   put(tree, pose);
   update_parts(p.h);
@@ -76,14 +76,14 @@ void learn(Population& p, Pose& pose, float tolerance) {
   }
 }
 
-void sort(Pose (&poses)[kPoses]) {
+void sort(Candidate (&poses)[kPoses]) {
   for (std::size_t i = 1; i < kPoses; ++i)
     for (std::size_t k = i; k > 0 && poses[k].error < poses[k - 1].error; --k) std::swap(poses[k], poses[k - 1]);
 }
 
 void next_generation(Population& p, float tolerance) {
   for (std::size_t i = 0; i < kElites; ++i) {
-    Pose& elite = p.poses[i];
+    Candidate& elite = p.poses[i];
     const float before = elite.error;
     learn(p, elite, tolerance);
     // Stuck in a corner of its limits: all but the best begin anew.
@@ -124,13 +124,12 @@ std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& 
   return scratch_bytes(count_genetic, skeleton, problem);
 }
 
-Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                        const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+Status solve_ik_genetic(const Pose& pose, const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                        IkReport* report) {
   MARROW_ZONE;
   IkOptions once = options;
   once.starts = 1;
-  MARROW_REQUIRE_GOOD(
-      solve_ik_by(solve_genetic, count_genetic, {{skeleton, local, model_from_joint}, problem, once}, scratch, report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_genetic, count_genetic, {pose, problem, once}, scratch, report));
   return Status::ok;
 }
 

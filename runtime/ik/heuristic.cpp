@@ -191,12 +191,11 @@ void solve_heuristic(const IkCall& call, IkTree& tree, Memory& scratch, IkReport
   if (report.why == IkStop::reached && report.error_m > 1.1f * options.tolerance_m) report.why = IkStop::stalled;
 }
 
-Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                      const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+Status solve_ik_chain(const Pose& pose, const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                      IkReport* report) {
   MARROW_ZONE;
   MARROW_REQUIRE(options.method <= IkMethod::ccd);
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, count_heuristic,
-                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_heuristic, count_heuristic, {pose, problem, options}, scratch, report));
   return Status::ok;
 }
 

@@ -225,12 +225,11 @@ void solve_jacobian(const IkCall& call, IkTree& tree, Memory& scratch, IkReport&
   }
 }
 
-Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                     const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+Status solve_ik_body(const Pose& pose, const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                     IkReport* report) {
   MARROW_ZONE;
   MARROW_REQUIRE(options.method > IkMethod::ccd);
-  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, count_jacobian,
-                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
+  MARROW_REQUIRE_GOOD(solve_ik_by(solve_jacobian, count_jacobian, {pose, problem, options}, scratch, report));
   return Status::ok;
 }
 

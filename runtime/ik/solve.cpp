@@ -16,23 +16,23 @@ bool all_good(const float* v, std::size_t count) {
   return all_within(v, count, -kMost, kMost);
 }
 
-BadCall check_goal(const Skeleton& skeleton, const IkGoal& goal) {
-  MARROW_CHECK(goal.joint < skeleton.joint_count);
+BadCall check_goal(const Pose& pose, const IkGoal& goal) {
+  MARROW_CHECK(goal.joint < pose.skeleton.joint_count);
   MARROW_CHECK(within(goal.position_weight, 0, kMostWeight) && within(goal.rotation_weight, 0, kMost));
   MARROW_CHECK(all_good(goal.offset, 3) && all_good(goal.position, 3) && all_good(goal.rotation, 4));
   return {};
 }
 
-BadCall check_problem(const Skeleton& skeleton, const IkProblem& problem) {
+BadCall check_problem(const Pose& pose, const IkProblem& problem) {
   MARROW_CHECK(problem.goals.size > 0 && problem.joints.size > 0 && problem.joints.size < kNoJoint);
   MARROW_CHECK(holds(problem.goals) && holds(problem.joints) && holds(problem.stiffness) && holds(problem.limits));
   MARROW_CHECK(problem.goals.size <= kMaxJoints);  // 16 bits number tips behind the nodes
   MARROW_CHECK(problem.stiffness.empty() || problem.stiffness.size == problem.joints.size);
   MARROW_CHECK(within(problem.root_travel_m, 0, kMost));
   for (const IkGoal& goal : problem.goals)
-    if (const BadCall bad = check_goal(skeleton, goal)) return bad;
+    if (const BadCall bad = check_goal(pose, goal)) return bad;
   for (std::size_t i = 0; i < problem.joints.size; ++i) {
-    MARROW_CHECK(problem.joints[i] < skeleton.joint_count);
+    MARROW_CHECK(problem.joints[i] < pose.skeleton.joint_count);
     MARROW_CHECK(i == 0 || problem.joints[i - 1] < problem.joints[i]);
   }
   for (const float s : problem.stiffness) MARROW_CHECK(within(s, 0, 1));
@@ -92,20 +92,20 @@ std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem,
   return scratch_bytes(options.method <= IkMethod::ccd ? count_heuristic : count_jacobian, skeleton, problem);
 }
 
-Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch, IkReport* report) {
+Status solve_ik(const Pose& pose, const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
+                IkReport* report) {
   MARROW_ZONE;
   const bool heuristic = options.method <= IkMethod::ccd;
   MARROW_REQUIRE_GOOD(solve_ik_by(heuristic ? solve_heuristic : solve_jacobian,
-                                  heuristic ? count_heuristic : count_jacobian,
-                                  {{skeleton, local, model_from_joint}, problem, options}, scratch, report));
+                                  heuristic ? count_heuristic : count_jacobian, {pose, problem, options}, scratch,
+                                  report));
   return Status::ok;
 }
 
 BadCall solve_ik_by(IkSolver solver, IkCounter counter, const IkCall& call, Span<std::byte> scratch, IkReport* report) {
   const Skeleton& skeleton = call.pose.skeleton;
   if (const BadCall bad = check_pose(call.pose)) return bad;
-  if (const BadCall bad = check_problem(skeleton, call.problem)) return bad;
+  if (const BadCall bad = check_problem(call.pose, call.problem)) return bad;
   if (const BadCall bad = check_options(call.options)) return bad;
   MARROW_CHECK(holds(scratch, scratch_bytes(counter, skeleton, call.problem)));
   Memory memory{block_in(scratch).data};

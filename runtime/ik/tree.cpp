@@ -23,7 +23,7 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
 
 // Folds into `above` all joints from `joint` up to the node that `node` hangs on, or to model space. Before that it is
 // the map from the node's axes to the space of `joint`.
-void set_above(const PosedJoints& pose, const std::uint16_t* node_of, std::uint16_t joint, IkNode& node) {
+void set_above(const Pose& pose, const std::uint16_t* node_of, std::uint16_t joint, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
   std::uint16_t on = joint;
@@ -67,7 +67,7 @@ void set_node(const IkCall& call, std::size_t place, const std::uint16_t* node_o
   if (node.limit != nullptr && node.ease_root > 0) node.rotation = clamped(*node.limit, node.rotation);
 }
 
-void set_tip(const PosedJoints& pose, const IkGoal& goal, const std::uint16_t* node_of, IkNode& tip) {
+void set_tip(const Pose& pose, const IkGoal& goal, const std::uint16_t* node_of, IkNode& tip) {
   tip.joint = goal.joint;
   tip.goal = &goal;
   set_axes(no_turn(), tip.above.axis);
@@ -81,7 +81,7 @@ void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
 }
 
 // Scales the translations of all joints from the goal's up to the one below the first that turns.
-void stretch_bones(const PosedJoints& pose, const IkTree& tree, float factor) {
+void stretch_bones(const Pose& pose, const IkTree& tree, float factor) {
   for (std::uint16_t j = tree.tips[0].joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
     set_translation(pose.local, j, wide_translation_of(pose.local, j) * factor);
 }
@@ -180,7 +180,7 @@ f32x4 turn_of(WideRotation rotation) {
   return log_of_shorter(normalised(rotation)).v;
 }
 
-void store_tree(const IkTree& tree, float weight, const PosedJoints& pose) {
+void store_tree(const IkTree& tree, float weight, const Pose& pose) {
   for (std::size_t i = 0; i < tree.nodes.size; ++i) {
     const IkNode& node = tree.nodes[i];
     const WideRotation from = node.start, to = node.rotation;

@@ -45,7 +45,7 @@ struct IkTree {
 
 // What solve_ik() is asked for.
 struct IkCall {
-  PosedJoints pose;
+  const Pose& pose;
   const IkProblem& problem;
   const IkOptions& options;
 };
@@ -107,7 +107,7 @@ void set_turned(IkNode& node, WideRotation rotation);
 f32x4 turn_of(WideRotation q);
 
 // Writes what changed into the pose, blended by `weight`, and brings the matrices below up to date.
-void store_tree(const IkTree& tree, float weight, const PosedJoints& pose);
+void store_tree(const IkTree& tree, float weight, const Pose& pose);
 
 // A method: changes rotations and frames of the tree. It takes its memory from `scratch`.
 using IkSolver = void (*)(const IkCall& call, IkTree& tree, Memory& scratch, IkReport& report);

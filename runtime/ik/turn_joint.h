@@ -9,13 +9,6 @@
 
 namespace marrow {
 
-// A pose and its matrices, which belong together.
-struct PosedJoints {
-  const Skeleton& skeleton;
-  Span<SoaTransform> local;
-  Span<Affine> model_from_joint;
-};
-
 // Sets a joint's rotation to a quaternion of any length; to the identity where that is too short or not finite.
 [[gnu::noinline]] inline void set_direction(Span<SoaTransform> pose, std::size_t joint, WideRotation q) {
   set_rotation(pose, joint, normalised(q));
@@ -30,32 +23,31 @@ inline void turn_joint(Span<SoaTransform> local, std::size_t joint, const float 
 }
 
 // The pose and its matrices are there.
-[[gnu::noinline]] inline BadCall check_pose(const PosedJoints& pose) {
+[[gnu::noinline]] inline BadCall check_pose(const Pose& pose) {
   MARROW_CHECK(holds(pose.local, pose.skeleton.soa_size()));
   MARROW_CHECK(holds(pose.model_from_joint, pose.skeleton.joint_count));
   return {};
 }
 
 // So are the joints, each below the one before it.
-[[gnu::noinline]] inline BadCall check_chain(const PosedJoints& pose, Span<const std::uint32_t> joints) {
+[[gnu::noinline]] inline BadCall check_chain(const Pose& pose, Span<const std::uint32_t> joints) {
   if (const BadCall bad = check_pose(pose)) return bad;
-  const Skeleton& skeleton = pose.skeleton;
-  MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < skeleton.joint_count);
+  MARROW_CHECK(holds(joints) && !joints.empty() && joints[0] < pose.skeleton.joint_count);
   for (std::size_t i = 1; i < joints.size; ++i) {
-    MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < skeleton.joint_count);
-    MARROW_CHECK(hangs_below(skeleton, joints[i], joints[i - 1]));
+    MARROW_CHECK(joints[i - 1] < joints[i] && joints[i] < pose.skeleton.joint_count);
+    MARROW_CHECK(hangs_below(pose.skeleton, joints[i], joints[i - 1]));
   }
   return {};
 }
 
 // The map of what is above a joint: model_from_parent.
-inline const Affine& map_above(const PosedJoints& pose, std::uint32_t joint) {
+inline const Affine& map_above(const Pose& pose, std::uint32_t joint) {
   const Skeleton& skeleton = pose.skeleton;
   return joint < skeleton.root_count ? skeleton.model_from_root[joint] : pose.model_from_joint[skeleton.parents[joint]];
 }
 
 // Updates the matrices of a joint that has turned and of all below it.
-[[gnu::noinline]] inline void update_below(const PosedJoints& pose, std::uint32_t joint) {
+[[gnu::noinline]] inline void update_below(const Pose& pose, std::uint32_t joint) {
   (void)local_to_model_below(pose.skeleton, pose.local, joint, pose.model_from_joint);
 }
 

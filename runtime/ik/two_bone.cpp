@@ -58,7 +58,7 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
 }
 
 // Scales the translations of all joints from below the start joint down to the end joint.
-void stretch_limb(const PosedJoints& pose, const TwoBoneLimb& limb, float stretch) {
+void stretch_limb(const Pose& pose, const TwoBoneLimb& limb, float stretch) {
   for (std::uint32_t joint = limb.end; joint != limb.start; joint = pose.skeleton.parents[joint])
     for (float(&axis)[4] : pose.local[joint / 4].translation) axis[joint % 4] *= stretch;
 }
@@ -96,7 +96,7 @@ Vector<One> through(const Affine& m, Vector<One> v) {
 // A limb under uneven scale, which changes its shape as its joints turn. Each joint turns it rigidly in the space of
 // that joint's parent: so the limb is bent in the space above the middle joint, and turned in that above the start.
 struct UnevenLimb {
-  const PosedJoints& pose;
+  const Pose& pose;
   const TwoBoneLimb& limb;
   const TwoBoneJoints& at;
   Affine start_parent_from_model = inverse_of(map_above(pose, limb.start));
@@ -188,9 +188,8 @@ Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& 
   return Status::ok;
 }
 
-BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
-  const Skeleton& skeleton = pose.skeleton;
-  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < skeleton.joint_count);
+BadCall solve_limb_of_pose(const Pose& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+  MARROW_CHECK(limb.start < limb.mid && limb.mid < limb.end && limb.end < pose.skeleton.joint_count);
   const std::uint32_t chain[] = {limb.start, limb.mid, limb.end};
   if (const BadCall bad = check_chain(pose, {chain, 3})) return bad;
   const Affine* const joints = pose.model_from_joint.data;
@@ -210,9 +209,8 @@ BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, con
   return {};
 }
 
-Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal, Span<SoaTransform> local,
-                      Span<Affine> model_from_joint, bool* reached) {
-  MARROW_REQUIRE_GOOD(solve_limb_of_pose({skeleton, local, model_from_joint}, limb, goal, reached));
+Status solve_two_bone(const Pose& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached) {
+  MARROW_REQUIRE_GOOD(solve_limb_of_pose(pose, limb, goal, reached));
   return Status::ok;
 }
 

@@ -9,7 +9,7 @@
 namespace marrow {
 
 // solve_two_bone() for callers that refuse in its place: returns what is wrong with the call, or nothing.
-BadCall solve_limb_of_pose(const PosedJoints& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
+BadCall solve_limb_of_pose(const Pose& pose, const TwoBoneLimb& limb, const TwoBone& goal, bool* reached);
 
 // The bones of a limb and the way to its target, in model space.
 template <class F>

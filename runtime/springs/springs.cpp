@@ -15,11 +15,9 @@ constexpr float kShortestBone_m = 1e-6f, kLongestBone_m = 1e9f;
 
 // What all bones of a call share.
 struct SpringCall {
-  const Skeleton& skeleton;
+  const Pose& pose;
   const SpringFrame& frame;
   Springs& springs;
-  Span<SoaTransform> local;
-  Affine* model_from_joint;
   Columns world;                        // world_from_model
   int steps = 0;                        // 0: no time goes by
   float step_s = 0;                     // of each
@@ -30,8 +28,9 @@ struct SpringCall {
 
 // The matrix of what is above a joint: model_from_parent.
 const Affine& above(const SpringCall& call, std::uint32_t joint) {
-  return joint < call.skeleton.root_count ? call.skeleton.model_from_root[joint]
-                                          : call.model_from_joint[call.skeleton.parents[joint]];
+  const Skeleton& skeleton = call.pose.skeleton;
+  return joint < skeleton.root_count ? skeleton.model_from_root[joint]
+                                     : call.pose.model_from_joint[skeleton.parents[joint]];
 }
 
 // A sum that is not finite if some number of the matrix is not, or if numbers are far beyond any scene.
@@ -39,11 +38,13 @@ f32x4 sum_of(const Affine& a) {
   return load_aligned(a.rows[0]) + load_aligned(a.rows[1]) + load_aligned(a.rows[2]);
 }
 
-BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Springs& springs,
-                    Span<const SoaTransform> local, Span<const Affine> model_from_joint) {
-  MARROW_CHECK(springs.joint_count == skeleton.joint_count);
-  MARROW_CHECK(holds(local, skeleton.soa_size()));
-  MARROW_CHECK(holds(model_from_joint, skeleton.joint_count));
+BadCall check_frame(const SpringCall& call) {
+  const Pose& pose = call.pose;
+  const SpringFrame& frame = call.frame;
+  const Springs& springs = call.springs;
+  MARROW_CHECK(springs.joint_count == pose.skeleton.joint_count);
+  MARROW_CHECK(holds(pose.local, pose.skeleton.soa_size()));
+  MARROW_CHECK(holds(pose.model_from_joint, pose.skeleton.joint_count));
   MARROW_CHECK(within(frame.dt_s, 0.0f, 1e9f));
   MARROW_CHECK(within(frame.teleport_m, 0.0f, 1e6f));
   MARROW_CHECK(within(frame.weight, 0.0f, 1.0f));
@@ -52,21 +53,19 @@ BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Sp
   MARROW_CHECK(holds(frame.colliders) && frame.colliders.size <= kMaxSpringColliders);
   f32x4 sum = sum_of(frame.world_from_model);
   for (const SpringCollider& c : frame.colliders) {
-    MARROW_CHECK(c.joint < skeleton.joint_count);
+    MARROW_CHECK(c.joint < pose.skeleton.joint_count);
     MARROW_CHECK(good_collider(c));
-    sum = sum + sum_of(model_from_joint[c.joint]);
+    sum = sum + sum_of(pose.model_from_joint[c.joint]);
   }
   for (std::uint32_t r = 0; r < springs.root_count; ++r) {
-    const std::uint32_t joint = springs.roots[r].first;
-    sum = sum + sum_of(joint < skeleton.root_count ? skeleton.model_from_root[joint]
-                                                   : model_from_joint[skeleton.parents[joint]]);
+    sum = sum + sum_of(above(call, springs.roots[r].first));
   }
   for (std::uint32_t g = 0; g < springs.group_count; ++g) {
     for (int lane = 0; lane < 4; ++lane) {
       const std::uint16_t joint = springs.groups[g].joint[lane], end = springs.groups[g].end[lane];
       if (joint == kNoBone) continue;
-      sum = sum + sum_of(model_from_joint[joint]);
-      if (end != kNoBone) sum = sum + sum_of(model_from_joint[end]);
+      sum = sum + sum_of(pose.model_from_joint[joint]);
+      if (end != kNoBone) sum = sum + sum_of(pose.model_from_joint[end]);
     }
   }
   MARROW_CHECK(all_finite(sum) && "world_from_model and model_from_joint");
@@ -76,7 +75,7 @@ BadCall check_frame(const Skeleton& skeleton, const SpringFrame& frame, const Sp
 void place_colliders(SpringCall& call) {
   for (std::size_t i = 0; i < call.frame.colliders.size; ++i) {
     const SpringCollider& c = call.frame.colliders[i];
-    const Columns joint = columns(call.model_from_joint[c.joint]);
+    const Columns joint = columns(call.pose.model_from_joint[c.joint]);
     const f32x4 from = load_wide(c.from);
     PlacedCollider& out = call.colliders[i];
     out.from = turn(call.world, transform(joint, from));
@@ -138,7 +137,7 @@ void follow(const SpringCall& call, f32x4 position, SpringRoot& root) {
 }
 
 f32x4 place_of(const SpringCall& call, std::uint32_t joint) {
-  return turn(call.world, wide_origin(call.model_from_joint[joint]).v);
+  return turn(call.world, wide_origin(call.pose.model_from_joint[joint]).v);
 }
 
 void prepare_root(SpringCall& call, SpringRoot& root) {
@@ -185,8 +184,8 @@ SpringBones gather(const SpringCall& call, const SpringGroup& group, std::uint16
     in_model[i] = splat(0.0f);
     out.begins[i] = false;
     if (joint == kNoBone) continue;
-    const Affine& from = call.model_from_joint[joint];
-    in_model[i] = end != kNoBone ? wide_origin(call.model_from_joint[end]).v - wide_origin(from).v
+    const Affine& from = call.pose.model_from_joint[joint];
+    in_model[i] = end != kNoBone ? wide_origin(call.pose.model_from_joint[end]).v - wide_origin(from).v
                                  : turn(columns(from), load_wide(call.springs.roots[root].tip));
     out.begins[i] = root != chain;
     chain = root;
@@ -376,10 +375,10 @@ void show_bones(const SpringCall& call, const SpringBones& bones, SpringGroup& g
   store(shown, select(zero < bones.over_length, weight, zero));
   f32x4 q[kLanes];
   for (int i = 0; i < kLanes; ++i)
-    q[i] = shown[i] == 0.0f ? splat(0.0f) : wide_rotation_of(call.local, group.joint[i]).v;
+    q[i] = shown[i] == 0.0f ? splat(0.0f) : wide_rotation_of(call.pose.local, group.joint[i]).v;
   split(arc * join_rotations(q), q);
   for (int i = 0; i < kLanes; ++i)
-    if (shown[i] != 0.0f) set_rotation(call.local, group.joint[i], WideRotation{q[i]});
+    if (shown[i] != 0.0f) set_rotation(call.pose.local, group.joint[i], WideRotation{q[i]});
 }
 
 int steps_of(float dt_s) {
@@ -391,12 +390,11 @@ int steps_of(float dt_s) {
 
 }  // namespace
 
-Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs, Span<SoaTransform> local,
-                        Span<Affine> model_from_joint) {
+Status simulate_springs(const Pose& pose, const SpringFrame& frame, Springs& springs) {
   MARROW_ZONE;
-  MARROW_REQUIRE_GOOD(check_frame(skeleton, frame, springs, local, model_from_joint));
+  SpringCall call{pose, frame, springs, columns(frame.world_from_model)};
+  MARROW_REQUIRE_GOOD(check_frame(call));
   PlacedCollider colliders[kMaxSpringColliders];
-  SpringCall call{skeleton, frame, springs, local, model_from_joint.data, columns(frame.world_from_model)};
   call.colliders = colliders;
   call.frame_s = springs.saved_s + frame.dt_s;
   springs.saved_s = call.frame_s;
@@ -422,7 +420,8 @@ Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Spri
   }
   if (!(frame.weight > 0.0f)) return Status::ok;
   for (std::uint32_t i = 0; i < springs.below_count; ++i)
-    transform_joints(skeleton, local.data, springs.below[i].first, springs.below[i].end, model_from_joint.data);
+    transform_joints(pose.skeleton, pose.local.data, springs.below[i].first, springs.below[i].end,
+                     pose.model_from_joint.data);
   return Status::ok;
 }
 

@@ -39,7 +39,8 @@ public static unsafe class Road {
     static void Refuse(byte* bytes, int size, File* file) {
         byte* copy = (byte*)M.Block((ulong)size + 4);
         SoaTransform* pose = (SoaTransform*)M.Block(64 * 160);
-        Skeleton skeleton, zeros = default(Skeleton);
+        Skeleton skeleton;
+        Pose zeros = default(Pose);
         Clip clip;
         Mesh mesh;
         File other;
@@ -55,7 +56,7 @@ public static unsafe class Road {
         Expect(M.Load(bytes, Size((ulong)size), null, null), Status.BadArgument, "nowhere to load to");
         ulong groups = (ulong)M.SkeletonSoaSize(&skeleton);
         Expect(M.Sample(&skeleton, &clip, 0, pose, Size(groups - 1), null), Status.BadArgument, "short");
-        Expect(M.SolveTwoBone(&zeros, &limb, step, null, Size(0), null, Size(0), null), Status.BadArgument, "zeros");
+        Expect(M.SolveTwoBone(&zeros, &limb, step, null), Status.BadArgument, "zeros");
         Expect(M.SkinSsd(&mesh, null, Size(3), &output), Status.BadArgument, "a null palette");
         Buffer.MemoryCopy(bytes, copy + 4, size, size);
         Expect(M.Load(copy + 4, Size((ulong)size), &other, null), Status.BadArgument, "off its boundary");
@@ -69,8 +70,8 @@ public static unsafe class Road {
         M.FreeBlock(pose);
     }
 
-    static void Reach(File* file, CharacterSkeleton* s, Springs* springs, float dt) {
-        Skeleton* skeleton = &s->skeleton;
+    static void Reach(File* file, Pose* pose, Springs* springs, float dt) {
+        Skeleton* skeleton = &pose->skeleton;
         uint* neck = stackalloc uint[2];
         neck[0] = M.FileFindJoint(file, skeleton, Text("neck"));
         neck[1] = M.FileFindJoint(file, skeleton, Text("head"));
@@ -79,20 +80,17 @@ public static unsafe class Road {
         look->target[1] = 1.25f;
         look->target[2] = 2;
         look->weight = 0.5f;
-        Must(M.SolveLookAt(skeleton, neck, Size(2), look, 0.5f, s->local, s->local_count, s->model_from_joint,
-            s->model_from_joint_count, null));
+        Must(M.SolveLookAt(pose, neck, Size(2), look, 0.5f, null));
         TwoBoneLimb leg = new TwoBoneLimb {
             start = M.FileFindJoint(file, skeleton, Text("thigh.L")), mid = M.FileFindJoint(file, skeleton, Text("shin.L")),
             end = M.FileFindJoint(file, skeleton, Text("foot.L"))
         };
         *step = TwoBone.New();
-        for (int i = 0; i < 3; ++i) step->target[i] = s->model_from_joint[leg.end].rows[4 * i + 3] + 0.0625f;
-        Must(M.SolveTwoBone(skeleton, &leg, step, s->local, s->local_count, s->model_from_joint,
-            s->model_from_joint_count, null));
+        for (int i = 0; i < 3; ++i) step->target[i] = pose->model_from_joint[leg.end].rows[4 * i + 3] + 0.0625f;
+        Must(M.SolveTwoBone(pose, &leg, step, null));
         *frame = SpringFrame.New();
         frame->dt_s = dt;
-        Must(M.SimulateSprings(skeleton, frame, springs, s->local, s->local_count, s->model_from_joint,
-            s->model_from_joint_count));
+        Must(M.SimulateSprings(pose, frame, springs));
     }
 
     static void Skin(CharacterMesh* m, float* positions, float* normals) {
@@ -143,19 +141,19 @@ public static unsafe class Road {
         Must(M.MakeCharacter(&file, &options, M.Block((ulong)needed), needed, &character));
         Animation* walk = M.FindAnimation(&animations, Text("walk"));
         Animation* idle = M.FindAnimation(&animations, Text("idle"));
-        CharacterSkeleton* s = character.skeletons;
+        Pose* pose = &character.skeletons->pose;
 
         SpringJoint* joints = stackalloc SpringJoint[4];
         for (int i = 0; i < 4; ++i) {
             joints[i] = SpringJoint.New();
-            joints[i].joint = (ushort)M.FileFindJoint(&file, &s->skeleton, Text("tail_" + (3 + i)));
+            joints[i].joint = (ushort)M.FileFindJoint(&file, &pose->skeleton, Text("tail_" + (3 + i)));
         }
         SpringChain chain = SpringChain.New();
         chain.joints = joints;
         chain.joint_count = Size(4);
         Springs tail;
-        needed = M.SpringsBytes(&s->skeleton, &chain, Size(1));
-        Must(M.MakeSprings(&s->skeleton, &chain, Size(1), M.Block((ulong)needed), needed, &tail));
+        needed = M.SpringsBytes(&pose->skeleton, &chain, Size(1));
+        Must(M.MakeSprings(&pose->skeleton, &chain, Size(1), M.Block((ulong)needed), needed, &tail));
 
         ulong most = 0;
         for (ulong i = 0; i < (ulong)character.mesh_count; ++i)
@@ -171,10 +169,10 @@ public static unsafe class Road {
             layers[0].time_s = layers[1].time_s = M.ClipTime(&playback);
             layers[1].weight = 0.25f;
             Must(M.PoseCharacter(&character, layers, Size(2)));
-            Reach(&file, s, &tail, 1.0f / 60);
+            Reach(&file, pose, &tail, 1.0f / 60);
             Must(M.FinishCharacter(&character));
-            Add(s->local, 40 * (ulong)s->local_count);
-            Add(s->model_from_joint, 12 * (ulong)s->model_from_joint_count);
+            Add(pose->local, 40 * (ulong)pose->local_count);
+            Add(pose->model_from_joint, 12 * (ulong)pose->model_from_joint_count);
             for (ulong m = 0; m < (ulong)character.mesh_count; ++m) Skin(&character.meshes[m], positions, normals);
         }
         Console.WriteLine(hash.ToString("x8"));

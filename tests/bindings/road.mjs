@@ -33,7 +33,7 @@ function refuse(file) {
   expect(m.load(bytes, null, null), bad, 'nowhere to load to');
   const short = { ptr: pose.ptr, length: m.skeleton_soa_size(skeleton) - 1 };
   expect(m.sample(skeleton, clip, 0, short, null), bad, 'short');
-  expect(m.solve_two_bone(m.make('Skeleton'), m.make('TwoBoneLimb'), m.make('TwoBone'), null, null, null), bad, 'zeros');
+  expect(m.solve_two_bone(m.make('Pose'), m.make('TwoBoneLimb'), m.make('TwoBone'), null), bad, 'zeros');
   expect(m.skin_ssd(mesh, nowhere(3), m.make('SkinOutput')), bad, 'a null palette');
   copy.array.set(bytes.array, 4);
   expect(m.load({ ptr: copy.ptr + 4, length: bytes.length }, other, null), bad, 'off its boundary');
@@ -55,8 +55,8 @@ const options = m.make('CharacterOptions', { animation_space: true });
 const character = m.make('Character');
 m.must(m.make_character(file, options, m.list('byte', m.character_bytes(file, options)), character));
 const [walk, idle] = ['walk', 'idle'].map((clip) => m.find_animation(animations, clip));
-const s = character.skeletons.at(0);
-const { skeleton } = s;
+const { pose } = character.skeletons.at(0);
+const { skeleton } = pose;
 const joint = (text) => m.file_find_joint(file, skeleton, text);
 
 const joints = m.list('SpringJoint', 4);
@@ -74,11 +74,11 @@ const step = m.make('TwoBone');
 const dt_s = Math.fround(1 / 60);
 const frame = m.make('SpringFrame', { dt_s });
 function reach() {
-  m.must(m.solve_look_at(skeleton, neck, look, 0.5, s.local, s.model_from_joint, null));
-  const foot = s.model_from_joint.at(leg.end).rows;
+  m.must(m.solve_look_at(pose, neck, look, 0.5, null));
+  const foot = pose.model_from_joint.at(leg.end).rows;
   step.target.set([3, 7, 11].map((i) => foot[i] + 0.0625));
-  m.must(m.solve_two_bone(skeleton, leg, step, s.local, s.model_from_joint, null));
-  m.must(m.simulate_springs(skeleton, frame, tail, s.local, s.model_from_joint));
+  m.must(m.solve_two_bone(pose, leg, step, null));
+  m.must(m.simulate_springs(pose, frame, tail));
 }
 
 const meshes = Array.from({ length: character.meshes.length }, (_, i) => {
@@ -99,8 +99,8 @@ for (let i = 0; i < 30; ++i) {
   m.must(m.pose_character(character, layers));
   reach();
   m.must(m.finish_character(character));
-  add(s.local);
-  add(s.model_from_joint);
+  add(pose.local);
+  add(pose.model_from_joint);
   for (const { of, positions, normals, both, one } of meshes) {
     m.must(m.skin_ssd(of.mesh, of.palette, both));
     add(of.palette);

@@ -41,7 +41,7 @@ unsafe extern "C" fn on_call_error(_function: *const c_char, _condition: *const 
 unsafe fn refuse(bytes: &[u8], file: &File) {
     let mut copy = block(bytes.len() + 4);
     let copied = copy.as_mut_ptr() as *mut u8;
-    let (mut skeleton, zeros) = (Skeleton::default(), Skeleton::default());
+    let (mut skeleton, zeros) = (Skeleton::default(), Pose::default());
     let (mut clip, mut mesh, mut other) = (Clip::default(), Mesh::default(), File::default());
     let mut pose = vec![SoaTransform::default(); 64];
     must(file_skeleton(file, 0, &mut skeleton));
@@ -55,7 +55,7 @@ unsafe fn refuse(bytes: &[u8], file: &File) {
     let size = skeleton_soa_size(&skeleton);
     assert_eq!(sample(&skeleton, &clip, 0.0, pose.as_mut_ptr(), size - 1, null()), bad);
     let limb = TwoBoneLimb::default();
-    assert_eq!(solve_two_bone(&zeros, &limb, &TwoBone::default(), null_mut(), 0, null_mut(), 0, null_mut()), bad);
+    assert_eq!(solve_two_bone(&zeros, &limb, &TwoBone::default(), null_mut()), bad);
     assert_eq!(skin_ssd(&mesh, null(), 3, &SkinOutput::default()), bad);
     copied.add(4).copy_from(bytes.as_ptr(), bytes.len());
     assert_eq!(load(copied.add(4) as *const c_void, bytes.len(), &mut other, null_mut()), bad);
@@ -67,24 +67,21 @@ unsafe fn refuse(bytes: &[u8], file: &File) {
     println!("9 refused, {} told", TOLD.load(Ordering::Relaxed));
 }
 
-unsafe fn reach(file: &File, s: &CharacterSkeleton, springs: &mut Springs, dt_s: f32) {
-    let neck = [find_joint(file, &s.skeleton, "neck"), find_joint(file, &s.skeleton, "head")];
+unsafe fn reach(file: &File, pose: &Pose, springs: &mut Springs, dt_s: f32) {
+    let neck = [find_joint(file, &pose.skeleton, "neck"), find_joint(file, &pose.skeleton, "head")];
     let look = Aim { target: [0.5, 1.25, 2.0], weight: 0.5, ..Aim::default() };
-    must(solve_look_at(&s.skeleton, neck.as_ptr(), 2, &look, 0.5, s.local, s.local_count, s.model_from_joint,
-        s.model_from_joint_count, null_mut()));
+    must(solve_look_at(pose, neck.as_ptr(), 2, &look, 0.5, null_mut()));
     let leg = TwoBoneLimb {
-        start: find_joint(file, &s.skeleton, "thigh.L"),
-        mid: find_joint(file, &s.skeleton, "shin.L"),
-        end: find_joint(file, &s.skeleton, "foot.L"),
+        start: find_joint(file, &pose.skeleton, "thigh.L"),
+        mid: find_joint(file, &pose.skeleton, "shin.L"),
+        end: find_joint(file, &pose.skeleton, "foot.L"),
     };
-    let foot = (*s.model_from_joint.add(leg.end as usize)).rows;
+    let foot = (*pose.model_from_joint.add(leg.end as usize)).rows;
     let target = [foot[0][3] + 0.0625, foot[1][3] + 0.0625, foot[2][3] + 0.0625];
     let step = TwoBone { target, ..TwoBone::default() };
-    must(solve_two_bone(&s.skeleton, &leg, &step, s.local, s.local_count, s.model_from_joint,
-        s.model_from_joint_count, null_mut()));
+    must(solve_two_bone(pose, &leg, &step, null_mut()));
     let frame = SpringFrame { dt_s, ..SpringFrame::default() };
-    must(simulate_springs(&s.skeleton, &frame, springs, s.local, s.local_count, s.model_from_joint,
-        s.model_from_joint_count));
+    must(simulate_springs(pose, &frame, springs));
 }
 
 unsafe fn skin(hash: &mut Hash, m: &CharacterMesh) {
@@ -138,18 +135,18 @@ unsafe fn road(name: &str) -> u32 {
     let walk = find_animation(&animations, b"walk\0".as_ptr() as *const c_char).as_ref().unwrap();
     let idle = find_animation(&animations, b"idle\0".as_ptr() as *const c_char).as_ref().unwrap();
 
-    let s = &*character.skeletons;
+    let pose = &(*character.skeletons).pose;
     let joints: Vec<SpringJoint> = (3..7)
         .map(|i| SpringJoint {
-            joint: find_joint(&file, &s.skeleton, &format!("tail_{i}")) as u16,
+            joint: find_joint(&file, &pose.skeleton, &format!("tail_{i}")) as u16,
             ..SpringJoint::default()
         })
         .collect();
     let chain = SpringChain { joints: joints.as_ptr(), joint_count: 4, ..SpringChain::default() };
-    let size = springs_bytes(&s.skeleton, &chain, 1);
+    let size = springs_bytes(&pose.skeleton, &chain, 1);
     let mut of_springs = block(size);
     let mut tail = Springs::default();
-    must(make_springs(&s.skeleton, &chain, 1, of_springs.as_mut_ptr() as *mut c_void, size, &mut tail));
+    must(make_springs(&pose.skeleton, &chain, 1, of_springs.as_mut_ptr() as *mut c_void, size, &mut tail));
 
     let mut hash = Hash(2166136261);
     let mut playback = Playback::default();
@@ -164,8 +161,8 @@ unsafe fn road(name: &str) -> u32 {
         must(pose_character(&mut character, layers.as_ptr(), 2));
         reach(&file, s, &mut tail, dt_s);
         must(finish_character(&mut character));
-        hash.add(s.local, 40 * s.local_count);
-        hash.add(s.model_from_joint, 12 * s.model_from_joint_count);
+        hash.add(pose.local, 40 * pose.local_count);
+        hash.add(pose.model_from_joint, 12 * pose.model_from_joint_count);
         for i in 0..character.mesh_count {
             skin(&mut hash, &*character.meshes.add(i));
         }

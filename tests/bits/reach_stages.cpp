@@ -77,7 +77,7 @@ std::uint64_t two_bone_hash() {
     goal.soft = i % 7 == 6 ? 0.97f : 1.0f;
     goal.max_stretch = i % 4 == 3 ? 1.5f : 1.0f;
     goal.bend_axis[0] = i % 6 == 5 ? 1.0f : 0.0f;
-    must(solve_two_bone(w.skeleton, {2, 5, 8}, goal, w.local, w.scene));
+    must(solve_two_bone({w.skeleton, w.local, w.scene}, {2, 5, 8}, goal));
     const TwoBoneJoints joints[] = {{&w.scene[3], &w.scene[6], &w.scene[9]},
                                     {&w.scene[2], &w.scene[5], &w.scene[8]},
                                     {&w.scene[0], &w.scene[1], &w.scene[4]},
@@ -104,8 +104,8 @@ std::uint64_t aim_hash() {
     goal.weight = i % 5 == 4 ? 0.75f : 1.0f;
     goal.offset[1] = i % 4 == 3 ? 0.125f : 0.0f;
     const std::uint32_t chain[] = {1, 4, 7};
-    must(solve_look_at(w.skeleton, chain, goal, 0.5f, w.local, w.scene));
-    must(solve_aim(w.skeleton, 7, goal, w.local, w.scene));
+    must(solve_look_at({w.skeleton, w.local, w.scene}, chain, goal, 0.5f));
+    must(solve_aim({w.skeleton, w.local, w.scene}, 7, goal));
     h = w.hashed(h);
   }
   return h;
@@ -124,7 +124,7 @@ std::uint64_t chains_hash(IkMethod method) {
     const IkOptions options{.method = method};
     std::vector<std::byte> scratch(ik_scratch_bytes(w.skeleton, problem, options));
     IkReport report;
-    must(solve_ik(w.skeleton, w.local, w.scene, problem, options, scratch, &report));
+    must(solve_ik({w.skeleton, w.local, w.scene}, problem, options, scratch, &report));
     h = hash(w.hashed(h), &report.error_m, sizeof report.error_m);
   }
   return h;
@@ -138,7 +138,7 @@ std::uint64_t genetic_hash() {
   const std::uint16_t joints[] = {1, 4, 7, 10, 11, 12, 13};
   const IkProblem problem{.goals = {&goal, 1}, .joints = joints};
   std::vector<std::byte> scratch(ik_genetic_scratch_bytes(w.skeleton, problem));
-  must(solve_ik_genetic(w.skeleton, w.local, w.scene, problem, {.max_iterations = 8, .seed = 5}, scratch));
+  must(solve_ik_genetic({w.skeleton, w.local, w.scene}, problem, {.max_iterations = 8, .seed = 5}, scratch));
   return w.hashed(kHashStart);
 }
 
@@ -160,7 +160,7 @@ std::uint64_t feet_hash() {
     }
     FeetFrame frame;
     frame.dt_s = 1.0f / 60;
-    must(place_feet(w.skeleton, {.feet = legs, .pelvis = 0}, frame, ground, motion, w.local, w.scene));
+    must(place_feet({w.skeleton, w.local, w.scene}, {.feet = legs, .pelvis = 0}, frame, ground, motion));
     h = w.hashed(h);
   }
   return h;
@@ -184,7 +184,7 @@ std::uint64_t springs_hash() {
     frame.world_from_model.rows[0][3] = 0.015625f * static_cast<float>(i);
     frame.wind[2] = 2;
     frame.colliders = {&chest, 1};
-    must(simulate_springs(w.skeleton, frame, springs, w.local, w.scene));
+    must(simulate_springs({w.skeleton, w.local, w.scene}, frame, springs));
     h = w.hashed(h);
   }
   return h;

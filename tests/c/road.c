@@ -86,9 +86,9 @@ static mrw_springs tail_of(const mrw_file* file, const mrw_skeleton* skeleton) {
 }
 
 // The head looks at a point, the left foot is lifted, the tail swings.
-static void reach(const mrw_file* file, const mrw_character_skeleton* s, mrw_springs* springs, float dt_s) {
-  const uint32_t neck[2] = {mrw_file_find_joint(file, &s->skeleton, "neck"),
-                            mrw_file_find_joint(file, &s->skeleton, "head")};
+static void reach(const mrw_file* file, const mrw_pose* pose, mrw_springs* springs, float dt_s) {
+  const uint32_t neck[2] = {mrw_file_find_joint(file, &pose->skeleton, "neck"),
+                            mrw_file_find_joint(file, &pose->skeleton, "head")};
   mrw_two_bone_limb leg;
   mrw_aim look;
   mrw_two_bone step;
@@ -100,21 +100,18 @@ static void reach(const mrw_file* file, const mrw_character_skeleton* s, mrw_spr
   look.target[1] = 1.25f;
   look.target[2] = 2;
   look.weight = 0.5f;
-  TRY(mrw_solve_look_at(&s->skeleton, neck, 2, &look, 0.5f, s->local, s->local_count, s->model_from_joint,
-                        s->model_from_joint_count, NULL));
-  leg.start = mrw_file_find_joint(file, &s->skeleton, "thigh.L");
-  leg.mid = mrw_file_find_joint(file, &s->skeleton, "shin.L");
-  leg.end = mrw_file_find_joint(file, &s->skeleton, "foot.L");
-  if (leg.end == s->skeleton.joint_count) exit(1);
-  foot = s->model_from_joint[leg.end].rows;
+  TRY(mrw_solve_look_at(pose, neck, 2, &look, 0.5f, NULL));
+  leg.start = mrw_file_find_joint(file, &pose->skeleton, "thigh.L");
+  leg.mid = mrw_file_find_joint(file, &pose->skeleton, "shin.L");
+  leg.end = mrw_file_find_joint(file, &pose->skeleton, "foot.L");
+  if (leg.end == pose->skeleton.joint_count) exit(1);
+  foot = pose->model_from_joint[leg.end].rows;
   mrw_two_bone_init(&step);
   for (i = 0; i < 3; ++i) step.target[i] = foot[i][3] + 0.0625f;
-  TRY(mrw_solve_two_bone(&s->skeleton, &leg, &step, s->local, s->local_count, s->model_from_joint,
-                         s->model_from_joint_count, NULL));
+  TRY(mrw_solve_two_bone(pose, &leg, &step, NULL));
   mrw_spring_frame_init(&frame);
   frame.dt_s = dt_s;
-  TRY(mrw_simulate_springs(&s->skeleton, &frame, springs, s->local, s->local_count, s->model_from_joint,
-                           s->model_from_joint_count));
+  TRY(mrw_simulate_springs(pose, &frame, springs));
 }
 
 static void skin(const mrw_character_mesh* m, float* positions, float* normals) {
@@ -148,7 +145,8 @@ static void expect(mrw_status status, mrw_status wanted, const char* what) {
 // What is refused, and why; the bindings' tests ask the same.
 static void refuse(mrw_bytes bytes, const mrw_file* file) {
   const mrw_block copy = block_of(bytes.size + 4);
-  mrw_skeleton skeleton, zeros;
+  mrw_skeleton skeleton;
+  mrw_pose zeros;
   mrw_clip clip;
   mrw_mesh mesh;
   mrw_file other;
@@ -167,7 +165,7 @@ static void refuse(mrw_bytes bytes, const mrw_file* file) {
   expect(mrw_load(NULL, 64, &other, NULL), MRW_BAD_ARGUMENT, "null with a size");
   expect(mrw_load(bytes.data, bytes.size, NULL, NULL), MRW_BAD_ARGUMENT, "nowhere to load to");
   expect(mrw_sample(&skeleton, &clip, 0, pose, mrw_skeleton_soa_size(&skeleton) - 1, NULL), MRW_BAD_ARGUMENT, "short");
-  expect(mrw_solve_two_bone(&zeros, &limb, &step, NULL, 0, NULL, 0, NULL), MRW_BAD_ARGUMENT, "zeros");
+  expect(mrw_solve_two_bone(&zeros, &limb, &step, NULL), MRW_BAD_ARGUMENT, "zeros");
   expect(mrw_skin_ssd(&mesh, NULL, 3, &out), MRW_BAD_ARGUMENT, "a null palette");
   memcpy((char*)copy.data + 4, bytes.data, bytes.size);
   expect(mrw_load((char*)copy.data + 4, bytes.size, &other, NULL), MRW_BAD_ARGUMENT, "off its boundary");
@@ -206,7 +204,7 @@ int main(int argc, char** argv) {
   options.animation_space = true;
   size = mrw_character_bytes(&file, &options);
   TRY(mrw_make_character(&file, &options, block_of(size).data, size, &character));
-  tail = tail_of(&file, &character.skeletons[0].skeleton);
+  tail = tail_of(&file, &character.skeletons[0].pose.skeleton);
   for (i = 0; i < character.mesh_count; ++i)
     if (character.meshes[i].mesh.geometry.slot_count > most) most = character.meshes[i].mesh.geometry.slot_count;
   positions = block_of(12 * most).data;
@@ -215,17 +213,17 @@ int main(int argc, char** argv) {
   mrw_playback_init(&playback);
   for (i = 0; i < 2; ++i) mrw_animation_layer_init(&layers[i]);
   for (frame = 0; frame < 30; ++frame) {
-    const mrw_character_skeleton* const s = &character.skeletons[0];
+    const mrw_pose* const pose = &character.skeletons[0].pose;
     TRY(mrw_advance(&playback, walk->duration_s, dt_s));
     layers[0].animation = walk;
     layers[1].animation = idle;
     layers[0].time_s = layers[1].time_s = mrw_clip_time(&playback);
     layers[1].weight = 0.25f;
     TRY(mrw_pose_character(&character, layers, 2));
-    reach(&file, s, &tail, dt_s);
+    reach(&file, pose, &tail, dt_s);
     TRY(mrw_finish_character(&character));
-    add(s->local, 40 * s->local_count);
-    add(s->model_from_joint, 12 * s->model_from_joint_count);
+    add(pose->local, 40 * pose->local_count);
+    add(pose->model_from_joint, 12 * pose->model_from_joint_count);
     for (i = 0; i < character.mesh_count; ++i) skin(&character.meshes[i], positions, normals);
   }
   printf("%08" PRIx32 "\n", hash);

@@ -35,18 +35,18 @@ marrow::Springs tail_of(const marrow::File& file, const marrow::Skeleton& skelet
   return springs;
 }
 
-void reach(const marrow::File& file, const marrow::CharacterSkeleton& s, marrow::Springs& springs, float dt_s) {
-  const marrow::Skeleton& skeleton = s.skeleton;
+void reach(const marrow::File& file, const marrow::Pose& pose, marrow::Springs& springs, float dt_s) {
+  const marrow::Skeleton& skeleton = pose.skeleton;
   const std::uint32_t neck[] = {file.find_joint(skeleton, "neck"), file.find_joint(skeleton, "head")};
-  need(solve_look_at(skeleton, neck, {.target = {0.5f, 1.25f, 2}, .weight = 0.5f}, 0.5f, s.local, s.model_from_joint));
+  need(solve_look_at(pose, neck, {.target = {0.5f, 1.25f, 2}, .weight = 0.5f}, 0.5f));
   const marrow::TwoBoneLimb leg = {file.find_joint(skeleton, "thigh.L"), file.find_joint(skeleton, "shin.L"),
                                    file.find_joint(skeleton, "foot.L")};
   marrow::TwoBone step;
-  for (int i = 0; i < 3; ++i) step.target[i] = s.model_from_joint[leg.end].rows[i][3] + 0.0625f;
-  need(solve_two_bone(skeleton, leg, step, s.local, s.model_from_joint));
+  for (int i = 0; i < 3; ++i) step.target[i] = pose.model_from_joint[leg.end].rows[i][3] + 0.0625f;
+  need(solve_two_bone(pose, leg, step));
   marrow::SpringFrame frame;
   frame.dt_s = dt_s;
-  need(simulate_springs(skeleton, frame, springs, s.local, s.model_from_joint));
+  need(simulate_springs(pose, frame, springs));
 }
 
 void skin(const marrow::CharacterMesh& m) {
@@ -85,17 +85,17 @@ int main(int argc, char** argv) {
   const marrow::Animation *const walk = find_animation(animations, "walk"), *const idle =
                                                                                 find_animation(animations, "idle");
   if (walk == nullptr || idle == nullptr) return 1;
-  marrow::Springs tail = tail_of(file, character.skeletons[0].skeleton, of_springs);
+  marrow::Springs tail = tail_of(file, character.skeletons[0].pose.skeleton, of_springs);
   marrow::Playback playback;
   for (int frame = 0; frame < 30; ++frame) {
-    const marrow::CharacterSkeleton& s = character.skeletons[0];
+    const marrow::Pose& pose = character.skeletons[0].pose;
     need(advance(playback, walk->duration_s, 1.0f / 60));
     const float time_s = clip_time(playback);
     need(pose_character(character, {{walk, time_s, 1}, {idle, time_s, 0.25f}}));
-    reach(file, s, tail, 1.0f / 60);
+    reach(file, pose, tail, 1.0f / 60);
     need(finish_character(character));
-    add(s.local.data, 40 * s.local.size);
-    add(s.model_from_joint.data, 12 * s.model_from_joint.size);
+    add(pose.local.data, 40 * pose.local.size);
+    add(pose.model_from_joint.data, 12 * pose.model_from_joint.size);
     for (const marrow::CharacterMesh& m : character.meshes) skin(m);
   }
   std::printf("%08x\n", hash);

@@ -33,18 +33,17 @@ marrow::Status move(Walker& w, const marrow::Animation& idle, const marrow::Anim
   if (status == marrow::Status::ok)
     status = pose_character(w.body, {{&idle, clip_time(w.idle), 1 - walking}, {&walk, clip_time(w.walk), walking}});
 
-  const marrow::CharacterSkeleton& s = w.body.skeletons[0];
+  const marrow::Pose& pose = w.body.skeletons[0].pose;
   marrow::FeetFrame frame;
   frame.dt_s = dt_s;
   frame.world_from_model = {{{1, 0, 0, w.x}, {0, 1, 0, 0}, {0, 0, 1, w.z}}};
   marrow::FootGround ground[2];
   for (int i = 0; i < 2 && status == marrow::Status::ok; ++i) {
     float sole[3];
-    status = foot_sole(feet.feet[std::size_t(i)], frame.world_from_model, s.model_from_joint, sole);
+    status = foot_sole(feet.feet[std::size_t(i)], frame.world_from_model, pose.model_from_joint, sole);
     if (status == marrow::Status::ok) ground[i] = ground_below(sole);
   }
-  if (status == marrow::Status::ok)
-    status = place_feet(s.skeleton, feet, frame, {ground, 2}, {w.feet, 2}, s.local, s.model_from_joint);
+  if (status == marrow::Status::ok) status = place_feet(pose, feet, frame, {ground, 2}, {w.feet, 2});
   return status == marrow::Status::ok ? finish_character(w.body) : status;
 }
 

@@ -139,9 +139,9 @@ int main(int argc, char** argv) {
     glClear(GL_COLOR_BUFFER_BIT);
     for (i = 0; i < character.mesh_count; ++i) {
       const mrw_character_mesh* const m = &character.meshes[i];
-      const mrw_character_skeleton* const s = &character.skeletons[m->mesh.skeleton];
+      const mrw_pose* const pose = &character.skeletons[m->mesh.skeleton].pose;
       const mrw_gles3_program* program;
-      must(mrw_gles3_pose(&skinners[i], 0, s->model_from_joint, s->model_from_joint_count, m->weights,
+      must(mrw_gles3_pose(&skinners[i], 0, pose->model_from_joint, pose->model_from_joint_count, m->weights,
                           m->weight_count));
       must(mrw_gles3_update(&api, &skinners[i], &programs, 1));
       program = mrw_gles3_program_of(&skinners[i], &programs, 0);

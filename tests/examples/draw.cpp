@@ -81,7 +81,7 @@ struct Actor {
     marrow::Status status = marrow::Status::ok;
     for (std::size_t i = 0; i < skinners.size() && status == marrow::Status::ok; ++i) {
       const marrow::CharacterMesh& m = body.meshes[i];
-      status = pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].model_from_joint, m.weights);
+      status = pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].pose.model_from_joint, m.weights);
       if (status == marrow::Status::ok) status = update(gl, skinners[i], programs, 1);
       const gles3::Program& program = program_of(skinners[i], programs, 0);
       gl.UseProgram(program.id);

@@ -16,9 +16,7 @@ namespace {
 // Distance of the goals' joints from their goals, the worst over a walk.
 double worst_distance(const File& file, const tools::Reach& reach) {
   tools::Character character(file);
-  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> scene) {
-    reach.apply(skeleton, local, scene);
-  });
+  character.set_change([&](std::uint32_t skeleton, const Pose& pose) { reach.apply(skeleton, pose); });
   const tools::Play play = tools::play_together(file, file.find_clip("walk", 0));
   double worst = 0;
   for (int i = 0; i < 16; ++i) {

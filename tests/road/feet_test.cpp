@@ -230,7 +230,7 @@ void walk(Walk& w, double hz, Slides& out) {
       stood.push_back(ground[leg].planted);
       ground[leg].planted = stands[leg];
     }
-    ASSERT_EQ(place_feet(w.skeleton, w.feet, frame, ground, motion, w.local, w.scene), Status::ok);
+    ASSERT_EQ(place_feet({w.skeleton, w.local, w.scene}, w.feet, frame, ground, motion), Status::ok);
     out.lowered = std::max(out.lowered, (pelvis - origin_of(w.scene[w.feet.pelvis])[1]) / w.leg_m(0));
     for (std::size_t leg = 0; leg < w.legs.size(); ++leg, ++out.frames) {
       const Vec3 shown = point(world, w.place(leg));

@@ -48,7 +48,7 @@ class FollowingBody : public Workload {
       scene_ = joints_;
       problem_.goals = {goals_.data() + next_ * kEnds, kEnds};
       next_ = (next_ + 1) % kTargets;
-      check(solve_ik(skeleton_, local_, scene_, problem_, options_, scratch_));
+      check(solve_ik({skeleton_, local_, scene_}, problem_, options_, scratch_));
     }
   }
 

@@ -45,7 +45,7 @@ class ReachingChain : public Workload {
       joints_ = rest_joints_;
       problem_.goals = {&goals_[next_], 1};
       next_ = (next_ + 1) % kTargets;
-      check(solve_ik(skeleton_, pose_, joints_, problem_, options_, scratch_));
+      check(solve_ik({skeleton_, pose_, joints_}, problem_, options_, scratch_));
     }
   }
 

@@ -108,7 +108,7 @@ class Hair : public Workload, Posed {
     for (std::uint64_t i = 0; i < iterations; ++i) {
       again();
       frame_.world_from_model = worlds_[next_++ % kMoments];
-      check(simulate_springs(skeleton_, frame_, springs_, local_, scene_));
+      check(simulate_springs({skeleton_, local_, scene_}, frame_, springs_));
     }
   }
 
@@ -160,7 +160,7 @@ class Standing : public Workload, Posed {
       again();
       const std::size_t moment = next_ % kMoments;
       frame_.world_from_model.rows[2][3] = 0.005f * static_cast<float>(moment % 64);
-      check(place_feet(skeleton_, feet_, frame_, {grounds_.data() + 2 * moment, 2}, {motion_, 2}, local_, scene_));
+      check(place_feet({skeleton_, local_, scene_}, feet_, frame_, {grounds_.data() + 2 * moment, 2}, {motion_, 2}));
     }
   }
 

@@ -216,7 +216,7 @@ class CharacterFrame : public Workload {
     check(make_character(file, {}, {own_.data(), own_.size()}, character_));
     for (int c = 0; c < 2; ++c) layers_[c] = {find_animation(animations_, stage.clips[c]), 0, 0.5f};
   }
-  std::uint32_t items() const override { return character_.skeletons[0].skeleton.joint_count; }
+  std::uint32_t items() const override { return character_.skeletons[0].pose.skeleton.joint_count; }
   std::uint32_t period() const override { return 512; }
   std::uint64_t hash_output(std::uint64_t state) const override {
     for (const CharacterMesh& mesh : character_.meshes) state = hash_of(mesh.palette, state);

@@ -37,16 +37,15 @@ void add_between(CLI::App* command, BetweenArguments& to) {
 
 PlayedFrames::PlayedFrames(const File& file, const Play& play, const BetweenArguments& arguments,
                            const std::map<std::string, float>& parameters)
-    : file_(file),
-      play_(play),
+    : play_(play),
       kind_(*arguments.kind),
       intervals_(intervals(play, arguments.hz)),
       character_(file),
       poses_(file.skeleton_count()),
       weights_(file.mesh_count()) {
   character_.set_parameters(parameters);
-  character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine>) {
-    poses_[skeleton].emplace_back(local.begin(), local.end());
+  character_.set_change([this](std::uint32_t skeleton, const Pose& pose) {
+    poses_[skeleton].emplace_back(pose.local.begin(), pose.local.end());
   });
   character_.set_weigh(
       [this](std::uint32_t mesh, Span<float> weights) { weights_[mesh].emplace_back(weights.begin(), weights.end()); });
@@ -64,10 +63,9 @@ void PlayedFrames::move_to(float time_s) {
   at_ = at - static_cast<double>(first);
 }
 
-void PlayedFrames::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const {
-  const std::vector<SoaTransform> pose = deform::between_poses(kind_, poses_[skeleton], at_);
-  std::copy(pose.begin(), pose.end(), local.begin());
-  check(local_to_model(file_.skeleton(skeleton), local, model_from_joint));
+void PlayedFrames::change(std::uint32_t skeleton, const Pose& pose) const {
+  std::ranges::copy(deform::between_poses(kind_, poses_[skeleton], at_), pose.local.begin());
+  check(local_to_model(pose.skeleton, pose.local, pose.model_from_joint));
 }
 
 void PlayedFrames::weigh(std::uint32_t mesh, Span<float> weights) const {

@@ -40,11 +40,10 @@ class PlayedFrames {
   void move_to(float time_s);
   bool has_moved() const { return !poses_.empty() && !poses_.front().empty(); }
   // What they make of a skeleton's joints and a mesh's weights at that moment, for Character's hooks.
-  void change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const;
+  void change(std::uint32_t skeleton, const Pose& pose) const;
   void weigh(std::uint32_t mesh, Span<float> weights) const;
 
  private:
-  const File& file_;
   const Play& play_;
   deform::BetweenFrames kind_;
   std::size_t intervals_;

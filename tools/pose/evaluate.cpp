@@ -88,8 +88,7 @@ void Character::pose(std::span<const PlayLayer> layers) {
     all.push_back({layer.play.empty() ? &rest_ : &layer.play, layer.time_s, layer.weight});
   check(pose_character(body_, all));
   shapes_.write(all, body_);
-  for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i)
-    change_(i, body_.skeletons[i].local, body_.skeletons[i].model_from_joint);
+  for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i) change_(i, body_.skeletons[i].pose);
   for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
     if (!body_.meshes[i].weights.empty()) weigh_(i, body_.meshes[i].weights);
   check(finish_character(body_));

@@ -90,7 +90,7 @@ class Character {
 
   // Called in each pose() for each skeleton, when its joints are posed and nothing has been built from them yet; it may
   // change them, both forms alike.
-  using Change = std::function<void(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint)>;
+  using Change = std::function<void(std::uint32_t skeleton, const Pose& pose)>;
   void set_change(Change change) { change_ = std::move(change); }
   // Called likewise for each mesh that has morph targets; it may change their weights.
   using Weigh = std::function<void(std::uint32_t mesh, Span<float> weights)>;
@@ -114,7 +114,7 @@ class Character {
   void skin(std::uint32_t mesh, Deformer deformer, PosedMesh& out) const;
 
   std::span<const Affine> model_from_joint(std::uint32_t skeleton) const {
-    return to_std(body_.skeletons[skeleton].model_from_joint);
+    return to_std(body_.skeletons[skeleton].pose.model_from_joint);
   }
   // Of the mesh's morph targets: the clip's, or their defaults.
   std::span<const float> weights(std::uint32_t mesh) const { return to_std(body_.meshes[mesh].weights); }

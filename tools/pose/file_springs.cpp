@@ -23,10 +23,9 @@ bool FileSprings::has_any() const {
   return std::ranges::any_of(skeletons_, [](const Swinging& s) { return s.springs.group_count > 0; });
 }
 
-void FileSprings::swing(std::uint32_t skeleton, SpringFrame frame, Span<SoaTransform> local,
-                        Span<Affine> model_from_joint) {
+void FileSprings::swing(std::uint32_t skeleton, SpringFrame frame, const Pose& pose) {
   frame.colliders = file_->spring_colliders(skeleton);
-  check(simulate_springs(file_->skeleton(skeleton), frame, skeletons_[skeleton].springs, local, model_from_joint));
+  check(simulate_springs(pose, frame, skeletons_[skeleton].springs));
 }
 
 }  // namespace marrow::tools

@@ -16,8 +16,8 @@ class FileSprings {
 
   bool has(std::uint32_t skeleton) const { return skeletons_[skeleton].springs.group_count > 0; }
   bool has_any() const;
-  // frame: its colliders are the file's. Local poses and matrices as simulate_springs() has them.
-  void swing(std::uint32_t skeleton, SpringFrame frame, Span<SoaTransform> local, Span<Affine> model_from_joint);
+  // frame: its colliders are the file's. pose: of that skeleton, as simulate_springs() has it.
+  void swing(std::uint32_t skeleton, SpringFrame frame, const Pose& pose);
 
  private:
   struct Swinging {

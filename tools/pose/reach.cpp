@@ -78,10 +78,10 @@ Reach::Reach(const File& file, const ReachArguments& arguments)
   }
 }
 
-void Reach::apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const {
+void Reach::apply(std::uint32_t skeleton, const Pose& pose) const {
   if (std::ranges::find(goals_, skeleton, &Goal::skeleton) == goals_.end()) return;
-  if (!solver_.method) return solve_limbs(file_.skeleton(skeleton), skeleton, local, model_from_joint);
-  solve_chains(file_.skeleton(skeleton), skeleton, local, model_from_joint);
+  if (!solver_.method) return solve_limbs(skeleton, pose);
+  solve_chains(skeleton, pose);
 }
 
 float Reach::miss_m(const Goal& goal, Span<const Affine> model_from_joint) const {
@@ -108,43 +108,41 @@ std::vector<std::string> Reach::chain(const Goal& goal) const {
   return out;
 }
 
-void Reach::solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local,
-                        Span<Affine> scene) const {
+void Reach::solve_limbs(std::uint32_t skeleton, const Pose& pose) const {
   for (const Goal& goal : goals_) {
-    if (goal.skeleton != index) continue;
-    const std::vector<std::uint16_t> joints = above(file_, skeleton, goal.joint, 2);
+    if (goal.skeleton != skeleton) continue;
+    const std::vector<std::uint16_t> joints = above(file_, pose.skeleton, goal.joint, 2);
     TwoBone two_bone;
     std::ranges::copy(goal.position, two_bone.target);
-    check_solved(solve_two_bone(skeleton, {joints[1], joints[0], goal.joint}, two_bone, local, scene), skeleton);
+    check_solved(solve_two_bone(pose, {joints[1], joints[0], goal.joint}, two_bone), pose.skeleton);
   }
 }
 
-void Reach::solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local,
-                         Span<Affine> scene) const {
+void Reach::solve_chains(std::uint32_t skeleton, const Pose& pose) const {
   std::vector<IkGoal> goals;
   std::vector<std::uint16_t> joints;
   for (const Goal& from : goals_) {
-    if (from.skeleton != index) continue;
+    if (from.skeleton != skeleton) continue;
     IkGoal& goal = goals.emplace_back();
     goal.joint = static_cast<std::uint16_t>(from.joint);
     std::ranges::copy(from.position, goal.position);
-    const std::vector<std::uint16_t> turning = above(file_, skeleton, from.joint, joints_);
+    const std::vector<std::uint16_t> turning = above(file_, pose.skeleton, from.joint, joints_);
     joints.insert(joints.end(), turning.begin(), turning.end());
   }
   make_distinct(joints);
   IkProblem problem;
   problem.goals = goals;
   problem.joints = joints;
-  problem.limits = skeleton.limits;
+  problem.limits = pose.skeleton.limits;
   IkOptions options;
   options.method = *solver_.method;
   options.max_iterations = kIterations;
   options.seed = seed_;
-  std::vector<std::byte> scratch(solver_.is_genetic ? ik_genetic_scratch_bytes(skeleton, problem)
-                                                    : ik_scratch_bytes(skeleton, problem, options));
-  check_solved(solver_.is_genetic ? solve_ik_genetic(skeleton, local, scene, problem, options, scratch)
-                                  : solve_ik(skeleton, local, scene, problem, options, scratch),
-               skeleton);
+  std::vector<std::byte> scratch(solver_.is_genetic ? ik_genetic_scratch_bytes(pose.skeleton, problem)
+                                                    : ik_scratch_bytes(pose.skeleton, problem, options));
+  check_solved(solver_.is_genetic ? solve_ik_genetic(pose, problem, options, scratch)
+                                  : solve_ik(pose, problem, options, scratch),
+               pose.skeleton);
 }
 
 }  // namespace marrow::tools

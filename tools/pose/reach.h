@@ -40,7 +40,7 @@ class Reach {
 
   bool empty() const { return goals_.empty(); }
   // Brings the joints of this skeleton to their goals. Throws Failure (invalid) if a pose is not finite.
-  void apply(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) const;
+  void apply(std::uint32_t skeleton, const Pose& pose) const;
 
   struct Goal {
     std::uint32_t skeleton = 0;
@@ -56,8 +56,8 @@ class Reach {
   std::vector<std::string> chain(const Goal& goal) const;
 
  private:
-  void solve_limbs(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;
-  void solve_chains(const Skeleton& skeleton, std::uint32_t index, Span<SoaTransform> local, Span<Affine> scene) const;
+  void solve_limbs(std::uint32_t skeleton, const Pose& pose) const;
+  void solve_chains(std::uint32_t skeleton, const Pose& pose) const;
 
   File file_;
   std::vector<Goal> goals_;

@@ -49,27 +49,25 @@ struct Memory {
 
 #ifdef IK
 void reach(const marrow::Skeleton& skeleton, const Memory& m) {
-  const marrow::Span<marrow::SoaTransform> local(m.poses[0], m.size);
-  const marrow::Span<marrow::Affine> scene(m.joints, m.size);
-  solve_two_bone(skeleton, {m.ik.joints[0], m.ik.joints[1], m.ik.joints[2]}, m.ik.limb, local, scene);
-  solve_look_at(skeleton, {m.ik.joints, m.size}, m.ik.aim, 0.5f, local, scene);
+  const marrow::Pose pose{skeleton, {m.poses[0], m.size}, {m.joints, m.size}};
+  solve_two_bone(pose, {m.ik.joints[0], m.ik.joints[1], m.ik.joints[2]}, m.ik.limb);
+  solve_look_at(pose, {m.ik.joints, m.size}, m.ik.aim, 0.5f);
 #if IK >= 2
-  solve_ik_chain(skeleton, local, scene, m.ik.problem, m.ik.options,
-                 {m.bytes, ik_scratch_bytes(skeleton, m.ik.problem, m.ik.options)});
-  limit_pose(skeleton.limits, local);
+  solve_ik_chain(pose, m.ik.problem, m.ik.options, {m.bytes, ik_scratch_bytes(skeleton, m.ik.problem, m.ik.options)});
+  limit_pose(skeleton.limits, pose.local);
 #endif
 #if IK >= 3
-  solve_ik_body(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+  solve_ik_body(pose, m.ik.problem, m.ik.options, {m.bytes, m.size});
 #endif
 #if IK >= 4
-  follow_pose(skeleton.limits, {m.ik.followers, m.size}, 0.01f, local);
+  follow_pose(skeleton.limits, {m.ik.followers, m.size}, 0.01f, pose.local);
   marrow::Springs springs;
   make_springs(skeleton, {&m.ik.springs, 1}, {m.bytes, m.size}, springs);
-  simulate_springs(skeleton, m.ik.spring_frame, springs, local, scene);
-  place_feet(skeleton, m.ik.feet, m.ik.feet_frame, {m.ik.ground, m.size}, {m.ik.motion, m.size}, local, scene);
+  simulate_springs(pose, m.ik.spring_frame, springs);
+  place_feet(pose, m.ik.feet, m.ik.feet_frame, {m.ik.ground, m.size}, {m.ik.motion, m.size});
 #endif
 #if IK >= 5
-  solve_ik_genetic(skeleton, local, scene, m.ik.problem, m.ik.options, {m.bytes, m.size});
+  solve_ik_genetic(pose, m.ik.problem, m.ik.options, {m.bytes, m.size});
 #endif
 }
 #endif

@@ -179,7 +179,7 @@ bool Scene::draw(int width, int height) {
   glBindTexture(GL_TEXTURE_2D, ramp_texture_);
   for (std::size_t i = 0; i < body_.meshes.size; ++i) {
     const marrow::CharacterMesh& m = body_.meshes[i];
-    if (!check(pose(skinners_[i], 0, body_.skeletons[m.mesh.skeleton].model_from_joint, m.weights), m.mesh.name) ||
+    if (!check(pose(skinners_[i], 0, body_.skeletons[m.mesh.skeleton].pose.model_from_joint, m.weights), m.mesh.name) ||
         !check(update(gl_, skinners_[i], programs_, 1), m.mesh.name))
       return false;
     draw_mesh(i, clip_from_model);

@@ -121,7 +121,7 @@ bool Cooked::choose(std::int64_t skeleton) {
   const mrw_status status =
       mrw_make_character(&file_.file, &options, character_block_.data(), character_block_.size(), &character_);
   if (status != MRW_OK) return fail(mrw_status_text(status));
-  skeleton_ = character_.skeletons[chosen_].skeleton;
+  skeleton_ = character_.skeletons[chosen_].pose.skeleton;
   if (!place() || !take_clips(file_)) return false;
   for (std::uint32_t i = 0; i < mrw_file_mesh_count(&file_.file); ++i) {
     mrw_mesh mesh;
@@ -237,7 +237,7 @@ const float* Cooked::pose(std::int64_t clip, double time_s, std::int64_t other, 
   if (count == 2 && !layer(other, other_s, 1 - share, layers[1])) return nullptr;
   const mrw_status status = mrw_sample_character(&character_, layers, count);
   if (status != MRW_OK) return fail(mrw_status_text(status)), nullptr;
-  const mrw_soa_transform* const local = character_.skeletons[chosen_].local;
+  const mrw_soa_transform* const local = character_.skeletons[chosen_].pose.local;
   for (std::size_t j = 0; j < bone_count(); ++j) read_joint(local, j, &pose_[kReals * j]);
   return pose_.data();
 }

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xbc42d89eu
+#define MRW_ABI 0xfe7fd489u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1500,7 +1500,19 @@ mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* in
     mrw_soa_transform* pose, size_t pose_count) MRW_NODISCARD;
 
 // ---- Part local_to_model --------------------------------------------------------------------------------------------
-// Local to model: local transforms → one model-space matrix a joint.
+// Local to model: local transforms → one model-space matrix a joint. And a pose that has both.
+
+// A skeleton's pose in both forms. What changes one form keeps the other alike. The lists are views: functions that
+// take a const mrw_pose write through them.
+typedef struct mrw_pose mrw_pose;
+struct mrw_pose {
+  mrw_skeleton skeleton;  // of a file
+  mrw_soa_transform* local;  // at least mrw_skeleton_soa_size(skeleton)
+  size_t local_count;
+  mrw_affine* model_from_joint;  // at least skeleton.joint_count
+  size_t model_from_joint_count;
+};
+void mrw_pose_init(mrw_pose* out);
 
 // model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
 // above the skeleton and never moves, so the matrices are in the source's own space.
@@ -1657,7 +1669,7 @@ mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mr
 //
 // Each comes in two forms. A kernel (mrw_turn_two_bone, aim) takes model matrices and gives turns, to be multiplied
 // onto the joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes
-// a pose, changes its local rotations, and updates the model matrices of all that hangs below. Both take the same
+// an mrw_pose, changes its local rotations, and updates the model matrices of all that hangs below. Both take the same
 // struct.
 //
 // "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
@@ -1756,14 +1768,13 @@ mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bo
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
-// Solves a limb of a pose. local and model_from_joint belong together (mrw_local_to_model); both are changed, unless
-// the weight is 0. reached: may be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is
-// too short or the joints are not a chain; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
+// Solves a limb of a pose. Both forms are changed, unless the weight is 0. reached: may be null; see
+// mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or the joints are not a chain;
+// nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
 // Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
 // five times the cost, at most twelve. The target is still reached, or `reached` is false.
 // May be null: reached.
-mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count,
+mrw_status mrw_solve_two_bone(const mrw_pose* pose, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
     bool* reached) MRW_NODISCARD;
 
 // Method: takes the point of the ray that is as far from the joint as the target, and turns it onto the target by the
@@ -1773,21 +1784,19 @@ mrw_status mrw_solve_two_bone(const mrw_skeleton* skeleton, const mrw_two_bone_l
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
-// Aims a joint of a pose. local and model_from_joint belong together (mrw_local_to_model); both are changed, unless the
-// weight is 0. reached: may be null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such
-// joint; nothing is written. Cost: the kernel's, and mrw_local_to_model_below(joint).
+// Aims a joint of a pose. Both forms are changed, unless the weight is 0. reached: may be null.
+// Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such joint; nothing is written.
+// Cost: the kernel's, and mrw_local_to_model_below(joint).
 // May be null: reached.
-mrw_status mrw_solve_aim(const mrw_skeleton* skeleton, uint32_t joint, const mrw_aim* goal, mrw_soa_transform* local,
-    size_t local_count, mrw_affine* model_from_joint, size_t model_from_joint_count, bool* reached) MRW_NODISCARD;
+mrw_status mrw_solve_aim(const mrw_pose* pose, uint32_t joint, const mrw_aim* goal, bool* reached) MRW_NODISCARD;
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
 // skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
 // falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
 // Errors: as above, and MRW_BAD_ARGUMENT if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
-mrw_status mrw_solve_look_at(const mrw_skeleton* skeleton, const uint32_t* joints, size_t joint_count,
-    const mrw_aim* goal, float falloff, mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
-    size_t model_from_joint_count, bool* reached) MRW_NODISCARD;
+mrw_status mrw_solve_look_at(const mrw_pose* pose, const uint32_t* joints, size_t joint_count, const mrw_aim* goal,
+    float falloff, bool* reached) MRW_NODISCARD;
 
 // ---- Part ik_solve --------------------------------------------------------------------------------------------------
 // Inverse kinematics of any chain or tree of joints, by iteration: several goals at once, with a choice of methods.
@@ -1880,29 +1889,25 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 
 // Turns the joints from the given pose so that the goals are reached, or as nearly as can be.
 //
-// local: parent_from_joint, at least mrw_skeleton_soa_size(skeleton). Rotations of problem.joints are changed, and the
-// translation of joints[0] if it may travel. model_from_joint: of this pose (mrw_local_to_model), at least
-// skeleton.joint_count; updated for what hangs below the joints that turn. scratch: at least mrw_ik_scratch_bytes(), of
-// any alignment. report: may be null. A joint's rotation in model space is the product of the rotations from the root
-// down; scale has no part in it. Errors: MRW_BAD_ARGUMENT, and nothing is written, if a list is too short, an index is
-// out of range, `joints` do not ascend, there are more than MRW_MAX_JOINTS goals, a goal hangs on no joint that turns,
-// a number is not finite, a weight or a stiffness is out of range, or the pose is not finite on the way to a goal.
-// Cost: docs/ik.md. Thread-safe on different poses and scratch.
+// Local rotations of problem.joints are changed, and the translation of joints[0] if it may travel; model_from_joint is
+// updated for what hangs below. scratch: at least mrw_ik_scratch_bytes(), of any alignment. report: may be null. A
+// joint's rotation in model space is the product of the rotations from the root down; scale has no part in it. Errors:
+// MRW_BAD_ARGUMENT, and nothing is written, if a list is too short, an index is out of range, `joints` do not ascend,
+// there are more than MRW_MAX_JOINTS goals, a goal hangs on no joint that turns, a number is not finite, a weight or a
+// stiffness is out of range, or the pose is not finite on the way to a goal. Cost: docs/ik.md. Thread-safe on different
+// poses and scratch.
 // May be null: options, report.
-mrw_status mrw_solve_ik(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+mrw_status mrw_solve_ik(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // mrw_solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others.
 // Scratch memory as by mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, and MRW_BAD_ARGUMENT if
 // options.method is one of the others.
 // May be null: options, report.
-mrw_status mrw_solve_ik_chain(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
-mrw_status mrw_solve_ik_body(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+mrw_status mrw_solve_ik_chain(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+mrw_status mrw_solve_ik_body(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
 // and the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
@@ -1923,9 +1928,8 @@ size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_p
 // pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
 // Cost: tens of microseconds a generation, see docs/ik.md.
 // May be null: options, report.
-mrw_status mrw_solve_ik_genetic(const mrw_skeleton* skeleton, mrw_soa_transform* local, size_t local_count,
-    mrw_affine* model_from_joint, size_t model_from_joint_count, const mrw_ik_problem* problem,
-    const mrw_ik_options* options, void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
+mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
+    void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // ---- Part feet ------------------------------------------------------------------------------------------------------
 // Feet on the ground, for poses after mrw_local_to_model(): soles stand on what rays hit, planted feet stay, the pelvis
@@ -2008,8 +2012,7 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_mode
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and updates the matrices of what hangs below. Call
 // it after mrw_local_to_model(), and cast the rays before it, from the same pose.
 //
-// local, model_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count. ground, motion:
-// one a foot.
+// pose: the animated one. ground, motion: one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
 // plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
@@ -2023,10 +2026,8 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_mode
 // Cost: mrw_local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one mrw_solve_two_bone() a
 // foot, up to three where joints are scaled unevenly: 6700 instructions a foot on x86-64, the skeleton having 27
 // joints. No allocation; thread-safe on different motions and poses.
-mrw_status mrw_place_feet(const mrw_skeleton* skeleton, const mrw_feet* feet, const mrw_feet_frame* frame,
-    const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
-    size_t model_from_joint_count) MRW_NODISCARD;
+mrw_status mrw_place_feet(const mrw_pose* pose, const mrw_feet* feet, const mrw_feet_frame* frame,
+    const mrw_foot_ground* ground, size_t ground_count, mrw_foot_motion* motion, size_t motion_count) MRW_NODISCARD;
 
 // ---- Part springs ---------------------------------------------------------------------------------------------------
 // Spring bones, for poses after mrw_local_to_model(): hair, tails and capes swing behind the animated pose.
@@ -2096,10 +2097,9 @@ mrw_status mrw_set_springs(const mrw_skeleton* skeleton, const mrw_spring_chain*
 // Lets the springs begin anew: at rest in the next frame's pose.
 void mrw_reset_springs(mrw_springs* springs);
 
-// Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
+// Moves the springs on by a frame and bends the pose by them. Updates the matrices of what hangs below.
 //
-// local, model_from_joint: the animated pose, at least mrw_skeleton_soa_size(skeleton) and joint_count, which belong
-// together (mrw_local_to_model). Springs never read what they have written: give them the animated pose in every frame.
+// pose: the animated one, in every frame: springs never read what they have written.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
@@ -2125,9 +2125,8 @@ void mrw_reset_springs(mrw_springs* springs);
 // out of its range, or there are more than MRW_MAX_SPRING_COLLIDERS; nothing is written.
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
-mrw_status mrw_simulate_springs(const mrw_skeleton* skeleton, const mrw_spring_frame* frame, mrw_springs* springs,
-    mrw_soa_transform* local, size_t local_count, mrw_affine* model_from_joint,
-    size_t model_from_joint_count) MRW_NODISCARD;
+mrw_status mrw_simulate_springs(const mrw_pose* pose, const mrw_spring_frame* frame,
+    mrw_springs* springs) MRW_NODISCARD;
 
 // ---- Part morph -----------------------------------------------------------------------------------------------------
 // Morph: weights of morph targets → bind-pose vertices moved, for any deformer.
@@ -2552,7 +2551,7 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 // A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
 // a skeleton or a mesh has its index in the file.
 //
-// Local poses may come from anyone. Instead of mrw_pose_character(): write mrw_character_skeleton.local and
+// Local poses may come from anyone. Instead of mrw_pose_character(): write mrw_pose.local of each skeleton and
 // mrw_character_mesh.weights, then call mrw_character_to_model().
 //
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
@@ -2591,15 +2590,11 @@ struct mrw_character_options {
 };
 void mrw_character_options_init(mrw_character_options* out);
 
-// A skeleton and its pose in both forms. What changes one between mrw_pose_character() and mrw_finish_character() must
-// keep the other alike; all calls between the two do.
+// A skeleton of the file, posed. What changes one form of the pose between mrw_pose_character() and
+// mrw_finish_character() must keep the other alike; all calls between the two do.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
-  mrw_skeleton skeleton;  // of the file
-  mrw_soa_transform* local;  // mrw_skeleton_soa_size(skeleton)
-  size_t local_count;
-  mrw_affine* model_from_joint;  // skeleton.joint_count
-  size_t model_from_joint_count;
+  mrw_pose pose;
   // mrw_sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   mrw_soa_transform* sampled;
   size_t sampled_count;

@@ -8,7 +8,7 @@
 // A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
 // a skeleton or a mesh has its index in the file.
 //
-// Local poses may come from anyone. Instead of pose_character(): write CharacterSkeleton::local and
+// Local poses may come from anyone. Instead of pose_character(): write Pose::local of each skeleton and
 // CharacterMesh::weights, then call local_to_model().
 //
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
@@ -18,6 +18,7 @@
 #include "marrow/api.h"
 #include "marrow/blend.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 #include "marrow/morph.h"
 #include "marrow/sample.h"
 
@@ -68,12 +69,10 @@ struct CharacterOptions {
   bool animation_space = false;  // skin by skin_as(), too
 };
 
-// A skeleton and its pose in both forms. What changes one between pose_character() and finish_character() must keep
-// the other alike; all calls between the two do.
+// A skeleton of the file, posed. What changes one form of the pose between pose_character() and finish_character() must
+// keep the other alike; all calls between the two do.
 struct CharacterSkeleton {
-  Skeleton skeleton = {};              // of the file
-  Span<SoaTransform> local = {};       // skeleton.soa_size()
-  Span<Affine> model_from_joint = {};  // skeleton.joint_count
+  Pose pose = {};
   // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
   Span<SoaTransform> sampled = {};
   Span<SampleCache> caches = {};  // as `sampled`

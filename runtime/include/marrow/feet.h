@@ -4,6 +4,7 @@
 
 #include "marrow/api.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 
 namespace marrow {
 
@@ -67,7 +68,7 @@ MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_model, Sp
 // Places the feet: turns hips, knees and ankles, shifts the pelvis, and updates the matrices of what hangs below. Call
 // it after local_to_model(), and cast the rays before it, from the same pose.
 //
-// local, model_from_joint: the animated pose, at least skeleton.soa_size() and joint_count. ground, motion: one a foot.
+// pose: the animated one. ground, motion: one a foot.
 //
 // The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
 // plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
@@ -81,8 +82,7 @@ MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_model, Sp
 // Cost: local_to_model_below() of the pelvis, if that moves, of each hip and each ankle; one solve_two_bone() a foot,
 // up to three where joints are scaled unevenly: 6700 instructions a foot on x86-64, the skeleton having 27 joints. No
 // allocation; thread-safe on different motions and poses.
-MARROW_API Status place_feet(const Skeleton& skeleton, const Feet& feet, const FeetFrame& frame,
-                             Span<const FootGround> ground, Span<FootMotion> motion, Span<SoaTransform> local,
-                             Span<Affine> model_from_joint);
+MARROW_API Status place_feet(const Pose& pose, const Feet& feet, const FeetFrame& frame, Span<const FootGround> ground,
+                             Span<FootMotion> motion);
 
 }  // namespace marrow

@@ -2,7 +2,7 @@
 // or a chain of joints looks at one.
 //
 // Each comes in two forms. A kernel (two_bone, aim) takes model matrices and gives turns, to be multiplied onto the
-// joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes a pose,
+// joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes a Pose,
 // changes its local rotations, and updates the model matrices of all that hangs below. Both take the same struct.
 //
 // "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
@@ -13,6 +13,7 @@
 
 #include "marrow/api.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 
 namespace marrow {
 
@@ -72,13 +73,13 @@ struct TwoBoneLimb {
   std::uint32_t start = 0, mid = 0, end = 0;  // hip, knee and ankle
 };
 
-// Solves a limb of a pose. local and model_from_joint belong together (local_to_model); both are changed, unless the
-// weight is 0. reached: may be null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the
-// joints are not a chain; nothing is written. Cost: the kernel's, and local_to_model_below(start).
+// Solves a limb of a pose. Both forms are changed, unless the weight is 0. reached: may be null; see TwoBoneTurns.
+// Errors: as above, and bad_argument if a span is too short or the joints are not a chain; nothing is written.
+// Cost: the kernel's, and local_to_model_below(start).
 // Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
 // five times the cost, at most twelve. The target is still reached, or `reached` is false.
-MARROW_API Status solve_two_bone(const Skeleton& skeleton, const TwoBoneLimb& limb, const TwoBone& goal,
-                                 Span<SoaTransform> local, Span<Affine> model_from_joint, bool* reached = nullptr);
+MARROW_API Status solve_two_bone(const Pose& pose, const TwoBoneLimb& limb, const TwoBone& goal,
+                                 bool* reached = nullptr);
 
 // The goal of a joint that looks or points at something: an eye, a head, a gun.
 struct alignas(16) Aim {
@@ -108,18 +109,16 @@ struct alignas(16) AimTurn {
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
-// Aims a joint of a pose. local and model_from_joint belong together (local_to_model); both are changed, unless the
-// weight is 0. reached: may be null. Errors: as above, and bad_argument if a span is too short or there is no such
-// joint; nothing is written. Cost: the kernel's, and local_to_model_below(joint).
-MARROW_API Status solve_aim(const Skeleton& skeleton, std::uint32_t joint, const Aim& goal, Span<SoaTransform> local,
-                            Span<Affine> model_from_joint, bool* reached = nullptr);
+// Aims a joint of a pose. Both forms are changed, unless the weight is 0. reached: may be null.
+// Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing is written.
+// Cost: the kernel's, and local_to_model_below(joint).
+MARROW_API Status solve_aim(const Pose& pose, std::uint32_t joint, const Aim& goal, bool* reached = nullptr);
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
 // skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
 // falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
-MARROW_API Status solve_look_at(const Skeleton& skeleton, Span<const std::uint32_t> joints, const Aim& goal,
-                                float falloff, Span<SoaTransform> local, Span<Affine> model_from_joint,
+MARROW_API Status solve_look_at(const Pose& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                                 bool* reached = nullptr);
 
 }  // namespace marrow

@@ -3,6 +3,7 @@
 
 #include "marrow/api.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 
 namespace marrow {
 
@@ -74,27 +75,23 @@ MARROW_API std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProble
 
 // Turns the joints from the given pose so that the goals are reached, or as nearly as can be.
 //
-// local: parent_from_joint, at least skeleton.soa_size(). Rotations of problem.joints are changed, and the translation
-// of joints[0] if it may travel. model_from_joint: of this pose (local_to_model), at least skeleton.joint_count;
-// updated for what hangs below the joints that turn. scratch: at least ik_scratch_bytes(), of any alignment. report:
-// may be null. A joint's rotation in model space is the product of the rotations from the root down; scale has no part
-// in it. Errors: bad_argument, and nothing is written, if a span is too short, an index is out of range, `joints` do
-// not ascend, there are more than kMaxJoints goals, a goal hangs on no joint that turns, a number is not finite, a
-// weight or a stiffness is out of range, or the pose is not finite on the way to a goal. Cost: docs/ik.md. Thread-safe
-// on different poses and scratch.
-MARROW_API Status solve_ik(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                           const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                           IkReport* report = nullptr);
+// Local rotations of problem.joints are changed, and the translation of joints[0] if it may travel; model_from_joint is
+// updated for what hangs below. scratch: at least ik_scratch_bytes(), of any alignment. report: may be null. A joint's
+// rotation in model space is the product of the rotations from the root down; scale has no part in it. Errors:
+// bad_argument, and nothing is written, if a span is too short, an index is out of range, `joints` do not ascend, there
+// are more than kMaxJoints goals, a goal hangs on no joint that turns, a number is not finite, a weight or a stiffness
+// is out of range, or the pose is not finite on the way to a goal. Cost: docs/ik.md. Thread-safe on different poses and
+// scratch.
+MARROW_API Status solve_ik(const Pose& pose, const IkProblem& problem, const IkOptions& options,
+                           Span<std::byte> scratch, IkReport* report = nullptr);
 
 // solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others. Scratch
 // memory as by ik_scratch_bytes(), which links little. Errors: as solve_ik, and bad_argument if options.method is one
 // of the others.
-MARROW_API Status solve_ik_chain(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                                 const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                                 IkReport* report = nullptr);
-MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                                const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                                IkReport* report = nullptr);
+MARROW_API Status solve_ik_chain(const Pose& pose, const IkProblem& problem, const IkOptions& options,
+                                 Span<std::byte> scratch, IkReport* report = nullptr);
+MARROW_API Status solve_ik_body(const Pose& pose, const IkProblem& problem, const IkOptions& options,
+                                Span<std::byte> scratch, IkReport* report = nullptr);
 
 // solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
@@ -105,8 +102,7 @@ MARROW_API Status solve_ik_body(const Skeleton& skeleton, Span<SoaTransform> loc
 // pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
 // Cost: tens of microseconds a generation, see docs/ik.md.
 MARROW_API std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
-MARROW_API Status solve_ik_genetic(const Skeleton& skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint,
-                                   const IkProblem& problem, const IkOptions& options, Span<std::byte> scratch,
-                                   IkReport* report = nullptr);
+MARROW_API Status solve_ik_genetic(const Pose& pose, const IkProblem& problem, const IkOptions& options,
+                                   Span<std::byte> scratch, IkReport* report = nullptr);
 
 }  // namespace marrow

@@ -1,10 +1,18 @@
-// Local to model: local transforms → one model-space matrix a joint.
+// Local to model: local transforms → one model-space matrix a joint. And a pose that has both.
 #pragma once
 
 #include "marrow/api.h"
 #include "marrow/file.h"
 
 namespace marrow {
+
+// A skeleton's pose in both forms. What changes one form keeps the other alike. The spans are views: functions that
+// take a const Pose write through them.
+struct Pose {
+  Skeleton skeleton = {};              // of a file
+  Span<SoaTransform> local = {};       // at least skeleton.soa_size()
+  Span<Affine> model_from_joint = {};  // at least skeleton.joint_count
+};
 
 // model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
 // above the skeleton and never moves, so the matrices are in the source's own space.

@@ -6,6 +6,7 @@
 
 #include "marrow/api.h"
 #include "marrow/file.h"
+#include "marrow/local_to_model.h"
 
 namespace marrow {
 
@@ -62,10 +63,9 @@ struct SpringFrame {
   float weight = 1.0f;      // 0 … 1, times each joint's
 };
 
-// Moves the springs on by a frame and bends `local` by them. Updates the matrices of what hangs below.
+// Moves the springs on by a frame and bends the pose by them. Updates the matrices of what hangs below.
 //
-// local, model_from_joint: the animated pose, at least skeleton.soa_size() and joint_count, which belong together
-// (local_to_model). Springs never read what they have written: give them the animated pose in every frame.
+// pose: the animated one, in every frame: springs never read what they have written.
 //
 // Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
@@ -91,7 +91,6 @@ struct SpringFrame {
 // of its range, or there are more than kMaxSpringColliders; nothing is written.
 // Cost: at 60 frames/s 726 instructions a joint on x86-64; with colliders 110 more, and 110 for each. No allocation;
 // thread-safe on different springs and poses.
-MARROW_API Status simulate_springs(const Skeleton& skeleton, const SpringFrame& frame, Springs& springs,
-                                   Span<SoaTransform> local, Span<Affine> model_from_joint);
+MARROW_API Status simulate_springs(const Pose& pose, const SpringFrame& frame, Springs& springs);
 
 }  // namespace marrow

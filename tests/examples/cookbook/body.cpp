@@ -20,7 +20,7 @@ void door(Newt& newt, const char* folder) {
   // What may turn: legs, back and arm, ascending. The back is stiff, so that arm and legs do most.
   std::vector<std::uint16_t> joints;
   std::vector<float> stiffness;
-  for (std::uint32_t j = 0; j < newt.skeleton.joint_count; ++j)
+  for (std::uint32_t j = 0; j < newt.pose.skeleton.joint_count; ++j)
     for (const char* name : {"pelvis", "thigh.L", "thigh.R", "shin.L", "shin.R", "foot.L", "foot.R", "spine_1",
                              "spine_2", "chest", "clavicle.L", "upper_arm.L", "forearm.L"})
       if (newt.joint(name) == j) {
@@ -32,15 +32,15 @@ void door(Newt& newt, const char* folder) {
   problem.goals = goals;
   problem.joints = joints;
   problem.stiffness = stiffness;
-  problem.limits = newt.skeleton.limits;
+  problem.limits = newt.pose.skeleton.limits;
   problem.root_travel_m = 0.5f;  // the pelvis gives way: half a metre is as easy as a radian
   marrow::IkOptions options;
   options.max_iterations = 16;
   options.tolerance_m = 1e-3f;
-  std::vector<std::byte> scratch(ik_scratch_bytes(newt.skeleton, problem, options));
+  std::vector<std::byte> scratch(ik_scratch_bytes(newt.pose.skeleton, problem, options));
   const float before = newt.at(newt.joint("pelvis"), 1);
   marrow::IkReport report;
-  must(solve_ik(newt.skeleton, newt.local, newt.scene, problem, options, scratch, &report));
+  must(solve_ik(newt.pose, problem, options, scratch, &report));
   float feet_mm = 0;
   for (int g = 0; g < 4; ++g) feet_mm = std::fmax(feet_mm, newt.millimetres(stay[g], goals[g].position));
   std::printf("door: the hand %.2f mm off, the feet at most %.2f, the pelvis %.0f mm down, %u iterations\n",
@@ -61,7 +61,7 @@ void tail(Newt& newt, const char* folder) {
   problem.joints = joints;
   marrow::IkOptions options;
   options.method = marrow::IkMethod::fabrik;  // a chain without limits
-  std::vector<std::byte> scratch(ik_scratch_bytes(newt.skeleton, problem, options));
+  std::vector<std::byte> scratch(ik_scratch_bytes(newt.pose.skeleton, problem, options));
 
   marrow::PointFollower tip;
   const marrow::RateLimit slow{1.5f, 12};  // metres a second, and a second squared
@@ -72,7 +72,7 @@ void tail(Newt& newt, const char* folder) {
     const float toy[3] = {side, 0.3f, -0.8f};
     must(follow_point(tip, toy, 1.0f / 60, slow));
     for (int i = 0; i < 3; ++i) goal.position[i] = tip.point[i];
-    must(solve_ik(newt.skeleton, newt.local, newt.scene, problem, options, scratch));
+    must(solve_ik(newt.pose, problem, options, scratch));
     worst_mm = std::fmax(worst_mm, newt.millimetres(goal.joint, goal.position));
     if (frame > 0) fastest = std::fmax(fastest, newt.millimetres(goal.joint, last) * 60 / 1000);
     for (int i = 0; i < 3; ++i) last[i] = newt.at(goal.joint, i);
@@ -93,14 +93,14 @@ void limits(Newt& newt, const char* folder) {
     marrow::IkProblem problem;
     problem.goals = {&goal, 1};
     problem.joints = joints;
-    if (keep) problem.limits = newt.skeleton.limits;
+    if (keep) problem.limits = newt.pose.skeleton.limits;
     marrow::IkOptions options;
     options.max_iterations = 32;
-    std::vector<std::byte> scratch(ik_scratch_bytes(newt.skeleton, problem, options));
-    must(solve_ik(newt.skeleton, newt.local, newt.scene, problem, options, scratch));
+    std::vector<std::byte> scratch(ik_scratch_bytes(newt.pose.skeleton, problem, options));
+    must(solve_ik(newt.pose, problem, options, scratch));
     marrow::JointTransform turned;
-    must(get_joint(newt.local, elbow, turned));
-    const float over = limit_excess(*find_limit(newt.skeleton.limits, elbow), turned.rotation);
+    must(get_joint(newt.pose.local, elbow, turned));
+    const float over = limit_excess(*find_limit(newt.pose.skeleton.limits, elbow), turned.rotation);
     std::printf("limits %s: the hand %.2f mm off, the elbow %.1f degrees beyond its limit\n", keep ? "kept" : "ignored",
                 double(newt.millimetres(goal.joint, goal.position)), double(over * 57.29578f));
     newt.save(folder, keep ? "limits" : "no-limits");

@@ -3,7 +3,7 @@
 
 // About what the elbow bends: the axis of the hinge that the artist gave it, in its own space.
 void set_bend_axis(const Newt& newt, std::uint32_t mid, marrow::TwoBone& reach) {
-  const marrow::JointLimit* const limit = find_limit(newt.skeleton.limits, mid);
+  const marrow::JointLimit* const limit = find_limit(newt.pose.skeleton.limits, mid);
   if (limit == nullptr || limit->kind != marrow::LimitKind::hinge) return;
   const float(&q)[4] = limit->joint_from_limit;  // the limit's x, turned into the joint's axes
   reach.bend_axis[0] = 1 - 2 * (q[1] * q[1] + q[2] * q[2]);
@@ -26,7 +26,7 @@ void rail(Newt& newt, const char* folder) {
     set_bend_axis(newt, arm.mid, reach);
     reach.soft = 0.97f;
     bool reached = false;
-    must(solve_two_bone(newt.skeleton, arm, reach, newt.local, newt.scene, &reached));
+    must(solve_two_bone(newt.pose, arm, reach, &reached));
     if (!reached) std::printf("rail: too far at %.2f s\n", double(time_s));
     worst_mm = std::fmax(worst_mm, newt.millimetres(arm.end, reach.target));
     if (frames == 18) newt.save(folder, "rail");
@@ -46,7 +46,7 @@ void animated_pole(Newt& newt) {
   }
   const float elbow[3] = {newt.at(arm.mid, 0), newt.at(arm.mid, 1), newt.at(arm.mid, 2)};
   newt.play("idle", 0);  // another pose, in which the arm hangs
-  must(solve_two_bone(newt.skeleton, arm, reach, newt.local, newt.scene));
+  must(solve_two_bone(newt.pose, arm, reach));
   std::printf("pole: the hand %.2f mm off, the elbow %.0f mm from the clip's\n",
               double(newt.millimetres(arm.end, reach.target)), double(newt.millimetres(arm.mid, elbow)));
 }
@@ -60,7 +60,7 @@ void wheel(Newt& newt, const char* folder) {
       std::uint16_t(newt.joint("hand.L")),      std::uint16_t(newt.joint("hand.R"))};  // parents first
   marrow::IkProblem problem;
   problem.joints = joints;
-  problem.limits = newt.skeleton.limits;  // elbows bend forwards
+  problem.limits = newt.pose.skeleton.limits;  // elbows bend forwards
   marrow::IkOptions options;
   options.max_iterations = 24;
   options.tolerance_m = 1e-3f;
@@ -77,8 +77,8 @@ void wheel(Newt& newt, const char* folder) {
       goals[side].position[2] = middle[2];
     }
     problem.goals = goals;
-    std::vector<std::byte> scratch(ik_scratch_bytes(newt.skeleton, problem, options));
-    must(solve_ik(newt.skeleton, newt.local, newt.scene, problem, options, scratch));
+    std::vector<std::byte> scratch(ik_scratch_bytes(newt.pose.skeleton, problem, options));
+    must(solve_ik(newt.pose, problem, options, scratch));
     for (const marrow::IkGoal& goal : goals)
       worst_mm = std::fmax(worst_mm, newt.millimetres(goal.joint, goal.position));
     if (step == 30) newt.save(folder, "wheel");
@@ -97,12 +97,12 @@ void hip(Newt& newt, const char* folder) {
     must(pose_character(newt.body, {{newt.clip("idle"), share, 1 - share}, {newt.clip("walk"), share, share}}));
     marrow::TwoBone reach;
     for (int i = 0; i < 3; ++i) {
-      const float(&row)[4] = newt.scene[pelvis].rows[i];
+      const float(&row)[4] = newt.pose.model_from_joint[pelvis].rows[i];
       reach.target[i] = row[0] * place[0] + row[1] * place[1] + row[2] * place[2] + row[3];
     }
     reach.pole[0] = -1, reach.pole[2] = -0.5f;
     set_bend_axis(newt, arm.mid, reach);
-    must(solve_two_bone(newt.skeleton, arm, reach, newt.local, newt.scene));
+    must(solve_two_bone(newt.pose, arm, reach));
     worst_mm = std::fmax(worst_mm, newt.millimetres(arm.end, reach.target));
     if (frame == 45) newt.save(folder, "hip");
   }

@@ -37,11 +37,11 @@ void climb(Newt& newt, const char* folder) {
     marrow::FootGround ground[2];
     for (int side = 0; side < 2; ++side) {
       float sole[3];
-      must(foot_sole(legs[side], frame.world_from_model, newt.scene, sole));
+      must(foot_sole(legs[side], frame.world_from_model, newt.pose.model_from_joint, sole));
       ground[side] = stairs(sole);
       ground[side].planted = sole[1] < ball_m + 0.002f;
     }
-    must(place_feet(newt.skeleton, feet, frame, ground, motion, newt.local, newt.scene));
+    must(place_feet(newt.pose, feet, frame, ground, motion));
     for (int side = 0; side < 2; ++side)
       if (ground[side].planted)
         through_m = std::fmax(through_m, stairs(motion[side].place).point[1] + ball_m - motion[side].place[1]);
@@ -70,11 +70,11 @@ void sit(Newt& newt, const char* folder) {
     // The pelvis down and back by as much as the seat asks for. Its parent is the scene itself.
     const std::uint32_t pelvis = newt.joint("pelvis");
     marrow::JointTransform root;
-    must(get_joint(newt.local, pelvis, root));
+    must(get_joint(newt.pose.local, pelvis, root));
     root.translation[1] = seat_m + 0.06f;
     root.translation[2] -= 0.2f;
-    must(set_joint(newt.local, pelvis, root));
-    must(local_to_model_below(newt.skeleton, newt.local, pelvis, newt.scene));
+    must(set_joint(newt.pose.local, pelvis, root));
+    must(local_to_model_below(newt.pose.skeleton, newt.pose.local, pelvis, newt.pose.model_from_joint));
 
     float worst_mm = 0;
     for (int side = 0; side < 2; ++side) {
@@ -82,9 +82,8 @@ void sit(Newt& newt, const char* folder) {
       for (int i = 0; i < 3; ++i) reach.target[i] = ankles[side][i];
       reach.pole[1] = 0.3f, reach.pole[2] = 1;  // knees forwards
       reach.pole[0] = side == 0 ? 0.3f : -0.3f;
-      must(solve_two_bone(newt.skeleton, {legs[side].hip, legs[side].knee, legs[side].ankle}, reach, newt.local,
-                          newt.scene));
-      must(solve_aim(newt.skeleton, legs[side].ankle, points[side], newt.local, newt.scene));
+      must(solve_two_bone(newt.pose, {legs[side].hip, legs[side].knee, legs[side].ankle}, reach));
+      must(solve_aim(newt.pose, legs[side].ankle, points[side]));
       worst_mm = std::fmax(worst_mm, newt.millimetres(legs[side].ankle, ankles[side]));
       worst_mm = std::fmax(worst_mm, newt.millimetres(toes[side], points[side].target));
     }

@@ -14,7 +14,7 @@ float degrees_off(const Newt& newt, std::uint32_t joint, const float (&point)[3]
   float along = 0, squared = 0;
   for (int i = 0; i < 3; ++i) {
     const float way = point[i] - newt.at(joint, i);
-    along += way * newt.scene[joint].rows[i][2];
+    along += way * newt.pose.model_from_joint[joint].rows[i][2];
     squared += way * way;
   }
   return std::acos(std::fmin(1.0f, along / std::sqrt(squared))) * 57.29578f;
@@ -29,20 +29,20 @@ void look(Newt& newt, const char* folder) {
   // Once a character: what is forwards and upwards for the head, taken from the rest pose.
   must(pose_character(newt.body, {}));
   marrow::Aim head;
-  to_joint(newt.scene[chain[1]], {0, 0, 1}, head.forward);
-  to_joint(newt.scene[chain[1]], {0, 1, 0}, head.up);
+  to_joint(newt.pose.model_from_joint[chain[1]], {0, 0, 1}, head.forward);
+  to_joint(newt.pose.model_from_joint[chain[1]], {0, 1, 0}, head.up);
   head.offset[1] = 0.19f, head.offset[2] = 0.09f;  // between the eyes
   head.pole[1] = 1;                                // the head stays upright
   for (int i = 0; i < 3; ++i) head.target[i] = target[i];
 
   newt.play("idle", 0.5f);
   head.weight = 0.7f;  // a head turns less far than the eyes
-  must(solve_look_at(newt.skeleton, chain, head, 0.5f, newt.local, newt.scene));
-  must(limit_pose(newt.skeleton.limits, newt.local));  // a neck turns by 50 degrees and no farther
-  must(local_to_model_below(newt.skeleton, newt.local, chain[0], newt.scene));
+  must(solve_look_at(newt.pose, chain, head, 0.5f));
+  must(limit_pose(newt.pose.skeleton.limits, newt.pose.local));  // a neck turns by 50 degrees and no farther
+  must(local_to_model_below(newt.pose.skeleton, newt.pose.local, chain[0], newt.pose.model_from_joint));
   marrow::Aim eye;  // the eyes of this character look along their z
   for (int i = 0; i < 3; ++i) eye.target[i] = target[i];
-  for (const std::uint32_t joint : eyes) must(solve_aim(newt.skeleton, joint, eye, newt.local, newt.scene));
+  for (const std::uint32_t joint : eyes) must(solve_aim(newt.pose, joint, eye));
   std::printf("look: the eyes %.2f and %.2f degrees off\n", double(degrees_off(newt, eyes[0], target)),
               double(degrees_off(newt, eyes[1], target)));
   newt.save(folder, "look");
@@ -51,14 +51,14 @@ void look(Newt& newt, const char* folder) {
 // An aiming pose laid over a walk, and what it lacks done by a look-at whose ray begins at the muzzle.
 void weapon(Newt& newt, const char* folder) {
   const marrow::Clip reach = newt.file.clip(newt.file.find_clip("reach"));
-  const std::size_t groups = newt.skeleton.soa_size();
+  const std::size_t groups = newt.pose.skeleton.soa_size();
   std::vector<marrow::SoaTransform> aiming(groups), before(groups);
   std::vector<marrow::AdditiveTransform> change(groups);
 
   // Once a load: what the aiming pose changes. A clip that is cooked with --additive has this in it.
-  must(sample(newt.skeleton, reach, 0, before));
-  must(sample(newt.skeleton, reach, 1.0f, aiming));
-  must(make_additive(newt.skeleton, aiming, before, change));
+  must(sample(newt.pose.skeleton, reach, 0, before));
+  must(sample(newt.pose.skeleton, reach, 1.0f, aiming));
+  must(make_additive(newt.pose.skeleton, aiming, before, change));
   std::vector<float> upper_body(4 * groups, 0.0f);
   for (const char* name : {"spine_1", "spine_2", "chest", "clavicle.R", "upper_arm.R", "forearm.R", "hand.R"})
     upper_body[newt.joint(name)] = 1;
@@ -71,16 +71,16 @@ void weapon(Newt& newt, const char* folder) {
   int seen = 0;
   for (int frame = 0; frame < 60; ++frame) {
     newt.play("walk", float(frame) / 50);
-    must(add(newt.skeleton, {change, 1, upper_body}, newt.local));
+    must(add(newt.pose.skeleton, {change, 1, upper_body}, newt.pose.local));
     must(local_to_model(newt.body));
     bool reached = false;
-    must(solve_look_at(newt.skeleton, chain, muzzle, 0.3f, newt.local, newt.scene, &reached));
+    must(solve_look_at(newt.pose, chain, muzzle, 0.3f, &reached));
     seen += reached;
     if (frame == 20) newt.save(folder, "weapon");
   }
   // How far the ray misses the target, in the last frame.
   float way[3], along = 0, off = 0;
-  const marrow::Affine& hand = newt.scene[chain[2]];
+  const marrow::Affine& hand = newt.pose.model_from_joint[chain[2]];
   for (int i = 0; i < 3; ++i) way[i] = muzzle.target[i] - hand.rows[i][3] - 0.09f * hand.rows[i][1];
   for (int i = 0; i < 3; ++i) along += way[i] * hand.rows[i][1];
   for (int i = 0; i < 3; ++i) off += (way[i] - along * hand.rows[i][1]) * (way[i] - along * hand.rows[i][1]);

@@ -14,10 +14,7 @@
 struct Newt {
   marrow::OwnedFile file;
   marrow::OwnedCharacter body;
-  marrow::Skeleton skeleton;
-  // Both forms of the pose. All solvers keep them alike.
-  marrow::Span<marrow::SoaTransform> local;
-  marrow::Span<marrow::Affine> scene;
+  marrow::Pose pose;  // the body's
 
   explicit Newt(const char* path) {
     std::ifstream stream(path, std::ios::binary);
@@ -25,19 +22,17 @@ struct Newt {
     const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
     must(make_owned(bytes, file));
     must(make_owned(file, {}, body));
-    skeleton = body.skeletons[0].skeleton;
-    local = body.skeletons[0].local;
-    scene = body.skeletons[0].model_from_joint;
+    pose = body.skeletons[0].pose;
   }
   const marrow::Animation* clip(const char* name) const { return find_animation(file.animations, name); }
   void play(const char* name, float time_s) { must(pose_character(body, {{clip(name), time_s}})); }
   std::uint32_t joint(const char* name) const {
-    const std::uint32_t found = file.find_joint(skeleton, name);
-    if (found == skeleton.joint_count) must(marrow::Status::bad_argument);
+    const std::uint32_t found = file.find_joint(pose.skeleton, name);
+    if (found == pose.skeleton.joint_count) must(marrow::Status::bad_argument);
     return found;
   }
   // Where the joint is, in the scene.
-  float at(std::uint32_t joint, int axis) const { return scene[joint].rows[axis][3]; }
+  float at(std::uint32_t joint, int axis) const { return pose.model_from_joint[joint].rows[axis][3]; }
   float millimetres(std::uint32_t joint, const float (&point)[3]) const {
     float sum = 0;
     for (int i = 0; i < 3; ++i) sum += (at(joint, i) - point[i]) * (at(joint, i) - point[i]);
@@ -47,10 +42,10 @@ struct Newt {
   void save(const char* folder, const char* recipe) const {
     if (folder == nullptr) return;
     std::FILE* const out = std::fopen((std::string(folder) + "/" + recipe + ".pose").c_str(), "w");
-    for (std::uint32_t j = 0; j < skeleton.joint_count; ++j) {
+    for (std::uint32_t j = 0; j < pose.skeleton.joint_count; ++j) {
       marrow::JointTransform t;
-      must(get_joint(local, j, t));
-      std::fprintf(out, "%s %g %g %g %g %g %g %g\n", file.text(skeleton.names[j]), double(t.translation[0]),
+      must(get_joint(pose.local, j, t));
+      std::fprintf(out, "%s %g %g %g %g %g %g %g\n", file.text(pose.skeleton.names[j]), double(t.translation[0]),
                    double(t.translation[1]), double(t.translation[2]), double(t.rotation[0]), double(t.rotation[1]),
                    double(t.rotation[2]), double(t.rotation[3]));
     }

@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
   for (int frame = 0; frame < 2; ++frame) {
     for (std::uint32_t i = 0; i < kCount; ++i) {
       must(pose_character(bodies[i], {{walk, 0.3f * float(i) + 0.1f * float(frame)}}), "the pose");
-      const marrow::Span<marrow::Affine> joints = bodies[i].skeletons[0].model_from_joint;
+      const marrow::Span<marrow::Affine> joints = bodies[i].skeletons[0].pose.model_from_joint;
       for (marrow::Affine& joint : joints) joint.rows[0][3] += float(i) - 1;  // side by side
       for (std::uint32_t m = 0; m < skinners.size(); ++m)
         must(pose(skinners[m], i, joints, bodies[i].meshes[m].weights), "posing");

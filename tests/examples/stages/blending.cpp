@@ -3,7 +3,7 @@
 #include "asset.h"
 
 using marrow::Status;
-using Pose = std::vector<marrow::SoaTransform>;
+using LocalPose = std::vector<marrow::SoaTransform>;
 
 struct Character {
   Asset asset;
@@ -14,14 +14,14 @@ struct Character {
     skeleton = asset.file.skeleton(0);
     return true;
   }
-  Pose sampled(const char* clip, float time_s) const {
-    Pose out(skeleton.soa_size());
+  LocalPose sampled(const char* clip, float time_s) const {
+    LocalPose out(skeleton.soa_size());
     const Status status = sample(skeleton, asset.file.clip(asset.file.find_clip(clip)), time_s, out);
     if (status != Status::ok) std::printf("%s: %s\n", clip, to_string(status));
     return out;
   }
   std::uint32_t joint(const char* name) const { return asset.file.find_joint(skeleton, name); }
-  void print(const char* what, const Pose& pose, const char* name) const {
+  void print(const char* what, const LocalPose& pose, const char* name) const {
     marrow::JointTransform t;
     if (get_joint(pose, joint(name), t) != Status::ok) return;
     std::printf("%s: %s is at %.4f %.4f %.4f m, turned by %.4f %.4f %.4f %.4f\n", what, name, double(t.translation[0]),
@@ -33,8 +33,8 @@ struct Character {
 int main(int argc, char** argv) {
   Character c;
   if (!c.open(argc > 1 ? argv[1] : "hero.mrw")) return 1;
-  const Pose idle = c.sampled("idle", 0.5f), walk = c.sampled("walk", 0.4f), reach = c.sampled("reach", 1.5f);
-  Pose pose(c.skeleton.soa_size());
+  const LocalPose idle = c.sampled("idle", 0.5f), walk = c.sampled("walk", 0.4f), reach = c.sampled("reach", 1.5f);
+  LocalPose pose(c.skeleton.soa_size());
 
   // Half a walk: means of all joints.
   if (blend(c.skeleton, {{idle, 0.5f}, {walk, 0.5f}}, pose) != Status::ok) return 1;

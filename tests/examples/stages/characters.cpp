@@ -28,12 +28,12 @@ int main(int argc, char** argv) {
     must(advance(idling, idle->duration_s, dt_s));
     must(advance(walking, walk->duration_s, dt_s));
     must(pose_character(character, {{idle, clip_time(idling), 1 - share}, {walk, clip_time(walking), share}}));
-    // Here the game reaches, looks, places feet: `local` and `model_from_joint` are both of this frame.
+    // Here the game reaches, looks, places feet: both forms of the pose are of this frame.
     must(finish_character(character));
   }
 
-  const marrow::CharacterSkeleton& posed = character.skeletons[0];
-  const marrow::Affine& hand = posed.model_from_joint[file.find_joint(posed.skeleton, "hand.L")];
+  const marrow::Pose& pose = character.skeletons[0].pose;
+  const marrow::Affine& hand = pose.model_from_joint[file.find_joint(pose.skeleton, "hand.L")];
   std::printf("hand.L is at %.3f %.3f %.3f m\n", double(hand.rows[0][3]), double(hand.rows[1][3]),
               double(hand.rows[2][3]));
 
@@ -46,6 +46,16 @@ int main(int argc, char** argv) {
     vertices += m.mesh.geometry.vertex_count;
   }
   std::printf("%zu vertices are skinned\n", vertices);
+
+  // The left arm reaches while the rest walks.
+  const marrow::Animation* const reach = find_animation(file.animations, "reach");
+  if (reach == nullptr) return 1;
+  const marrow::Skeleton& skeleton = character.skeletons[0].pose.skeleton;
+  std::vector<float> arm(4 * skeleton.soa_size());
+  must(mask_below(skeleton, file.find_joint(skeleton, "clavicle.L"), 0, arm));
+  must(pose_character(character, {{walk, clip_time(walking)}, {reach, 1.5f, 1, arm}}));
+  std::printf("hand.L reaches %.3f %.3f %.3f m\n", double(hand.rows[0][3]), double(hand.rows[1][3]),
+              double(hand.rows[2][3]));
 }
 
 // Prints:

@@ -3,12 +3,12 @@
 #include "asset.h"
 
 using marrow::Status;
-using Pose = std::vector<marrow::SoaTransform>;
+using LocalPose = std::vector<marrow::SoaTransform>;
 
 constexpr float kFrame_s = 1.0f / 60, kFade_s = 0.25f, kBegin_s = 0.5f;
 
 // How far the pelvis is to the left, in millimetres.
-double sway(const marrow::File& file, const marrow::Skeleton& skeleton, const Pose& pose) {
+double sway(const marrow::File& file, const marrow::Skeleton& skeleton, const LocalPose& pose) {
   marrow::JointTransform pelvis;
   if (get_joint(pose, file.find_joint(skeleton, "pelvis"), pelvis) != Status::ok) return 0;
   return 1000 * double(pelvis.translation[0]);
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   const marrow::File& file = asset.file;
   const marrow::Skeleton skeleton = file.skeleton(0);
   const marrow::Clip walk = file.clip(file.find_clip("walk")), idle = file.clip(file.find_clip("idle"));
-  Pose from(skeleton.soa_size()), to(skeleton.soa_size()), shown(skeleton.soa_size()), before(skeleton.soa_size());
+  LocalPose from(skeleton.soa_size()), to(skeleton.soa_size()), shown(skeleton.soa_size()), before(skeleton.soa_size());
 
   // Inertialisation begins with the two poses that were shown last, and the new clip's first.
   std::vector<marrow::InertialOffset> offsets(skeleton.soa_size());

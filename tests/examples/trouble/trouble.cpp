@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
   std::vector<float> positions(3);
   std::printf("%s\n", to_string(skin_ssd(body.meshes[0].mesh, body.meshes[0].palette, {.positions = positions})));
   marrow::TwoBone reach;
-  const marrow::CharacterSkeleton& s = body.skeletons[0];
-  const std::uint32_t hand = file.find_joint(s.skeleton, "hand.l");  // no such joint: joint_count
-  std::printf("%s\n", to_string(solve_two_bone(s.skeleton, {0, 1, hand}, reach, s.local, s.model_from_joint)));
+  const marrow::Pose& pose = body.skeletons[0].pose;
+  const std::uint32_t hand = file.find_joint(pose.skeleton, "hand.l");  // no such joint: joint_count
+  std::printf("%s\n", to_string(solve_two_bone(pose, {0, 1, hand}, reach)));
 }

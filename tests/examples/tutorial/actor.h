@@ -45,7 +45,7 @@ struct Actor {
   void draw(const Window& window, const Programs& programs) {
     for (std::size_t i = 0; i < skinners.size(); ++i) {
       const marrow::CharacterMesh& m = body.meshes[i];
-      must(pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].model_from_joint, m.weights), "posing");
+      must(pose(skinners[i], 0, body.skeletons[m.mesh.skeleton].pose.model_from_joint, m.weights), "posing");
       must(update(window.gl, skinners[i], programs.set, 1), "sending a pose");
       const gles3::Program& program = program_of(skinners[i], programs.set, 0);
       window.use(program.id, m.mesh.base_colour);

@@ -22,14 +22,14 @@ struct Legs {
     feet.pelvis = find(file, skeleton, "pelvis");
   }
 
-  void stand(const marrow::CharacterSkeleton& s, Height height, float walked, float dt_s) {
+  void stand(const marrow::Pose& pose, Height height, float walked, float dt_s) {
     marrow::FeetFrame frame;
     frame.dt_s = dt_s;
     frame.world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
     marrow::FootGround ground[2];
     for (int i = 0; i < 2; ++i) {
       float ball[3];
-      must(foot_sole(legs[i], frame.world_from_model, s.model_from_joint, ball), "a foot");
+      must(foot_sole(legs[i], frame.world_from_model, pose.model_from_joint, ball), "a foot");
       const float x = ball[0], z = ball[2];  // a game casts a ray down from here
       const Vec3 n = normal_of(height, x, z);
       ground[i].hit = true;
@@ -41,7 +41,7 @@ struct Legs {
       ground[i].normal[2] = n.z;
       ground[i].planted = ball[1] < kBall_m + 0.002f;  // as low as a foot of the clip that stands
     }
-    must(place_feet(s.skeleton, feet, frame, ground, motion, s.local, s.model_from_joint), "feet");
+    must(place_feet(pose, feet, frame, ground, motion), "feet");
   }
 };
 
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
   Programs programs;
   Actor newt(file, window, programs);
   const marrow::Animation& walk = find(newt.animations, "walk");
-  Legs legs(file, newt.body.skeletons[0].skeleton);
+  Legs legs(file, newt.body.skeletons[0].pose.skeleton);
   Ground ground(hills);
   ground.upload(window);
 
@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     walked += kWalk_mps * dt_s;
     must(advance(playback, walk.duration_s, dt_s), "time");
     must(pose_character(newt.body, {{&walk, clip_time(playback)}}), "pose");
-    legs.stand(newt.body.skeletons[0], ground.height, walked, dt_s);
+    legs.stand(newt.body.skeletons[0].pose, ground.height, walked, dt_s);
     window.clear();
     ground.draw(window, walked);
     newt.draw(window, programs);

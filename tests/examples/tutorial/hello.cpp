@@ -40,10 +40,10 @@ int main(int argc, char** argv) {
   std::vector<std::byte> character_memory(character_bytes(file, {}));
   marrow::Character newt;
   must(make_character(file, {}, character_memory, newt), "character");
-  const marrow::CharacterSkeleton& bones = newt.skeletons[0];
+  const marrow::Pose& pose = newt.skeletons[0].pose;
   const marrow::CharacterMesh& body = newt.meshes[0];
-  const std::uint32_t head = file.find_joint(bones.skeleton, "head");
-  if (head == bones.skeleton.joint_count) return 1;
+  const std::uint32_t head = file.find_joint(pose.skeleton, "head");
+  if (head == pose.skeleton.joint_count) return 1;
   std::vector<float> positions(3 * body.mesh.geometry.slot_count);
 
   marrow::Playback playback;
@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
     must(finish_character(newt), "palettes");
     must(skin_ssd(body.mesh, body.palette, {.positions = positions}), "skinning");
     if (frame % 15 != 0) continue;
-    const auto& at = bones.model_from_joint[head].rows;
+    const auto& at = pose.model_from_joint[head].rows;
     std::printf("%.2f s: head at %.3f %.3f %.3f m, vertex 0 of %s at %.3f %.3f %.3f m\n", playback.time_s,
                 double(at[0][3]), double(at[1][3]), double(at[2][3]), body.mesh.name, double(positions[0]),
                 double(positions[1]), double(positions[2]));

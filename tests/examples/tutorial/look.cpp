@@ -28,18 +28,18 @@ struct Gaze {
       : chain{find(file, skeleton, "chest"), find(file, skeleton, "neck"), find(file, skeleton, "head")},
         eyes{find(file, skeleton, "eye.L"), find(file, skeleton, "eye.R")} {}
 
-  void look(const marrow::CharacterSkeleton& s, const float (&fly)[3], float dt_s) {
+  void look(const marrow::Pose& pose, const float (&fly)[3], float dt_s) {
     must(follow_point(attention, fly, dt_s, {.speed = 1.5f, .acceleration = 6}), "attention");
     marrow::Aim aim;
     for (int i = 0; i < 3; ++i) aim.target[i] = attention.point[i];
     aim.weight = 0.8f;      // eyes do the rest
     aim.offset[1] = 0.19f;  // so high above the joint of the head are the eyes
     aim.pole[1] = 1;        // the head's up stays above
-    must(solve_look_at(s.skeleton, chain, aim, 0.5f, s.local, s.model_from_joint), "the head");
+    must(solve_look_at(pose, chain, aim, 0.5f), "the head");
     for (const std::uint32_t eye : eyes) {
       marrow::Aim at_fly;
       for (int i = 0; i < 3; ++i) at_fly.target[i] = fly[i];
-      must(solve_aim(s.skeleton, eye, at_fly, s.local, s.model_from_joint), "an eye");
+      must(solve_aim(pose, eye, at_fly), "an eye");
     }
   }
 };
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   Programs programs;
   Actor newt(file, window, programs);
   const marrow::Animation& idle = find(newt.animations, "idle");
-  Gaze gaze(file, newt.body.skeletons[0].skeleton);
+  Gaze gaze(file, newt.body.skeletons[0].pose.skeleton);
   Ground ground(level);
   ground.upload(window);
   const unsigned fly_program = window.compile(kFlyVertex, kFlyFragment);
@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
     const float fly[3] = {0.6f * std::sin(2 * time_s), 1.05f + 0.25f * std::sin(3.1f * time_s), 0.7f};
     must(advance(playback, idle.duration_s, dt_s), "time");
     must(pose_character(newt.body, {{&idle, clip_time(playback)}}), "pose");
-    gaze.look(newt.body.skeletons[0], fly, dt_s);
+    gaze.look(newt.body.skeletons[0].pose, fly, dt_s);
     window.clear();
     ground.draw(window, 0);
     newt.draw(window, programs);

@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
       for (std::uint32_t i = first; i < kNewts; i += kThreads) {
         must(advance(playbacks[i], walk.duration_s, dt_s), "time");
         must(pose_character(newts[i], {{&walk, clip_time(playbacks[i])}}), "pose");
-        const marrow::Span<marrow::Affine> joints = newts[i].skeletons[0].model_from_joint;
+        const marrow::Span<marrow::Affine> joints = newts[i].skeletons[0].pose.model_from_joint;
         for (marrow::Affine& joint : joints) {  // where this newt stands
           joint.rows[0][3] += 1.1f * (float(i % 4) - 1.5f);
           joint.rows[2][3] -= 1.1f * float(i / 4);

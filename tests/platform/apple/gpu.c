@@ -38,12 +38,12 @@ long road(const void* bytes, size_t byte_count, float time_s, char* memory, mrw_
   TRY(mrw_pose_character(&character, &layer, 1));
   for (i = 0; i < character.mesh_count && i < 16; ++i) {
     const mrw_character_mesh* const m = &character.meshes[i];
-    const mrw_character_skeleton* const s = &character.skeletons[m->mesh.skeleton];
+    const mrw_pose* const pose = &character.skeletons[m->mesh.skeleton].pose;
     const mrw_gles3_program* program;
     size = mrw_gles3_skinner_bytes(&m->mesh, &options);
     TRY(mrw_gles3_create_skinner(&api, &caps, &m->mesh, &options, &programs, memory, size, &skinners[i]));
     memory += size;
-    TRY(mrw_gles3_pose(&skinners[i], 0, s->model_from_joint, s->model_from_joint_count, m->weights, m->weight_count));
+    TRY(mrw_gles3_pose(&skinners[i], 0, pose->model_from_joint, pose->model_from_joint_count, m->weights, m->weight_count));
     TRY(mrw_gles3_update(&api, &skinners[i], &programs, 1));
     program = mrw_gles3_program_of(&skinners[i], &programs, 0);
     use(program->id);

@@ -26,7 +26,7 @@ int main(int, char** argv) {
   std::vector<marrow::Affine> palette(mesh.palette_size());
   std::vector<float> at(3 * std::size_t(mesh.geometry.slot_count));
   const auto skin = [&] {
-    must(build_palette(mesh, hero.body.skeletons[0].model_from_joint, palette), "the palette");
+    must(build_palette(mesh, hero.body.skeletons[0].pose.model_from_joint, palette), "the palette");
     must(skin_ssd(mesh, palette, {.positions = at}), "skinning");
   };
   skin();  // the rest pose

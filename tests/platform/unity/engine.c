@@ -167,8 +167,8 @@ static void load_character(const char* name) {
 }
 
 static mrw_status pose(int32_t handle) {
-  const mrw_character_skeleton* const s = &character.skeletons[0];
-  return plugin.marrow_unity_pose(handle, s->model_from_joint, s->model_from_joint_count, character.meshes[0].weights,
+  const mrw_pose* const at = &character.skeletons[0].pose;
+  return plugin.marrow_unity_pose(handle, at->model_from_joint, at->model_from_joint_count, character.meshes[0].weights,
                                   character.meshes[0].weight_count);
 }
 
@@ -299,7 +299,7 @@ static void refuse_nonsense(int32_t handle) {
   NEEDS(plugin.marrow_unity_open(NULL) == 0 && plugin.marrow_unity_open(&none) == 0);
   NEEDS(pose(0) == MRW_BAD_ARGUMENT && pose(257) == MRW_BAD_ARGUMENT && pose(-1) == MRW_BAD_ARGUMENT);
   NEEDS(plugin.marrow_unity_pose(handle, NULL, 0, NULL, 0) == MRW_BAD_ARGUMENT);
-  NEEDS(plugin.marrow_unity_pose(handle, character.skeletons[0].model_from_joint, 3, NULL, 0) == MRW_BAD_ARGUMENT);
+  NEEDS(plugin.marrow_unity_pose(handle, character.skeletons[0].pose.model_from_joint, 3, NULL, 0) == MRW_BAD_ARGUMENT);
   NEEDS(plugin.marrow_unity_request(0, m) == 0 && plugin.marrow_unity_request(handle, NULL) == 0);
   plugin.marrow_unity_close(0);
   for (i = 0; i < 256; ++i) handles[i] = plugin.marrow_unity_open(&character.meshes[0].mesh);

@@ -48,15 +48,15 @@ static mrw_bytes read_file(const char* name) {
 }
 
 static void add_frame(mrw_character* character, float* positions, float* normals) {
-  const mrw_character_skeleton* const s = &character->skeletons[0];
+  const mrw_pose* const pose = &character->skeletons[0].pose;
   size_t i, floats;
-  for (i = 0; i < s->skeleton.joint_count; ++i) {
+  for (i = 0; i < pose->skeleton.joint_count; ++i) {
     mrw_joint_transform t;
-    TRY(mrw_get_joint(s->local, s->local_count, (uint32_t)i, &t));
+    TRY(mrw_get_joint(pose->local, pose->local_count, (uint32_t)i, &t));
     add(t.translation, 3);
     add(t.rotation, 4);
     add(t.scale, 3);
-    add(s->model_from_joint[i].rows, 12);
+    add(pose->model_from_joint[i].rows, 12);
   }
   for (i = 0; i < character->mesh_count; ++i) {
     const mrw_character_mesh* const m = &character->meshes[i];

@@ -131,7 +131,7 @@ TEST(Character, LaysAdditiveClipsOnTheirReferenceAndMorphs) {
   ASSERT_EQ(add(skeleton, {change, 1.0f, {}}, want), Status::ok);
   const AnimationLayer layer{&l.animations.all[0], 0.7f, 1};
   ASSERT_EQ(l.play({&layer, 1}), Status::ok);
-  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].pose.local.data, want.data(), want.size()));
 
   std::vector<float> values(clip.channels.size);
   ASSERT_EQ(sample_channels(clip, 0.7f, values), Status::ok);
@@ -165,7 +165,7 @@ TEST(Character, BlendsLayersAsBlendDoes) {
   // A layer of weight 0 is not looked at, whatever its time is.
   const AnimationLayer layers[] = {l.layer("wave", 0.3f, 0.25f), l.layer("point", kNan, 0), l.layer("point", 0, 0.5f)};
   ASSERT_EQ(l.play({layers, 3}), Status::ok);
-  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].pose.local.data, want.data(), want.size()));
 }
 
 // Layers with masks over the mean of those without, in their order, whatever stands between.
@@ -184,12 +184,12 @@ TEST(Character, LaysMaskedLayersOver) {
   half.mask = all;
   over.mask = some;
   ASSERT_EQ(l.play({half, l.layer("point", 0), over}), Status::ok);
-  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].pose.local.data, want.data(), want.size()));
   // Alone it lies over the rest pose.
   std::memcpy(want.data(), skeleton.rest, want.size() * sizeof(SoaTransform));
   ASSERT_EQ(overlay(skeleton, {point, 1, some}, want), Status::ok);
   ASSERT_EQ(l.play({&over, 1}), Status::ok);
-  EXPECT_TRUE(same_bits(l.character.skeletons[0].local.data, want.data(), want.size()));
+  EXPECT_TRUE(same_bits(l.character.skeletons[0].pose.local.data, want.data(), want.size()));
   over.mask = {some.data(), some.size() - 1};
   EXPECT_EQ(l.play({&over, 1}), Status::bad_argument);
   over.mask = some;
@@ -255,13 +255,13 @@ TEST(Character, IsFinishedWithWhatTheGameDidToItsJoints) {
   Loaded l(test::golden_coded_copy);
   const AnimationLayer dance{&l.animations.all[0], 0.5f, 1};
   ASSERT_EQ(pose_character(l.character, {&dance, 1}), Status::ok);
-  const CharacterSkeleton& s = l.character.skeletons[0];
-  std::vector<SoaTransform> local(s.local.begin(), s.local.end());
-  std::vector<Affine> model(s.model_from_joint.begin(), s.model_from_joint.end());
+  const Pose& pose = l.character.skeletons[0].pose;
+  std::vector<SoaTransform> local(pose.local.begin(), pose.local.end());
+  std::vector<Affine> model(pose.model_from_joint.begin(), pose.model_from_joint.end());
   TwoBone reach;
   for (int c = 0; c < 3; ++c) reach.target[c] = 0.5f * (model[1].rows[c][3] + model[3].rows[c][3]);
-  ASSERT_EQ(solve_two_bone(s.skeleton, {1, 2, 3}, reach, local, model), Status::ok);
-  ASSERT_EQ(solve_two_bone(s.skeleton, {1, 2, 3}, reach, s.local, s.model_from_joint), Status::ok);
+  ASSERT_EQ(solve_two_bone({pose.skeleton, local, model}, {1, 2, 3}, reach), Status::ok);
+  ASSERT_EQ(solve_two_bone(pose, {1, 2, 3}, reach), Status::ok);
   ASSERT_EQ(finish_character(l.character), Status::ok);
   const CharacterMesh& m = l.character.meshes[0];
   std::vector<Affine> palette(m.palette.size);
@@ -273,8 +273,8 @@ TEST(Character, TakesLocalPosesFromAnyone) {
   Loaded l(test::golden_copy), other(test::golden_copy);
   const AnimationLayer wave = other.layer("wave", 0.7f);
   ASSERT_EQ(other.play({&wave, 1}), Status::ok);
-  const CharacterSkeleton& to = l.character.skeletons[0];
-  const CharacterSkeleton& from = other.character.skeletons[0];
+  const Pose& to = l.character.skeletons[0].pose;
+  const Pose& from = other.character.skeletons[0].pose;
   std::copy(from.local.begin(), from.local.end(), to.local.begin());
   ASSERT_EQ(local_to_model(l.character), Status::ok);
   ASSERT_EQ(finish_character(l.character), Status::ok);
@@ -340,7 +340,7 @@ TEST(Character, PlaysAClipAgainAfterAnotherPoseInItsLayer) {
   ASSERT_EQ(l.play({{&rest, 0}}), Status::ok);
   ASSERT_EQ(l.play({{&dance, 0.3f}}), Status::ok);
   ASSERT_EQ(fresh.play({{&fresh.animations.all[0], 0.3f}}), Status::ok);
-  const Span<SoaTransform> got = l.character.skeletons[0].local, want = fresh.character.skeletons[0].local;
+  const Span<SoaTransform> got = l.character.skeletons[0].pose.local, want = fresh.character.skeletons[0].pose.local;
   EXPECT_TRUE(same_bits(got.data, want.data, want.size));
 }
 

@@ -46,7 +46,8 @@ TEST(Owned, IsWhatTheCallsMake) {
   for (std::size_t a = 0; a < animations.all.size; ++a) {
     ASSERT_EQ(pose_character(wanted, {{&animations.all[a], 0.3f}}), Status::ok);
     ASSERT_EQ(pose_character(character, {{&kept.animations.all[a], 0.3f}}), Status::ok);
-    const Span<Affine> ours = character.skeletons[0].model_from_joint, theirs = wanted.skeletons[0].model_from_joint;
+    const Span<Affine> ours = character.skeletons[0].pose.model_from_joint,
+                       theirs = wanted.skeletons[0].pose.model_from_joint;
     ASSERT_EQ(ours.size, theirs.size);
     EXPECT_EQ(std::memcmp(ours.data, theirs.data, ours.size * sizeof(Affine)), 0);
   }

@@ -98,7 +98,7 @@ TEST(AimTest, LooksAtTheTargetWithUpOnThePolesSide) {
     if (i % 3 != 0) put(goal.offset, test::random_vector(random, 0.3));
     if (i % 2 == 0) put(goal.pole, times(test::random_direction(random), random.between(0.1, 10)));
     bool reached = false;
-    ASSERT_EQ(solve_aim(c.skeleton, 2, goal, c.local, c.scene, &reached), Status::ok);
+    ASSERT_EQ(solve_aim(c.pose(), 2, goal, &reached), Status::ok);
     ++cases;
     if (!reached) continue;
     const Map now = c.maps()[2];
@@ -124,8 +124,7 @@ TEST(LookAt, TheLastOfAChainSeesTheTargetWithUpOnThePolesSide) {
     put(goal.offset, test::random_vector(random, 0.1));
     if (i % 2 == 0) put(goal.pole, test::random_direction(random));
     bool reached = false;
-    ASSERT_EQ(solve_look_at(c.skeleton, {joints, 3}, goal, static_cast<float>(random.between(0, 1)), c.local, c.scene,
-                            &reached),
+    ASSERT_EQ(solve_look_at(c.pose(), {joints, 3}, goal, static_cast<float>(random.between(0, 1)), &reached),
               Status::ok);
     if (!reached) continue;
     const Map now = c.maps()[4];
@@ -183,7 +182,7 @@ TEST(AimTest, OppositeTargetsAreReached) {
       put(goal.target, times(forward, -2));
       put(goal.pole, pole);
       bool reached = false;
-      ASSERT_EQ(solve_aim(c.skeleton, 0, goal, c.local, c.scene, &reached), Status::ok);
+      ASSERT_EQ(solve_aim(c.pose(), 0, goal, &reached), Status::ok);
       EXPECT_TRUE(reached);
       EXPECT_LT(aim_error(c.maps()[0], goal), 1e-6);
       // Without a pole over the back, about what is across forward and up.
@@ -206,7 +205,7 @@ TEST(AimTest, SaysWhatCannotBeSeen) {
     Chain c(joints);
     put(goal.target, {distance, 0, 0});
     bool reached = distance < 0.5;
-    ASSERT_EQ(solve_aim(c.skeleton, 0, goal, c.local, c.scene, &reached), Status::ok);
+    ASSERT_EQ(solve_aim(c.pose(), 0, goal, &reached), Status::ok);
     EXPECT_EQ(reached, distance > 0.559) << distance;
     ++cases;
   }
@@ -225,7 +224,7 @@ TEST(LookAt, FalloffSharesTheTurn) {
   int cases = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     Chain c(joints);
-    ASSERT_EQ(solve_look_at(c.skeleton, {chain, 3}, goal, falloffs[i], c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_look_at(c.pose(), {chain, 3}, goal, falloffs[i]), Status::ok);
     for (std::size_t j = 0; j < 3; ++j) {
       const test::Quat q = joint_of(c.local.data(), j).rotation;
       // Shares are taken on the chord, not on the arc: a little less or more than these.
@@ -245,8 +244,7 @@ TEST(LookAt, BadCallsAreRefusedAndWriteNothing) {
   int cases = 0;
   const auto refused = [&](const Aim& goal, const std::vector<std::uint32_t>& joints, float falloff) {
     bool reached = true;
-    EXPECT_EQ(solve_look_at(c.skeleton, joints, goal, falloff, c.local, c.scene, &reached), Status::bad_argument)
-        << cases;
+    EXPECT_EQ(solve_look_at(c.pose(), joints, goal, falloff, &reached), Status::bad_argument) << cases;
     EXPECT_TRUE(reached);
     EXPECT_EQ(std::memcmp(local.data(), c.local.data(), local.size() * sizeof local[0]), 0);
     ++cases;
@@ -277,8 +275,8 @@ TEST(LookAt, BadCallsAreRefusedAndWriteNothing) {
     refused(good, wrong, 1);
   refused(good, joints, -0.1f);
   EXPECT_EQ(cases, 45 + 9 + 7 + 1);
-  EXPECT_EQ(solve_aim(c.skeleton, 1, good, {c.local.data(), c.local.size() - 1}, c.scene), Status::bad_argument);
-  EXPECT_EQ(solve_aim(c.skeleton, 1, good, c.local, {c.scene.data(), c.scene.size() - 1}), Status::bad_argument);
+  EXPECT_EQ(solve_aim({c.skeleton, {c.local.data(), c.local.size() - 1}, c.scene}, 1, good), Status::bad_argument);
+  EXPECT_EQ(solve_aim({c.skeleton, c.local, {c.scene.data(), c.scene.size() - 1}}, 1, good), Status::bad_argument);
 }
 
 TEST(LookAt, WeightZeroChangesNoBit) {
@@ -291,7 +289,7 @@ TEST(LookAt, WeightZeroChangesNoBit) {
     put(goal.target, test::random_vector(random, 2));
     goal.weight = 0;
     const std::uint32_t joints[] = {1, 2, 4};
-    ASSERT_EQ(solve_look_at(c.skeleton, {joints, 3}, goal, 0.5f, c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_look_at(c.pose(), {joints, 3}, goal, 0.5f), Status::ok);
     EXPECT_EQ(std::memcmp(local.data(), c.local.data(), local.size() * sizeof local[0]), 0);
     EXPECT_EQ(std::memcmp(scene.data(), c.scene.data(), scene.size() * sizeof scene[0]), 0);
   }

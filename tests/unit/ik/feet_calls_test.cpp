@@ -42,7 +42,7 @@ TEST(Feet, StayFiniteOnAnything) {
         ground.normal[k] = random.below(4) == 0 ? 0.0f : static_cast<float>(random.between(-1, 1));
       }
       frame.dt_s = static_cast<float>(random.between(0, 0.3));
-      ASSERT_EQ(place_feet(p.skeleton, feet, frame, {&ground, 1}, {&motion, 1}, p.out, scene), Status::ok) << seed;
+      ASSERT_EQ(place_feet({p.skeleton, p.out, scene}, feet, frame, {&ground, 1}, {&motion, 1}), Status::ok) << seed;
       for (std::size_t j = 0; j < 40; ++j) {
         const test::TestJoint t = test::joint_of(p.out.data(), j);
         double squared = 0;
@@ -69,7 +69,7 @@ TEST(Feet, BadCallsWriteNothing) {
     const Foot leg = w.legs[1];
     const FootGround ground = w.ground[1];
     change();
-    EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, w.motion, w.local, w.scene), Status::bad_argument)
+    EXPECT_EQ(place_feet({w.skeleton, w.local, w.scene}, w.feet, w.frame, w.ground, w.motion), Status::bad_argument)
         << refused;
     EXPECT_EQ(std::memcmp(motion.data(), w.motion.data(), sizeof motion), 0) << refused;
     EXPECT_TRUE(same(local, w.local));
@@ -117,13 +117,13 @@ TEST(Feet, BadCallsWriteNothing) {
     refuses([&] { w.feet.pelvis = far; });
   }
   EXPECT_EQ(refused, 4 * 8 + 3 * 8 + 9 + 4 * 5);
-  EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, {w.ground.data(), 1}, w.motion, w.local, w.scene),
+  EXPECT_EQ(place_feet({w.skeleton, w.local, w.scene}, w.feet, w.frame, {w.ground.data(), 1}, w.motion),
             Status::bad_argument);
-  EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, {w.motion.data(), 1}, w.local, w.scene),
+  EXPECT_EQ(place_feet({w.skeleton, w.local, w.scene}, w.feet, w.frame, w.ground, {w.motion.data(), 1}),
             Status::bad_argument);
-  EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, w.motion, {w.local.data(), 1}, w.scene),
+  EXPECT_EQ(place_feet({w.skeleton, {w.local.data(), 1}, w.scene}, w.feet, w.frame, w.ground, w.motion),
             Status::bad_argument);
-  EXPECT_EQ(place_feet(w.skeleton, w.feet, w.frame, w.ground, w.motion, w.local, {w.scene.data(), 10}),
+  EXPECT_EQ(place_feet({w.skeleton, w.local, {w.scene.data(), 10}}, w.feet, w.frame, w.ground, w.motion),
             Status::bad_argument);
   float sole[3];
   EXPECT_EQ(foot_sole(w.legs[0], w.frame.world_from_model, {w.scene.data(), 7}, sole), Status::bad_argument);
@@ -137,7 +137,7 @@ TEST(Feet, AllocateNothing) {
   for (int i = 0; i < 1000; ++i) {
     w.ground[0].planted = i % 30 < 15;
     w.frame.dt_s = 1.0f / 60;
-    failures += place_feet(w.skeleton, w.feet, w.frame, w.ground, w.motion, w.local, w.scene) != Status::ok;
+    failures += place_feet({w.skeleton, w.local, w.scene}, w.feet, w.frame, w.ground, w.motion) != Status::ok;
   }
   EXPECT_EQ(test::allocation_count() - before, 0u);
   EXPECT_EQ(failures, 0);

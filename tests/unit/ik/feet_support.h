@@ -67,7 +67,7 @@ class Walker {
   }
   Status step(float dt_s) {
     frame.dt_s = dt_s;
-    return place_feet(skeleton, feet, frame, ground, motion, local, scene);
+    return place_feet({skeleton, local, scene}, feet, frame, ground, motion);
   }
   // For so long that all has eased, standing still.
   void settle() {

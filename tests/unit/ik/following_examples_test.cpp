@@ -36,12 +36,11 @@ marrow::Status make_tail(const marrow::Skeleton& skeleton, const std::vector<std
 }
 
 // Every frame: after sample, blend and local_to_model, before the palette.
-marrow::Status swing_tail(const marrow::Skeleton& skeleton, const marrow::Affine& world_from_model, float dt_s,
-                          Tail& tail, std::vector<marrow::SoaTransform>& local, std::vector<marrow::Affine>& scene) {
+marrow::Status swing_tail(const marrow::Pose& pose, const marrow::Affine& world_from_model, float dt_s, Tail& tail) {
   marrow::SpringFrame frame;
   frame.dt_s = dt_s;
   frame.world_from_model = world_from_model;
-  return marrow::simulate_springs(skeleton, frame, tail.springs, local, scene);
+  return marrow::simulate_springs(pose, frame, tail.springs);
 }
 // [/springs]
 
@@ -63,18 +62,17 @@ marrow::Status load_springs(const marrow::File& file, std::uint32_t skeleton, st
 // The game's: a ray straight down; false if it hits nothing.
 using Ray = bool (*)(const float (&through)[3], float (&point)[3], float (&normal)[3]);
 
-marrow::Status stand(const marrow::Skeleton& skeleton, const marrow::Feet& feet, const marrow::FeetFrame& frame,
-                     Ray ray, const std::vector<bool>& planted, std::vector<marrow::FootMotion>& motion,
-                     std::vector<marrow::SoaTransform>& local, std::vector<marrow::Affine>& scene) {
+marrow::Status stand(const marrow::Pose& pose, const marrow::Feet& feet, const marrow::FeetFrame& frame, Ray ray,
+                     const std::vector<bool>& planted, std::vector<marrow::FootMotion>& motion) {
   std::vector<marrow::FootGround> ground(feet.feet.size);
   for (std::size_t i = 0; i < ground.size(); ++i) {
     float sole[3];
-    const marrow::Status found = marrow::foot_sole(feet.feet[i], frame.world_from_model, scene, sole);
+    const marrow::Status found = marrow::foot_sole(feet.feet[i], frame.world_from_model, pose.model_from_joint, sole);
     if (found != marrow::Status::ok) return found;
     ground[i].hit = ray(sole, ground[i].point, ground[i].normal);
     ground[i].planted = planted[i];
   }
-  return marrow::place_feet(skeleton, feet, frame, ground, motion, local, scene);
+  return marrow::place_feet(pose, feet, frame, ground, motion);
 }
 // [/feet]
 
@@ -108,7 +106,7 @@ TEST(FollowingExamples, TheTailSags) {
   for (int i = 0; i < 60; ++i) {
     local = c.rest;
     ASSERT_EQ(marrow::local_to_model(skeleton, local, scene), marrow::Status::ok);
-    ASSERT_EQ(swing_tail(skeleton, world, 1.0f / 60, tail, local, scene), marrow::Status::ok);
+    ASSERT_EQ(swing_tail({skeleton, local, scene}, world, 1.0f / 60, tail), marrow::Status::ok);
   }
   EXPECT_LT(scene[5].rows[1][3], 0.95f);
 }
@@ -135,7 +133,7 @@ TEST(FollowingExamples, TheFootStandsOnTheStep) {
   std::vector<marrow::Affine> scene(skeleton.joint_count);
   ASSERT_EQ(marrow::local_to_model(skeleton, local, scene), marrow::Status::ok);
   const float height = scene[6].rows[1][3];
-  ASSERT_EQ(stand(skeleton, feet, {}, stairs, {false}, motion, local, scene), marrow::Status::ok);
+  ASSERT_EQ(stand({skeleton, local, scene}, feet, {}, stairs, {false}, motion), marrow::Status::ok);
   EXPECT_NEAR(scene[6].rows[1][3], height + 0.25f, 1e-5f);
 }
 

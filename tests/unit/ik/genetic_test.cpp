@@ -103,8 +103,7 @@ TEST(IkGenetic, WeightNoneKeepsEveryBitAndShortMemoryIsRefused) {
   EXPECT_EQ(std::memcmp(local.data(), solve.local.data(), local.size() * sizeof(SoaTransform)), 0);
   solve.options.weight = 1;
   Span<std::byte> less(solve.scratch.data(), solve.scratch.size() - 1);
-  EXPECT_EQ(solve_ik_genetic(solve.skeleton, solve.local, solve.scene, solve.problem, solve.options, less),
-            Status::bad_argument);
+  EXPECT_EQ(solve_ik_genetic(solve.pose(), solve.problem, solve.options, less), Status::bad_argument);
   EXPECT_EQ(std::memcmp(local.data(), solve.local.data(), local.size() * sizeof(SoaTransform)), 0);
 }
 

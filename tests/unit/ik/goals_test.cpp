@@ -333,18 +333,17 @@ TEST(IkGoals, BadCallsWriteNothing) {
   const std::size_t bytes = ik_scratch_bytes(p.skeleton, p.problem, p.options);
   test::AlignedBlock block(bytes + 1);
   const Span<std::byte> few = {block.data(), bytes - 1}, odd = {block.data() + 1, bytes};
-  EXPECT_EQ(solve_ik(p.skeleton, p.local, p.scene, p.problem, p.options, few), Status::bad_argument);
-  EXPECT_EQ(solve_ik(p.skeleton, p.local, p.scene, p.problem, p.options, odd), Status::ok);
+  EXPECT_EQ(solve_ik(p.pose(), p.problem, p.options, few), Status::bad_argument);
+  EXPECT_EQ(solve_ik(p.pose(), p.problem, p.options, odd), Status::ok);
   EXPECT_LE(p.distance(0), 1.01e-4);
 }
 
 // The example of docs/ik/solvers.md.
-Status plant_and_reach(const Skeleton& skeleton, std::uint16_t foot, std::uint16_t hand, const float (&door_handle)[3],
-                       Span<const std::uint16_t> joints, Span<std::byte> scratch, Span<SoaTransform> local,
-                       Span<Affine> model_from_joint) {
+Status plant_and_reach(const Pose& pose, std::uint16_t foot, std::uint16_t hand, const float (&door_handle)[3],
+                       Span<const std::uint16_t> joints, Span<std::byte> scratch) {
   IkGoal goals[2];
   goals[0].joint = foot;  // stays where the animation put it
-  for (int i = 0; i < 3; ++i) goals[0].position[i] = model_from_joint[foot].rows[i][3];
+  for (int i = 0; i < 3; ++i) goals[0].position[i] = pose.model_from_joint[foot].rows[i][3];
   goals[1].joint = hand;
   goals[1].priority = 1;  // reaches as far as the foot allows
   for (int i = 0; i < 3; ++i) goals[1].position[i] = door_handle[i];
@@ -355,7 +354,7 @@ Status plant_and_reach(const Skeleton& skeleton, std::uint16_t foot, std::uint16
   IkOptions options;
   options.max_iterations = 8;
   options.tolerance_m = 1e-3f;
-  return solve_ik(skeleton, local, model_from_joint, problem, options, scratch);
+  return solve_ik(pose, problem, options, scratch);
 }
 
 TEST(IkGoals, TheExampleDoesWhatItSays) {
@@ -365,7 +364,7 @@ TEST(IkGoals, TheExampleDoesWhatItSays) {
   std::vector<std::byte> scratch(1 << 16);
   const float handle[3] = {0.3f, 1.0f, 0.5f};
   const Vec3 foot = test::origin_of(p.maps()[kLeftFoot]);
-  ASSERT_EQ(plant_and_reach(p.skeleton, kLeftFoot, kLeftHand, handle, joints, scratch, p.local, p.scene), Status::ok);
+  ASSERT_EQ(plant_and_reach(p.pose(), kLeftFoot, kLeftHand, handle, joints, scratch), Status::ok);
   EXPECT_LE(test::length(test::minus(test::origin_of(p.maps()[kLeftFoot]), foot)), 1e-3);
   EXPECT_LE(test::length(test::minus(test::origin_of(p.maps()[kLeftHand]), {0.3, 1.0, 0.5})), 1e-3);
 }

@@ -408,8 +408,7 @@ TEST(IkHeuristic, BadCallsAreRefusedAndWriteNothing) {
       std::vector<std::byte> scratch = good.scratch;
       spoil(bad, scratch);
       IkReport report{-1, 77, IkStop::iterations};
-      EXPECT_EQ(solve_ik(bad.skeleton, bad.local, bad.scene, bad.problem, bad.options, scratch, &report),
-                Status::bad_argument);
+      EXPECT_EQ(solve_ik(bad.pose(), bad.problem, bad.options, scratch, &report), Status::bad_argument);
       EXPECT_EQ(report.iterations, 77u);
       EXPECT_EQ(std::memcmp(bad.local.data(), rig.rest.data(), rig.rest.size() * sizeof(SoaTransform)), 0);
       ++cases;

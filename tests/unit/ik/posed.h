@@ -21,6 +21,7 @@ struct PosedSkeleton {
     scene.resize(skeleton.joint_count);
     EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok);
   }
+  Pose pose() { return {skeleton, local, scene}; }
   IkGoal& add_goal(std::uint16_t joint, const Vec3& position) {
     goals.emplace_back();
     goals.back().joint = joint;
@@ -36,7 +37,7 @@ struct PosedSkeleton {
   Status try_solve(IkReport* report = nullptr) {
     bind();
     AlignedBlock scratch(ik_scratch_bytes(skeleton, problem, options));
-    return solve_ik(skeleton, local, scene, problem, options, scratch, report);
+    return solve_ik(pose(), problem, options, scratch, report);
   }
   IkReport solve() {
     IkReport report;

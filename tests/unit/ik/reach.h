@@ -40,6 +40,7 @@ struct Chain {
     update();
   }
   void update() { EXPECT_EQ(local_to_model(skeleton, local, scene), Status::ok); }
+  Pose pose() { return {skeleton, local, scene}; }
   // model_from_joint of the pose as it is now.
   std::vector<Map> maps() const {
     std::vector<Map> out;

@@ -40,7 +40,7 @@ Chain arm(double bend_degrees, double sideways_degrees = 0) {
 
 std::vector<Affine> solved(Chain c, const TwoBone& goal) {
   c.skeleton = c.test.view();
-  EXPECT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+  EXPECT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
   return c.scene;
 }
 
@@ -185,7 +185,7 @@ TEST(Steady, PosesThroughStraight) {
 std::vector<Affine> aimed(const Aim& goal) {
   Chain c = arm(40);
   bool reached = false;
-  EXPECT_EQ(solve_aim(c.skeleton, 2, goal, c.local, c.scene, &reached), Status::ok);
+  EXPECT_EQ(solve_aim(c.pose(), 2, goal, &reached), Status::ok);
   return c.scene;
 }
 
@@ -234,7 +234,7 @@ TEST(Steady, SameBitsOnEveryProcessor) {
     if (i % 5 == 0) goal.soft = 0.9f;
     if (i % 6 == 0) goal.max_stretch = 1.5f;
     if (i % 7 == 0) goal.twist_rad = static_cast<float>(random.between(-9, 9));
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
     Aim look;
     put(look.target, test::random_vector(random, 3));
     if (i % 2 == 0) put(look.pole, test::random_vector(random, 1));
@@ -242,8 +242,8 @@ TEST(Steady, SameBitsOnEveryProcessor) {
     if (i % 5 == 0) look.twist_rad = static_cast<float>(random.between(-9, 9));
     if (i % 7 == 0) look.weight = 0.5f;
     const std::uint32_t chain[] = {0, 2, 4};
-    ASSERT_EQ(solve_look_at(c.skeleton, {chain, 3}, look, 0.5f, c.local, c.scene), Status::ok);
-    ASSERT_EQ(solve_aim(c.skeleton, 3, look, c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_look_at(c.pose(), {chain, 3}, look, 0.5f), Status::ok);
+    ASSERT_EQ(solve_aim(c.pose(), 3, look), Status::ok);
     state = test::hash(state, c.scene.data(), c.scene.size() * sizeof c.scene[0]);
   }
   EXPECT_EQ(state, 0x3179F2EDE6FC1C4CULL);

@@ -21,6 +21,7 @@ struct Solve {
   }
   Solve(const RandomChain& chain, IkMethod method) : Solve(chain.skeleton, chain.tip, chain.joints, method) {}
 
+  Pose pose() { return {skeleton, local, scene}; }
   void rest() {
     local = rig.rest;
     ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
@@ -36,8 +37,7 @@ struct Solve {
     scratch.resize(genetic ? ik_genetic_scratch_bytes(skeleton, problem)
                            : ik_scratch_bytes(skeleton, problem, options));
     IkReport report;
-    EXPECT_EQ((genetic ? solve_ik_genetic : solve_ik)(skeleton, local, scene, problem, options, scratch, &report),
-              Status::ok);
+    EXPECT_EQ((genetic ? solve_ik_genetic : solve_ik)(pose(), problem, options, scratch, &report), Status::ok);
     return report;
   }
   Vec3 tip() const { return origin_of(scene_maps(rig, local.data())[goals[0].joint]); }

@@ -249,7 +249,7 @@ TEST(Springs, BonesWithoutLengthStayAsTheyAre) {
   for (int i = 0; i < 60; ++i) {
     local = t.rest;
     ASSERT_EQ(local_to_model(skeleton, local, scene), Status::ok);
-    ASSERT_EQ(simulate_springs(skeleton, frame, s, local, scene), Status::ok);
+    ASSERT_EQ(simulate_springs({skeleton, local, scene}, frame, s), Status::ok);
   }
   EXPECT_TRUE(test::same_bits(local, t.rest, 2)) << "from joint 2 to 3 is no way";
   EXPECT_FALSE(test::same_bits(local, t.rest, 1));
@@ -293,7 +293,7 @@ TEST(Springs, StayFiniteOnAnything) {
       ASSERT_EQ(local_to_model(p.skeleton, p.out, scene), Status::ok);
       frame.dt_s = static_cast<float>(random.between(0, 0.2));
       frame.teleport_m = i % 2 == 0 ? 1e6f : 1;
-      ASSERT_EQ(simulate_springs(p.skeleton, frame, s, p.out, scene), Status::ok);
+      ASSERT_EQ(simulate_springs({p.skeleton, p.out, scene}, frame, s), Status::ok);
       for (const SpringJoint& j : joints) {
         const test::TestJoint t = test::joint_of(p.out.data(), j.joint);
         double squared = 0;
@@ -342,7 +342,7 @@ TEST(Springs, BadCallsWriteNothing) {
     std::vector<Affine> matrices = scene;
     rod.frame.dt_s = 1.0f / 60;
     change(rod.frame, matrices);
-    EXPECT_EQ(simulate_springs(rod.skeleton, rod.frame, rod.springs, rod.local, matrices), Status::bad_argument)
+    EXPECT_EQ(simulate_springs({rod.skeleton, rod.local, matrices}, rod.frame, rod.springs), Status::bad_argument)
         << refused;
     EXPECT_TRUE(same(local, rod.local));
     EXPECT_EQ(std::memcmp(kept.data(), rod.memory().data(), kept.size()), 0);
@@ -370,7 +370,7 @@ TEST(Springs, BadCallsWriteNothing) {
   refuses([&](F f, M) { colliders.assign(kMaxSpringColliders + 1, {}), f.colliders = colliders; });
   refuses([&](F, M m) { m.pop_back(); });
   EXPECT_EQ(refused, 3 * 13 + 5);
-  EXPECT_EQ(simulate_springs(rod.skeleton, rod.frame, rod.springs, {rod.local.data(), 0}, rod.scene),
+  EXPECT_EQ(simulate_springs({rod.skeleton, {rod.local.data(), 0}, rod.scene}, rod.frame, rod.springs),
             Status::bad_argument);
 }
 
@@ -430,7 +430,7 @@ TEST(Springs, AllocateNothing) {
   const std::size_t before = test::allocation_count();
   for (int i = 0; i < 1000; ++i) {
     rod.frame.world_from_model.rows[0][3] = 0.01f * static_cast<float>(i % 40);
-    failures += simulate_springs(rod.skeleton, rod.frame, rod.springs, rod.local, rod.scene) != Status::ok;
+    failures += simulate_springs({rod.skeleton, rod.local, rod.scene}, rod.frame, rod.springs) != Status::ok;
     failures += set_springs(rod.skeleton, {&rod.chain(), 1}, rod.springs) != Status::ok;
   }
   EXPECT_EQ(test::allocation_count() - before, 0u);

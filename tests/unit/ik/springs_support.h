@@ -71,7 +71,7 @@ class Rod {
   }
   Status step(float dt_s) {
     frame.dt_s = dt_s;
-    return simulate_springs(skeleton, frame, springs, local, scene);
+    return simulate_springs({skeleton, local, scene}, frame, springs);
   }
 
   Vec3 place(std::size_t joint) const {

@@ -45,8 +45,7 @@ TEST(IkStarts, OptionsFullOfZerosAreToldWhatSetsThem) {
   solve.to({0, 0, 0});
   const IkOptions zeros = {IkMethod::damped_least_squares, 0, 0, 0, 0, 0, 0, 0};
   test::CallErrors errors;
-  EXPECT_EQ(solve_ik(solve.skeleton, solve.local, solve.scene, solve.problem, zeros, solve.scratch),
-            Status::bad_argument);
+  EXPECT_EQ(solve_ik(solve.pose(), solve.problem, zeros, solve.scratch), Status::bad_argument);
   const std::vector<test::CallError> told = errors.take();
   ASSERT_EQ(told.size(), 1u);
   EXPECT_NE(told[0].condition.find("mrw_ik_options_init"), std::string::npos) << told[0].condition;
@@ -185,8 +184,7 @@ TEST(IkStarts, NoneIsRefused) {
   test::Solve solve(chain, IkMethod::ccd);
   solve.to({1, 0, 0});
   solve.options.starts = 0;
-  EXPECT_EQ(solve_ik(solve.skeleton, solve.local, solve.scene, solve.problem, solve.options, solve.scratch),
-            Status::bad_argument);
+  EXPECT_EQ(solve_ik(solve.pose(), solve.problem, solve.options, solve.scratch), Status::bad_argument);
 }
 
 }  // namespace

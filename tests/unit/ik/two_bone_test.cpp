@@ -58,7 +58,7 @@ TEST(TwoBone, EqualsTheLawOfCosines) {
     put(goal.pole, times(pole, random.between(0.1, 10)));
     if (i % 2 == 0) put(goal.bend_axis, times(test::random_direction(random), random.between(0.5, 2)));
     bool got_there = false;
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &got_there), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &got_there), Status::ok);
     const Places now(c);
     const Wanted want(was, test::vec3(goal.target), test::vec3(goal.pole));
     const double end = length(minus(now.end, want.end)) / was.limb;
@@ -139,7 +139,7 @@ TEST(TwoBone, ScalesOfTheMiddleJointItselfAreExact) {
     TwoBone goal;
     put(goal.target, plus(was.start, times(way, was.limb * random.between(0.05, 1.2))));
     put(goal.pole, pole);
-    ASSERT_EQ(solve_two_bone(scaled.skeleton, kLimb, goal, scaled.local, scaled.scene), Status::ok);
+    ASSERT_EQ(solve_two_bone(scaled.pose(), kLimb, goal), Status::ok);
     const Places now(scaled);
     const Wanted want(was, test::vec3(goal.target), pole);
     EXPECT_LT(length(minus(now.end, want.end)), 1e-4 * was.limb) << i;
@@ -201,7 +201,7 @@ TEST(TwoBone, NothingDegenerateBecomesInfinite) {
               goal.weight = cases % 5 == 0 ? 0.5f : 1.0f;
               Chain c = before;
               c.skeleton = c.test.view();
-              ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok) << cases;
+              ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok) << cases;
               EXPECT_TRUE(all_finite(c)) << cases;
               ++cases;
             }
@@ -228,7 +228,7 @@ TEST(TwoBone, CollinearAndFoldedLimbsReach) {
           put(goal.pole, pole);
           put(goal.bend_axis, axis);
           bool reached = false;
-          ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+          ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
           EXPECT_TRUE(reached);
           EXPECT_LT(length(minus(Places(c).end, target)), 1e-5) << cases;
           ++cases;
@@ -254,7 +254,7 @@ TEST(TwoBone, ATargetAtTheStartJointFolds) {
           put(goal.target, {0, away, 0});
           put(goal.bend_axis, axis);
           bool reached = lower != 0.5;
-          ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+          ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
           EXPECT_EQ(reached, lower == 0.5) << cases;
           const Places now(c);
           EXPECT_NEAR(length(minus(now.end, now.start)), std::fabs(0.5 - lower), 3e-6) << cases;
@@ -275,7 +275,7 @@ TEST(TwoBone, PreferredBend) {
       TwoBone goal;
       put(goal.target, {0.6, 0, 0});
       goal.bend_axis[2] = static_cast<float>(side);
-      ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+      ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
       // The elbow's own rotation, about z, is to the preferred side, whatever it was.
       const test::Quat q = joint_of(c.local.data(), 2).rotation;
       EXPECT_GT(q[2] * q[3] * side, 0.1) << angle << " " << side;
@@ -296,7 +296,7 @@ TEST(TwoBone, WithoutAPoleAReachedTargetChangesNothing) {
     const std::vector<SoaTransform> before = c.local;
     TwoBone goal;
     put(goal.target, was.end);
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
     // Where straight or folded, angles hang on the last bits of the lengths.
     if (length(cross(minus(was.mid, was.start), minus(was.end, was.mid))) < 0.05 * was.upper * was.lower) continue;
     for (std::size_t j = 1; j < 3; ++j)
@@ -315,9 +315,9 @@ TEST(TwoBone, TwistTurnsTheMiddleJointAboutTheLineToTheTarget) {
       put(goal.target, {0.6, 0, 0});
       put(goal.pole, pole);
       Chain straight = plain_arm();
-      ASSERT_EQ(solve_two_bone(straight.skeleton, kLimb, goal, straight.local, straight.scene), Status::ok);
+      ASSERT_EQ(solve_two_bone(straight.pose(), kLimb, goal), Status::ok);
       goal.twist_rad = static_cast<float>(degrees / 57.29577951308232);
-      ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+      ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
       const Vec3 from = Places(straight).mid, to = Places(c).mid;
       const double cosine = std::cos(degrees / 57.29577951308232), sine = std::sin(degrees / 57.29577951308232);
       EXPECT_NEAR(to[0], from[0], 1e-5);
@@ -339,7 +339,7 @@ TEST(TwoBone, StretchReachesUpToItsLimit) {
       goal.soft = soft;
       goal.max_stretch = 1.2f;
       bool reached = false;
-      ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+      ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
       const Places now(c);
       EXPECT_EQ(reached, reach < 1.08) << reach;
       if (reached) {
@@ -362,7 +362,7 @@ TEST(TwoBone, WeightZeroChangesNoBitAndHalfIsHalfTheTurn) {
     TwoBone goal;
     put(goal.target, test::random_vector(random, 2));
     goal.weight = 0;
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
     EXPECT_EQ(std::memcmp(local.data(), c.local.data(), local.size() * sizeof local[0]), 0);
     EXPECT_EQ(std::memcmp(scene.data(), c.scene.data(), scene.size() * sizeof scene[0]), 0);
     TwoBoneTurns whole, half;
@@ -385,7 +385,7 @@ TEST(TwoBone, BadCallsAreRefusedAndWriteNothing) {
   int cases = 0;
   const auto refused = [&](const TwoBone& goal, const TwoBoneLimb& limb = kLimb) {
     bool reached = true;
-    EXPECT_EQ(solve_two_bone(c.skeleton, limb, goal, c.local, c.scene, &reached), Status::bad_argument) << cases;
+    EXPECT_EQ(solve_two_bone(c.pose(), limb, goal, &reached), Status::bad_argument) << cases;
     EXPECT_TRUE(reached);
     EXPECT_EQ(std::memcmp(local.data(), c.local.data(), local.size() * sizeof local[0]), 0);
     TwoBoneTurns out[4];
@@ -429,20 +429,18 @@ TEST(TwoBone, BadCallsAreRefusedAndWriteNothing) {
         TwoBoneLimb{1, ~0u, 3}, TwoBoneLimb{1, 2, ~0u}})
     refused(good, limb);
   EXPECT_EQ(cases, 33 + 8 + 4 + 2 + 7);
-  EXPECT_EQ(solve_two_bone(c.skeleton, kLimb, good, {c.local.data(), c.local.size() - 1}, c.scene),
+  EXPECT_EQ(solve_two_bone({c.skeleton, {c.local.data(), c.local.size() - 1}, c.scene}, kLimb, good),
             Status::bad_argument);
-  EXPECT_EQ(solve_two_bone(c.skeleton, kLimb, good, c.local, {c.scene.data(), c.scene.size() - 1}),
+  EXPECT_EQ(solve_two_bone({c.skeleton, c.local, {c.scene.data(), c.scene.size() - 1}}, kLimb, good),
             Status::bad_argument);
   c.scene[1].rows[1][1] = nan;
-  EXPECT_EQ(solve_two_bone(c.skeleton, kLimb, good, c.local, c.scene), Status::bad_argument);
+  EXPECT_EQ(solve_two_bone(c.pose(), kLimb, good), Status::bad_argument);
 }
 
 // The code of docs/ik.md.
 TEST(TwoBone, AsInTheManual) {
   Chain c = plain_arm();
-  const Skeleton& skeleton = c.skeleton;
-  std::vector<SoaTransform>& local = c.local;
-  std::vector<Affine>& joints = c.scene;
+  const Pose pose = c.pose();
   const std::uint32_t thigh = 1, shin = 2, foot = 3;
 
   TwoBone reach;
@@ -450,14 +448,14 @@ TEST(TwoBone, AsInTheManual) {
   reach.bend_axis[2] = 1;                          // the knee's hinge, in the shin's own space
   reach.soft = 0.97f;
   bool reached = false;
-  Status status = local_to_model(skeleton, local, joints);
-  if (status == Status::ok) status = solve_two_bone(skeleton, {thigh, shin, foot}, reach, local, joints, &reached);
+  Status status = local_to_model(pose.skeleton, pose.local, pose.model_from_joint);
+  if (status == Status::ok) status = solve_two_bone(pose, {thigh, shin, foot}, reach, &reached);
 
   Aim look;
   look.target[0] = 5, look.target[1] = 1;
   look.forward[0] = 1, look.forward[2] = 0;  // along the foot
   const std::uint32_t chain[] = {thigh, shin, foot};
-  if (status == Status::ok) status = solve_look_at(skeleton, {chain, 3}, look, 0.5f, local, joints);
+  if (status == Status::ok) status = solve_look_at(pose, {chain, 3}, look, 0.5f);
 
   EXPECT_EQ(status, Status::ok);
   EXPECT_TRUE(reached);

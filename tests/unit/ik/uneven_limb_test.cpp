@@ -42,7 +42,7 @@ TEST(UnevenLimb, IsMet) {
     put(goal.target, plus(was.start, times(test::random_direction(random), was.limb * random.between(0.5, 0.8))));
     if (i % 2 == 0) put(goal.pole, test::random_direction(random));
     bool reached = false;
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
     if (!reached) continue;
     const double miss = length(minus(Places(c).end, test::vec3(goal.target))) / was.limb;
     worst[i % 3] = std::fmax(worst[i % 3], miss);
@@ -72,7 +72,7 @@ TEST(UnevenLimb, ATargetAtTheStartJointFolds) {
       TwoBone goal;
       put(goal.target, plus(was.start, times(normalised(minus(was.end, was.start)), k * 1e-3 * was.limb)));
       bool reached = false;
-      ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+      ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
       miss[k] = length(minus(Places(c).end, test::vec3(goal.target))) / was.limb;
       EXPECT_EQ(reached, miss[k] < 1e-4) << i;
     }
@@ -97,7 +97,7 @@ TEST(UnevenLimb, SaysWhetherItIsMet) {
     TwoBone goal;
     put(goal.target, plus(was.start, times(test::random_direction(random), was.limb * random.between(0.2, 0.9))));
     bool reached = false;
-    ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+    ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
     if (!reached) continue;
     const Places is(c);
     EXPECT_LT(length(minus(is.end, test::vec3(goal.target))), 1.1e-4 * is.limb) << cases;
@@ -119,7 +119,7 @@ TEST(UnevenLimb, ThatThePoseHidesIsMetToo) {
   TwoBone goal;
   put(goal.target, {0.3, 0.4, 0.3});
   bool reached = false;
-  ASSERT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene, &reached), Status::ok);
+  ASSERT_EQ(solve_two_bone(c.pose(), kLimb, goal, &reached), Status::ok);
   EXPECT_TRUE(reached);
   EXPECT_LT(length(minus(Places(c).end, test::vec3(goal.target))), 2e-6);
 }
@@ -136,7 +136,7 @@ TEST(UnevenLimb, ByWeight) {
       Chain c = before;
       c.skeleton = c.test.view();
       goal.weight = weight;
-      EXPECT_EQ(solve_two_bone(c.skeleton, kLimb, goal, c.local, c.scene), Status::ok);
+      EXPECT_EQ(solve_two_bone(c.pose(), kLimb, goal), Status::ok);
       return c;
     };
     const Chain whole = at(1), nearly = at(0.99999f), half = at(0.5f);

@@ -170,8 +170,8 @@ std::vector<MisuseRow> rows_of_characters() {
            m.returned(follow_body(outfit, m.either(dance().character, face().character), worn.character));
            return;
          }
-         const Span<const Affine> body = dance().character.skeletons[0].model_from_joint;
-         const Span<const SoaTransform> local = dance().character.skeletons[0].local;
+         const Span<const Affine> body = dance().character.skeletons[0].pose.model_from_joint;
+         const Span<const SoaTransform> local = dance().character.skeletons[0].pose.local;
          m.returned(follow_body(skeleton, m.in(joints), m.in(body), m.in(local), m.out<Affine>(skeleton.joint_count)));
        }},
   };

@@ -218,7 +218,7 @@ std::vector<MisuseRow> rows_of_following() {
          const Span<SoaTransform> local = m.out(stage().pose);
          const Span<Affine> joints = m.out(stage().joints);
          m.returned(
-             simulate_springs(m.either(stage().skeleton, stage().smaller), frame, swinging.springs, local, joints));
+             simulate_springs({m.either(stage().skeleton, stage().smaller), local, joints}, frame, swinging.springs));
        }},
   };
   rows.insert(rows.end(), springs.begin(), springs.end());

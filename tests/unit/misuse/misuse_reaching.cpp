@@ -105,7 +105,7 @@ void solve(Misuse& m, decltype(solve_ik)& by, IkMethod method) {
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
   IkReport report;
-  m.returned(by(skeleton, local, joints, problem, options, scratch, m.pointer(&report)));
+  m.returned(by({skeleton, local, joints}, problem, options, scratch, m.pointer(&report)));
   EXPECT_FALSE(std::isnan(report.error_m));
 }
 
@@ -153,7 +153,7 @@ void place(Misuse& m) {
   const Span<FootMotion> moving = m.out(motion);
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
-  m.returned(place_feet(skeleton_of(m), feet, frame, m.in(ground), moving, local, joints));
+  m.returned(place_feet({skeleton_of(m), local, joints}, feet, frame, m.in(ground), moving));
 }
 
 void call_two_bone(Misuse& m) {
@@ -178,7 +178,7 @@ void call_solve_two_bone(Misuse& m) {
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
   bool reached = false;
-  m.returned(solve_two_bone(skeleton_of(m), limb, reach_of(m), local, joints, m.pointer(&reached)));
+  m.returned(solve_two_bone({skeleton_of(m), local, joints}, limb, reach_of(m), m.pointer(&reached)));
 }
 
 void call_aim(Misuse& m) {
@@ -192,14 +192,14 @@ void call_solve_aim(Misuse& m) {
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
   bool reached = false;
-  m.returned(solve_aim(skeleton_of(m), m.index(5), aim_of(m), local, joints, m.pointer(&reached)));
+  m.returned(solve_aim({skeleton_of(m), local, joints}, m.index(5), aim_of(m), m.pointer(&reached)));
 }
 
 void call_solve_look_at(Misuse& m) {
   const std::vector<std::uint32_t> chain = {0, 2, 5};
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
-  m.returned(solve_look_at(skeleton_of(m), m.in(chain, Length::any), aim_of(m), m.number(0.5f), local, joints));
+  m.returned(solve_look_at({skeleton_of(m), local, joints}, m.in(chain, Length::any), aim_of(m), m.number(0.5f)));
 }
 
 void call_ik_scratch_bytes(Misuse& m) {
@@ -222,7 +222,7 @@ void call_solve_ik_genetic(Misuse& m) {
   const Span<std::byte> scratch = m.memory(scratch_bytes(ik_genetic_scratch_bytes(skeleton, problem)), 1);
   const Span<SoaTransform> local = m.out(stage().pose);
   const Span<Affine> joints = m.out(stage().joints);
-  m.returned(solve_ik_genetic(skeleton, local, joints, problem, options, scratch));
+  m.returned(solve_ik_genetic({skeleton, local, joints}, problem, options, scratch));
 }
 
 void call_foot_sole(Misuse& m) {

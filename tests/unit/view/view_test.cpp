@@ -73,9 +73,9 @@ TEST(Rig, HoldsWeightsOfTargetsByHand) {
 std::vector<SoaTransform> ridden(const File& file, Rig& rig, const char* clip) {
   Character character(file);
   std::vector<SoaTransform> out;
-  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
-    rig.change(skeleton, local, model_from_joint);
-    if (skeleton == 0) out.assign(local.begin(), local.end());
+  character.set_change([&](std::uint32_t skeleton, const Pose& pose) {
+    rig.change(skeleton, pose);
+    if (skeleton == 0) out.assign(pose.local.begin(), pose.local.end());
   });
   const Play play = play_together(file, file.find_clip(clip));
   character.pose(play, play.duration_s);
@@ -109,9 +109,7 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
   const File& file = source.loaded.file;
   Character character(file);
   Rig rig(file);
-  character.set_change([&](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
-    rig.change(skeleton, local, model_from_joint);
-  });
+  character.set_change([&](std::uint32_t skeleton, const Pose& pose) { rig.change(skeleton, pose); });
   Settings settings;
   rig.prepare(settings, 0, 0, 0);
   character.pose({}, 0);

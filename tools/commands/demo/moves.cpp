@@ -90,7 +90,6 @@ class Ramp {
 
 // What the sheet moves of the sample.
 struct Rig {
-  Skeleton skeleton;
   std::array<Foot, 2> feet;
   Feet both;
   TwoBoneLimb arm{};
@@ -110,10 +109,10 @@ void put(float (&to)[3], glm::vec3 v) {
 
 // The sample's own measures: soles below the middle of the feet, forward and up of the head, eyes before it.
 void make_rig(const File& file, Rig& rig) {
-  rig.skeleton = file.skeleton(0);
-  std::vector<Affine> rest(rig.skeleton.joint_count);
-  check(local_to_model(rig.skeleton, {rig.skeleton.rest, rig.skeleton.soa_size()}, rest));
-  const auto joint = [&](const std::string& name) { return joint_of(file, rig.skeleton, name); };
+  const Skeleton skeleton = file.skeleton(0);
+  std::vector<Affine> rest(skeleton.joint_count);
+  check(local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, rest));
+  const auto joint = [&](const std::string& name) { return joint_of(file, skeleton, name); };
   const auto at = [&](std::uint32_t j) { return glm::vec3(to_glm(rest[j])[3]); };
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string end = side == 0 ? ".L" : ".R";
@@ -140,25 +139,25 @@ struct Motion {
   std::array<FootMotion, 2> state = {};
 };
 
-void move(const Rig& rig, Motion& motion, Span<SoaTransform> local, Span<Affine> scene) {
+void move(const Rig& rig, Motion& motion, const Pose& pose) {
   if (motion.feet) {
     std::array<FootGround, 2> ground;
     FeetFrame frame;
     frame.dt_s = kFrame_s;
     for (std::size_t i = 0; i < 2; ++i) {
       float sole[3];
-      check(foot_sole(rig.feet[i], frame.world_from_model, scene, sole));
+      check(foot_sole(rig.feet[i], frame.world_from_model, pose.model_from_joint, sole));
       ground[i].hit = true;
       put(ground[i].point, {sole[0], kSlope * sole[0], sole[2]});
       put(ground[i].normal, {-kSlope, 1, 0});
     }
-    check(place_feet(rig.skeleton, rig.both, frame, ground, motion.state, local, scene));
+    check(place_feet(pose, rig.both, frame, ground, motion.state));
   }
   if (!motion.hand) return;
   TwoBone hand;
   std::ranges::copy(kTarget, hand.target);
-  check(solve_two_bone(rig.skeleton, rig.arm, hand, local, scene));
-  check(solve_look_at(rig.skeleton, rig.looking, rig.look, 0.6f, local, scene));
+  check(solve_two_bone(pose, rig.arm, hand));
+  check(solve_look_at(pose, rig.looking, rig.look, 0.6f));
 }
 
 }  // namespace
@@ -188,8 +187,7 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
     Motion motion;
     motion.feet = row > 0;
     motion.hand = row > 1;
-    character.set_change(
-        [&](std::uint32_t, Span<SoaTransform> local, Span<Affine> scene) { move(rig, motion, local, scene); });
+    character.set_change([&](std::uint32_t, const Pose& pose) { move(rig, motion, pose); });
     // A round to settle, and one to be photographed.
     for (int frame = 0; frame < 2 * frames; ++frame) {
       const int at = frame % frames;

@@ -84,8 +84,8 @@ PlainSkin::PlainSkin(const std::string& source, const File& file) : other_(file)
 }
 
 std::vector<PosedMesh> PlainSkin::skin(const Character& posed) {
-  character_->set_change([&](std::uint32_t skeleton, Span<SoaTransform>, Span<Affine> model_from_joint) {
-    std::ranges::copy(posed.model_from_joint(skeleton), model_from_joint.begin());
+  character_->set_change([&](std::uint32_t skeleton, const Pose& pose) {
+    std::ranges::copy(posed.model_from_joint(skeleton), pose.model_from_joint.begin());
   });
   character_->set_weigh(
       [&](std::uint32_t mesh, Span<float> weights) { std::ranges::copy(posed.weights(twin_[mesh]), weights.begin()); });

@@ -73,13 +73,13 @@ Character& Sitting::prepared() {
     character_.set_weigh([this](auto... to) {
       if (frames_->has_moved()) frames_->weigh(to...);
     });
-  character_.set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
-    if (frames_ && frames_->has_moved()) frames_->change(skeleton, local, model_from_joint);
-    reach_.apply(skeleton, local, model_from_joint);
+  character_.set_change([this](std::uint32_t skeleton, const Pose& pose) {
+    if (frames_ && frames_->has_moved()) frames_->change(skeleton, pose);
+    reach_.apply(skeleton, pose);
     if (swung_s_ < 0 || !springs_.has(skeleton)) return;
     SpringFrame frame;
     frame.dt_s = dt_s_;
-    springs_.swing(skeleton, frame, local, model_from_joint);
+    springs_.swing(skeleton, frame, pose);
   });
   return character_;
 }

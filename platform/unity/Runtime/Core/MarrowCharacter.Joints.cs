@@ -21,7 +21,7 @@ public sealed unsafe partial class MarrowCharacter {
 
     /// <summary>-1 for a root. A parent comes before its children.</summary>
     public int JointParent(int skeleton, int joint) {
-        ushort parent = JointOf(skeleton, joint)->skeleton.parents[joint];
+        ushort parent = JointOf(skeleton, joint)->pose.skeleton.parents[joint];
         return parent == Marrow.NoJoint ? -1 : parent;
     }
 
@@ -32,7 +32,7 @@ public sealed unsafe partial class MarrowCharacter {
     public MarrowTransform GetLocal(int skeleton, int joint) {
         CharacterSkeleton* s = JointOf(skeleton, joint);
         JointTransform t;
-        MarrowException.Must(Marrow.GetJoint(s->local, s->local_count, (uint)joint, &t), name);
+        MarrowException.Must(Marrow.GetJoint(s->pose.local, s->pose.local_count, (uint)joint, &t), name);
         MarrowTransform made;
         made.Px = t.translation[0];
         made.Py = t.translation[1];
@@ -62,7 +62,7 @@ public sealed unsafe partial class MarrowCharacter {
         t.scale[0] = to.Sx;
         t.scale[1] = to.Sy;
         t.scale[2] = to.Sz;
-        MarrowException.Must(Marrow.SetJoint(s->local, s->local_count, (uint)joint, &t), name);
+        MarrowException.Must(Marrow.SetJoint(s->pose.local, s->pose.local_count, (uint)joint, &t), name);
     }
 
     /// <summary>After SetLocal(): where joints are in the scene.</summary>
@@ -71,14 +71,14 @@ public sealed unsafe partial class MarrowCharacter {
     /// <summary>model_from_joint as 12 floats, three rows of four; scene: the character's own.</summary>
     public void GetScene(int skeleton, int joint, float[] rows) {
         CharacterSkeleton* s = JointOf(skeleton, joint);
-        CopyRows(s->model_from_joint[joint], rows);
+        CopyRows(s->pose.model_from_joint[joint], rows);
     }
 
     /// <summary>What stands above a root and never moves: model_from_root, as GetScene().</summary>
     public void GetAboveRoot(int skeleton, int root, float[] rows) {
         CharacterSkeleton* s = SkeletonAt(skeleton);
-        if (root < 0 || root >= s->skeleton.root_count) throw new ArgumentOutOfRangeException("root");
-        CopyRows(s->skeleton.model_from_root[root], rows);
+        if (root < 0 || root >= s->pose.skeleton.root_count) throw new ArgumentOutOfRangeException("root");
+        CopyRows(s->pose.skeleton.model_from_root[root], rows);
     }
 
     void CopyRows(Affine map, float[] rows) {

@@ -63,7 +63,7 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         for (int i = 0; i < meshes.Length; ++i) meshes[i] = new MarrowMesh(this, i, options.Space);
         joints = new string[(int)Native->skeleton_count][];
         for (int s = 0; s < joints.Length; ++s) {
-            Skeleton* skeleton = &Native->skeletons[s].skeleton;
+            Skeleton* skeleton = &Native->skeletons[s].pose.skeleton;
             joints[s] = new string[skeleton->joint_count];
             for (uint j = 0; j < skeleton->joint_count; ++j)
                 joints[s][j] = Marrow.Text(Marrow.FileText(file.Native, skeleton->names[j]));

@@ -49,7 +49,7 @@ public static unsafe class MarrowRenderEvent {
     internal static int Open(MarrowRuntime.Mesh* mesh) { return marrow_unity_open(mesh); }
     internal static void Pose(int handle, MarrowRuntime.CharacterSkeleton* skeleton,
                               MarrowRuntime.CharacterMesh* mesh) {
-        marrow_unity_pose(handle, skeleton->model_from_joint, skeleton->model_from_joint_count, mesh->weights,
+        marrow_unity_pose(handle, skeleton->pose.model_from_joint, skeleton->pose.model_from_joint_count, mesh->weights,
                           mesh->weight_count);
     }
     internal static int Request(int handle, float* clipFromModel) {

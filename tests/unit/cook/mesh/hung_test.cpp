@@ -154,7 +154,7 @@ TEST(Hung, KeptNodesCount) {
       std::vector<float> places[2];
       for (CookedScene* cooked : {&source, &coded}) {
         (void)cooked->at(static_cast<float>(i) / 45, By::ssd, 0);
-        const auto& rows = cooked->character.skeletons[0].model_from_joint[0].rows;
+        const auto& rows = cooked->character.skeletons[0].pose.model_from_joint[0].rows;
         for (const auto& row : rows) places[cooked == &coded ? 1 : 0].push_back(4 * row[0] + row[3]);
       }
       worst = std::max(worst, farthest(places[0], places[1]));

@@ -71,9 +71,9 @@ void Actor::add_plays(Chosen chosen, const Choice& choice) {
 
 // The pose as the clip has it, kept for the panel, and what the rig makes of it.
 void Actor::listen() {
-  character_->set_change([this](std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
-    rig_.change(skeleton, local, model_from_joint);
-    local_[skeleton].assign(local.begin(), local.end());
+  character_->set_change([this](std::uint32_t skeleton, const Pose& pose) {
+    rig_.change(skeleton, pose);
+    local_[skeleton].assign(pose.local.begin(), pose.local.end());
   });
   character_->set_weigh([this](std::uint32_t mesh, Span<float> weights) { rig_.weigh(mesh, weights); });
 }

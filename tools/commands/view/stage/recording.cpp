@@ -49,12 +49,12 @@ glm::vec3 angles_deg(const float (&q)[4]) {
 JointCurves record_joint(const File& file, const Play& play, std::uint32_t skeleton, std::uint32_t joint, int moments) {
   JointCurves out;
   Character probe(file);
-  probe.set_change([&](std::uint32_t which, Span<SoaTransform> local, Span<Affine> model_from_joint) {
+  probe.set_change([&](std::uint32_t which, const Pose& pose) {
     if (which != skeleton) return;
     JointTransform transform;
-    check(get_joint({local.data, local.size}, joint, transform));
+    check(get_joint(pose.local, joint, transform));
     add(out, transform);
-    const Affine& place = model_from_joint[joint];
+    const Affine& place = pose.model_from_joint[joint];
     out.places.emplace_back(place.rows[0][3], place.rows[1][3], place.rows[2][3]);
   });
   for (int i = 0; i < moments; ++i)

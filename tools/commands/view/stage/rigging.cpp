@@ -53,22 +53,21 @@ void Rig::make_springs(const Settings& settings, std::uint32_t skeleton, std::ui
   if (status != Status::ok) trouble_ = "no joint below the chosen one: nothing swings";
 }
 
-void Rig::change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint) {
-  const Skeleton of = file_.skeleton(skeleton);
-  if (limits_ && !of.limits.empty()) {
-    check(limit_pose(of.limits, local));
-    check(local_to_model(of, local, model_from_joint));
+void Rig::change(std::uint32_t skeleton, const Pose& pose) {
+  if (limits_ && !pose.skeleton.limits.empty()) {
+    check(limit_pose(pose.skeleton.limits, pose.local));
+    check(local_to_model(pose.skeleton, pose.local, pose.model_from_joint));
   }
-  if (reach_) reach_->apply(skeleton, local, model_from_joint);
+  if (reach_) reach_->apply(skeleton, pose);
   if (swing_files_ && file_springs_.has(skeleton)) {
     SpringFrame frame;
     frame.dt_s = dt_s_;
-    file_springs_.swing(skeleton, frame, local, model_from_joint);
+    file_springs_.swing(skeleton, frame, pose);
   }
   if (spring_joints_.empty() || skeleton != spring_skeleton_) return;
   SpringFrame frame;
   frame.dt_s = dt_s_;
-  check(simulate_springs(of, frame, springs_, local, model_from_joint));
+  check(simulate_springs(pose, frame, springs_));
 }
 
 void Rig::weigh(std::uint32_t mesh, Span<float> weights) const {

@@ -26,7 +26,7 @@ class Rig {
   void prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s);
 
   // As Character::Change and Character::Weigh.
-  void change(std::uint32_t skeleton, Span<SoaTransform> local, Span<Affine> model_from_joint);
+  void change(std::uint32_t skeleton, const Pose& pose);
   void weigh(std::uint32_t mesh, Span<float> weights) const;
 
   // Why goals or springs do not work; empty: they do.
