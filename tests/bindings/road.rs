@@ -159,7 +159,7 @@ unsafe fn road(name: &str) -> u32 {
             AnimationLayer { animation: idle, time_s, weight: 0.25 },
         ];
         must(pose_character(&mut character, layers.as_ptr(), 2));
-        reach(&file, s, &mut tail, dt_s);
+        reach(&file, pose, &mut tail, dt_s);
         must(finish_character(&mut character));
         hash.add(pose.local, 40 * pose.local_count);
         hash.add(pose.model_from_joint, 12 * pose.model_from_joint_count);

@@ -166,12 +166,10 @@ TEST(IkStarts, NamedSolversAreTheSame) {
     named.scratch.resize(any.scratch.size());
     const bool is_chain = method == IkMethod::fabrik || method == IkMethod::ccd;
     const auto good = is_chain ? solve_ik_chain : solve_ik_body, bad = is_chain ? solve_ik_body : solve_ik_chain;
-    EXPECT_EQ(bad(named.skeleton, named.local, named.scene, named.problem, named.options, named.scratch, nullptr),
-              Status::bad_argument);
+    EXPECT_EQ(bad(named.pose(), named.problem, named.options, named.scratch, nullptr), Status::bad_argument);
     EXPECT_EQ(std::memcmp(chain.skeleton.rest.data(), named.local.data(), named.local.size() * sizeof(SoaTransform)),
               0);
-    EXPECT_EQ(good(named.skeleton, named.local, named.scene, named.problem, named.options, named.scratch, nullptr),
-              Status::ok);
+    EXPECT_EQ(good(named.pose(), named.problem, named.options, named.scratch, nullptr), Status::ok);
     EXPECT_EQ(std::memcmp(any.local.data(), named.local.data(), any.local.size() * sizeof(SoaTransform)), 0);
     ++cases;
   }
