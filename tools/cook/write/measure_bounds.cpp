@@ -88,7 +88,7 @@ class Stage {
         channels_.push_back(found != channel_of.end() ? found->second : kNoChannel);
       }
     clip_ = clip;
-    animation_ = {file_, played.duration_s, {&clip_, 1}, {channels_.data(), channels_.size()}};
+    animation_ = {played.name, file_, played.duration_s, {&clip_, 1}, {channels_.data(), channels_.size()}};
     for (Level& level : levels_) show_alone(cast, played.skeleton, level);
   }
 
