@@ -1,4 +1,4 @@
-// How the vertex array that is bound reads what the array buffer that is bound holds.
+// Describes to the bound vertex array how to read the bound array buffer.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ void swap_influences(Vertex& v, std::uint32_t a, std::uint32_t b) {
   std::memcpy(v.tangents[b], old.tangents[a], sizeof(v.tangents[b]));
 }
 
-// Shaders may skip what repeats the first joint: it becomes the first's.
+// Merges influence j, whose joint is the first one's, into the first: shaders may skip repeats of the first joint.
 void add_to_first(Vertex& v, std::uint32_t j) {
   v.weights[0] += v.weights[j];
   v.weights[j] = 0;
@@ -45,7 +45,7 @@ void add_to_first(Vertex& v, std::uint32_t j) {
   }
 }
 
-// Lane `lane` of a block of as_tangents(): the last influence has what the others leave of the sums.
+// Lane `lane` of a block of as_tangents(). The last influence is the sum less the others.
 void read_tangents(const float* block, std::uint32_t k, std::uint32_t lane, Vertex& v) {
   for (std::size_t a = 0; a < 2; ++a) {
     float(&last)[4] = v.tangents[k - 1][a];
@@ -109,7 +109,7 @@ void put(std::byte* to, T value) {
   std::memcpy(to, &value, sizeof(value));
 }
 
-// A file may hold any finite numbers, whose sums and products need not be: what is not a number is 0.
+// Clamps a number to ±1e6, and NaN to 0: a file's numbers are finite, but their sums and products may not be.
 double held(double value) {
   constexpr double kMost = 1e6;
   return value > kMost ? kMost : value < -kMost ? -kMost : is_number(value) ? value : 0;
@@ -139,8 +139,8 @@ float unit_position(const Vertex& v, const Quantisation& q, std::uint32_t c) {
   return (v.position[c] - q.centre[c]) / q.half_extent;
 }
 
-// Rounds a vector to steps, each number with what the last one has lost: `carry`. whole: w stands before z, and y
-// and z are read with what is below them behind their point, so it counts.
+// Rounds a vector to steps. carry: what the vector before lost in rounding; it is added first. whole: w is stored
+// before z, and y and z are read as whole words, whose lower halves (x and w) are a fraction: that is subtracted first.
 void put_vector(const float exact[4], bool whole, float carry[4], std::byte* to) {
   constexpr std::uint8_t kOrders[2][4] = {{0, 1, 2, 3}, {0, 1, 3, 2}};
   float behind = 0;
@@ -168,7 +168,7 @@ void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisa
   float carry[4] = {};
   std::memset(to, 0, std::size_t{8} * layout.influences);
   for (std::uint32_t j = 0; j < v.influences; ++j) {
-    // The lift is taken at the stored weight: then its error is that of a slightly different weight at the vertex,
+    // The position is weighted by the stored weight. Rounding then acts like a slightly different weight at the vertex,
     // where neighbouring joints agree, and not at the box's centre, where they do not.
     const float lift = static_cast<float>(w[j]) / one - v.residual[j][3];
     float exact[4] = {0, 0, 0, static_cast<float>(w[j])};
@@ -180,9 +180,9 @@ void put_coordinates(const Vertex& v, const VertexLayout& layout, const Quantisa
   }
 }
 
-// Both tangents' vectors of all influences. Each tangent in a unit of its own, as only directions count: its largest
-// number is 32766. What rounding one influence loses goes to the next, so that w still sum to 0; the last w follows
-// from that, and the first tangent's says instead whether the texture's triad is left-handed.
+// Writes both tangents' vectors of all influences. Each tangent is scaled so that its largest number is 32766, since
+// only directions count. What rounding one influence loses goes to the next, so that w still sums to 0. The last w
+// therefore need not be stored: the first tangent's place for it says whether the texture's triad is left-handed.
 void put_tangents(const Vertex& v, const VertexLayout& layout, const Quantisation& q, bool left_handed, std::byte* to) {
   const std::size_t places = layout.influences;
   for (std::size_t a = 0; a < 2; ++a) {

@@ -8,7 +8,7 @@ namespace {
 // GL keeps an error of each kind; a lost context may report its loss for ever.
 constexpr int kErrorKinds = 8;
 
-// Reports others than `stuck`, if there is a call to blame. An error that GL does not forget, or none.
+// Reports errors other than `stuck`, if there is a call to blame. Returns an error that GL does not clear, or none.
 unsigned collect(ErrorWatch& watch, const char* call, unsigned stuck) {
   unsigned last = kGlNoError;
   for (int i = 0; i < kErrorKinds; ++i) {

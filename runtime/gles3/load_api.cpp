@@ -1,4 +1,4 @@
-// Start of the GPU road: the driver's entry points and what the context can do.
+// The first step on the GPU: the driver's entry points and what the context can do.
 #include "core/check.h"
 #include "gles3/gl_constants.h"
 #include "marrow/gles3.h"
@@ -27,7 +27,7 @@ int es_version(const unsigned char* text) {
   return 10 * (text[0] - '0') + (text[2] - '0');
 }
 
-// Whether `word` is among those of a text, which spaces part.
+// Whether `text`, a list separated by spaces, contains `word`.
 bool has_word(const unsigned char* text, const char* word) {
   while (text != nullptr && *text != '\0') {
     std::size_t i = 0;
@@ -39,7 +39,7 @@ bool has_word(const unsigned char* text, const char* word) {
   return false;
 }
 
-// Loaders may return something for any name, so it is the context that says what there is.
+// Loaders may return something for any name, so the context's version and extensions decide.
 void load_extensions(Api& api, void* (*load_proc)(const char*)) {
   const int version = es_version(api.GetString(kGlVersion));
   if (version < 30) return;

@@ -1,7 +1,7 @@
 // Once a mesh: sparse changes into a texture. Every frame: the weights of the targets that count.
 //
-// The texture holds one rectangle a target, of whole lines; in it a texel for each row and attribute. A row is a slot
-// that some target moves, so what no target moves costs four bytes and one comparison.
+// The texture holds one rectangle of whole lines per target, with one texel for each row and attribute. Only slots that
+// some target moves have a row; any other slot costs four bytes and one comparison.
 #include "gles3/morph.h"
 
 #include <cstring>
@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::uint32_t kMaxTextureSize = 2048;
 constexpr std::size_t kTexelBytes = 8;
-// The shader may read normals and tangents of a mesh whose targets have none: times 0, but inside the texture.
+// Spare texels behind the last row. The shader may read normals and tangents of targets that have none, and multiplies
+// them by 0; the reads must stay inside the texture.
 constexpr std::uint32_t kTexelsBehind = 2;
 
 // Texels a row: positions, normals, tangents, up to the last that any target moves.
@@ -75,7 +76,7 @@ BadCall choose_targets(const Mesh& mesh, const GpuMesh& gpu, Span<const float> w
     const float w = weights[t];
     MARROW_CHECK(w - w == 0 && "weights are finite");
     if (w == 0 || target.block_count == 0) continue;
-    // In the place of the one that moves least, if there is no room.
+    // If there is no room, it replaces the target that moves least.
     const float moves = magnitude(w) * (magnitude(target.position_step) + 1e-30f);
     std::uint32_t at = out.count;
     if (out.count == kMorphTargets) {
@@ -105,7 +106,7 @@ void set_targets(const Api& api, const TargetValues& targets, std::int32_t count
 
 std::size_t morph_scratch_bytes(const Geometry& g) {
   if (g.targets.empty()) return 0;
-  // A rectangle's last line is less than the largest line.
+  // Padding a rectangle's last line takes less than the longest line.
   return g.slot_count * (4 + texels_per_row(g) * kTexelBytes) + (kMaxTextureSize + kTexelsBehind) * kTexelBytes;
 }
 

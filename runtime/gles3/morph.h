@@ -8,7 +8,7 @@ namespace marrow::gles3 {
 // Bytes of scratch memory that make_morphs() needs; 0 without targets.
 std::size_t morph_scratch_bytes(const Geometry& geometry);
 
-// Fills in the morph members of `out`, which must be described otherwise. Errors: unsupported (more than the smallest
+// Fills in the morph members of `out`; the others must be set already. Errors: unsupported (more than the smallest
 // texture that GLES 3.0 allows can hold). Leaves the texture of the active unit and GL_ARRAY_BUFFER at 0.
 Status make_morphs(const Api& api, const Geometry& geometry, float half_extent, Span<std::byte> scratch, GpuMesh& out);
 

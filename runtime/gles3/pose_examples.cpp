@@ -23,7 +23,7 @@ Changes example_changes(const Geometry& g) {
   return {g.pose_space.blocks, g.index_bytes == 4, g.pose_space.records};
 }
 
-// Of a palette entry: the bind pose, then the examples, four a texel.
+// Texels for a palette entry's distances: to the bind pose, then to the examples, four per texel.
 std::uint32_t distance_texels(const Geometry& g) {
   return (static_cast<std::uint32_t>(g.pose_space.examples.size) + 4) / 4;
 }
@@ -46,7 +46,7 @@ class Rows {
   std::size_t stride_;
 };
 
-// Each slot's first change into its row. Gives how many changes there are.
+// Sets each slot's row to its first change. Returns the number of changes.
 std::uint64_t number_rows(const Geometry& g, const Rows& rows) {
   for (std::uint32_t slot = 0; slot < g.slot_count; ++slot) rows.set(slot, 0);
   for (const MorphTarget& example : g.pose_space.examples)
@@ -75,7 +75,7 @@ double common_step(const Geometry& g) {
   return largest > 0 ? largest / 32767 : 1;
 }
 
-// A change in steps, and one more than its example; the last of a vertex has the latter negative.
+// A texel is a change in steps, then 1 + the number of its example, negated in the last texel of a vertex.
 void fill_texels(const Geometry& g, const Rows& rows, double step, std::int16_t* texels) {
   std::int16_t number = 0;
   for (const MorphTarget& example : g.pose_space.examples) {
@@ -93,7 +93,7 @@ void fill_texels(const Geometry& g, const Rows& rows, double step, std::int16_t*
                      rows.set(slot, row + 1);
                    });
   }
-  // Each row has come to the next one's first.
+  // Each slot's row has advanced to the first change of the next slot.
   std::uint32_t first = 0;
   for (std::uint32_t slot = 0; slot < g.slot_count; ++slot) {
     const std::uint32_t end = rows.get(slot);
@@ -144,7 +144,7 @@ Status pack_distances(const Geometry& g, Span<const Affine> palette, Span<Affine
   MARROW_REQUIRE(holds(out, distance_matrices(g)));
   float* const floats = out.data->rows[0];
   static_cast<void>(psd_distances(g, palette, {floats, psd_distance_count(g)}));
-  // From the last entry on, as there is more room now than the numbers take.
+  // Backwards, since an entry's numbers move to a higher place: entries take more room here.
   for (std::size_t j = g.joint_count; j-- > 0;) {
     const float* const from = floats + (examples + 1) * j;
     float* const to = floats + stride * j;

@@ -48,7 +48,7 @@ void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t s
   }
 }
 
-// What is from `begin` to the joints, sixteen bytes an attribute.
+// Describes the words from `begin` to the joints, sixteen bytes per attribute.
 void describe_words(const Api& api, const VertexLayout& layout, std::uint32_t begin, const std::uint32_t* location) {
   for (; begin < layout.as_joints; begin += 16, ++location) {
     api.EnableVertexAttribArray(*location);
@@ -215,7 +215,7 @@ Status prepare(const Api& api, const Caps& caps, const Mesh& mesh, const Prepare
     const Status morphs = make_morphs(api, g, quantisation.half_extent, scratch, made);
     if (morphs != Status::ok) return morphs;
   }
-  // WebGL lets a buffer that has been bound to another target never be one of indices.
+  // In WebGL a buffer that was ever bound to another target cannot be an index buffer.
   made.index_buffer = upload(api, kGlElementArrayBuffer, g.indices, std::size_t{g.index_count} * g.index_bytes);
   api.BindBuffer(kGlElementArrayBuffer, 0);
   if (layout.surface_stride != 0) {

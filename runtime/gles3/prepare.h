@@ -1,4 +1,4 @@
-// What whoever prepares a mesh asks of it first.
+// The checks of a mesh before it is prepared.
 #pragma once
 
 #include "core/check.h"
@@ -6,7 +6,7 @@
 
 namespace marrow::gles3 {
 
-// Vertices, joints, a box that is finite, and tangents for all of them or none.
+// Checks that the mesh has vertices, joints and a finite box, and animation-space tangents for all of it or for none.
 BadCall check_mesh(const Mesh& mesh, const PrepareOptions& options);
 
 }  // namespace marrow::gles3

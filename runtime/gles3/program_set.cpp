@@ -43,7 +43,7 @@ std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const
   const int read = wanted & programs.role_features[role];
   int features = (mesh.features & read & ~kSurfaceNormals) | (motion ? read & kMotion : 0);
   features |= mesh.features & kMorphs;
-  // With more than four influences that says how coordinates are read, too.
+  // With more than four influences kSurfaceNormals also decides how coordinates are read.
   if (deformer == Deformer::as && ((features & (kNormals | kTangents)) != 0 || mesh.influences > 4))
     features |= mesh.features & kSurfaceNormals;
   return static_cast<std::uint8_t>(features);

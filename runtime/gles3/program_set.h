@@ -10,11 +10,11 @@ inline constexpr std::uint32_t pre_skinning(Preskin method) {
   return kMostRoles + static_cast<std::uint32_t>(method);
 }
 
-// Of crowds.
+// The program that blends the poses of crowds.
 inline constexpr std::uint32_t kBlendingRole = kMostRoles + 2;
 inline constexpr ProgramKey kBlendingKey = {Deformer::none, 4, 0, Palettes::uniform_block};
 
-// Roles with texts, and entries that there is room for.
+// Checks that there are roles, all with texts, and no more entries than fit.
 BadCall check_roles(const ProgramSet& programs);
 
 // Null if there is none.
@@ -25,8 +25,8 @@ inline const Program& program_or_none(const Program* found) {
   return found != nullptr ? *found : kNone;
 }
 
-// What a role's program reads of what a mesh has, if the game wants `wanted` of it. What skinning itself needs is no
-// choice. motion: whether the frame before is kept.
+// The features that a role's program reads: those that the mesh has, the role reads and the game wants. Features that
+// skinning itself needs are always among them. motion: whether the previous frame is kept.
 std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const GpuMesh& mesh, Deformer deformer,
                            std::uint8_t wanted, bool motion);
 

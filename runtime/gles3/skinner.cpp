@@ -1,4 +1,4 @@
-// A mesh as many characters, by any path: the calls of gles3.h in their order.
+// A mesh drawn as many characters, by any skinning path: makes the calls of gles3.h in order.
 #include "marrow/gles3_skinner.h"
 
 #include <cstring>
@@ -31,7 +31,7 @@ PrepareOptions prepare_options(const SkinnerOptions& options) {
   return {on_gpu && !as, on_gpu && as, as && on_gpu ? options.as_tangents : Span<const float>(), on_gpu && psd};
 }
 
-// Without examples it is SSD's.
+// A mesh without examples is skinned by SSD instead.
 bool has_pose_space(const Mesh& mesh, const SkinnerOptions& options) {
   return options.deformer == Deformer::psd && !mesh.geometry.pose_space.examples.empty();
 }
@@ -223,7 +223,8 @@ void take_turns(Skinner& s, std::uint32_t count) {
   for (std::size_t i = 0; i < m.sent_weights.size; ++i) m.sent_weights[i] = s.weights[i];
 }
 
-// The frame before, of characters first … first + count - 1, all of them still or none, for the program in use.
+// Binds the previous frame of characters first … first + count - 1 for the program in use; all or none of them are
+// still.
 Status bind_motion(const Api& api, const Skinner& s, const ProgramSet& programs, const Program& program,
                    std::uint32_t first, std::uint32_t count) {
   const SkinnerMotion& m = s.motion;
@@ -248,7 +249,7 @@ Status bind_motion(const Api& api, const Skinner& s, const ProgramSet& programs,
   return set_previous_morphs(api, s.mesh, s.gpu, weights, program);
 }
 
-// Whether a program reads what drawing gives it.
+// Whether a program fits what drawing will bind for it.
 bool may_draw(const Skinner& s, const Program& program) {
   if (skins_once(s.options.path)) return true;
   if (program.motion && !s.options.motion) return false;
@@ -288,7 +289,7 @@ Status draw_together(const Api& api, const Skinner& s, const ProgramSet& program
   return status == Status::ok ? draw(api, s.gpu, s.options.deformer, program, count) : status;
 }
 
-// Of characters whose palettes are in the ring.
+// Pre-skins characters whose palettes are in the ring.
 Status skin_on_gpu(const Api& api, Skinner& s, const Program& program, std::uint32_t binding, std::uint32_t count) {
   api.UseProgram(program.id);
   Status status = Status::ok;

@@ -10,9 +10,10 @@ Twist twist_of(float v, float w) {
   return {{v / n, w / n}, fade_out(left, 0.0f, 1.0f)};
 }
 
-// The nearest point has the coordinates p_i e_i² / (e_i² + t), with the t ≥ 0 that puts it on the ellipse: divided by
-// e_i they are then a unit vector. The inverse of that vector's length is nearly linear in t, so Newton's method on it
-// (Hebden 1973; Moré 1978, for trust regions) comes from below and never overshoots.
+// The point nearest to p has coordinates p_i e_i² / (e_i² + t), where e_i are the radii and t ≥ 0 puts it on the
+// ellipse. On the ellipse the coordinates divided by e_i are a unit vector. The inverse of that vector's length is
+// nearly linear in t, so Newton's method on it (Hebden 1973; Moré 1978, for trust regions) comes from below and never
+// overshoots.
 Swing nearest_on_ellipse(const Swing& at, float ry, float rz) {
   const float yy = ry * ry, zz = rz * rz, gy = ry * at.y, gz = rz * at.z;
   const float from_y = absolute(gy) - yy, from_z = absolute(gz) - zz;

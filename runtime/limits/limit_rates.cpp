@@ -9,12 +9,12 @@ namespace {
 
 constexpr float kStepsPerSecond = 960.0f, kLongestFrame_s = 0.25f;
 constexpr float kShortestFrame_s = 1e-9f;  // any move of a target in this time still has a finite velocity
-// A follower so near to its target, with so nearly its velocity, is on it.
+// A follower has arrived when its distance from the target, and the difference of their velocities, are at most these.
 constexpr float kArrived = 1e-5f, kArrivedSpeed = 1e-3f;
 enum FollowMode : std::uint32_t { kNotBegun, kUnderWay, kOnTarget };
 
-// The speed after a step of h towards a target at distance d, from which braking by `brake` stops there:
-// v² = 2 brake d - brake² / gain²; and v = gain d near the target, where braking would end with a jump. The distance
+// The speed after a step of h towards a target at distance d, such that braking by `brake` stops at the target:
+// v² = 2 brake d - brake² / gain². Near the target it is v = gain d, since braking would end with a jump. The distance
 // after the step is d - (now + v) h / 2.
 float speed_on_curve(float d, float now, float brake, float gain, float h) {
   const float near = gain * (d - 0.5f * now * h) / (1.0f + 0.5f * gain * h);
@@ -83,7 +83,8 @@ bool follow(Motion& m, f32x4 from, bool on_target, float time_s, float last_s, c
   return arrived;
 }
 
-// Whether a call can have left these numbers. The farthest target in the shortest frame gives the greatest velocity.
+// Whether an earlier call can have stored these numbers. The farthest target in the shortest frame gives the greatest
+// velocity.
 bool is_sound(const float (&velocity)[3], float frame_s, std::uint32_t mode) {
   return all_within(velocity, 3, -1e25f, 1e25f) && within(frame_s, 0, kLongestFrame_s) && mode <= kOnTarget;
 }
@@ -133,7 +134,7 @@ BadCall turn_towards(RotationFollower& state, const float (&target)[4], float dt
   }
   if (!(dt_s > 0)) return {};
   const float time_s = frame_time(dt_s);
-  // As rotation vectors from where the target now is.
+  // Rotation vectors relative to the target's new rotation.
   const auto from_target = [&](const float(&q)[4]) {
     return log_of_shorter(normalised(WideRotation{load(q)}) * conjugate(unit)).v;
   };

@@ -64,8 +64,8 @@ HalfAngle half_of(float sin, float cos) {
   return {half.sin * k, half.cos * k};
 }
 
-// Reads the second and third angle off t = Rx Ry Rz. Near 90° of the second, where the third is lost, that one goes to
-// the middle of its range. Then each angle in turn becomes the nearest for the other two.
+// Reads the second and third angle off t = Rx Ry Rz. Where the second is near 90° (gimbal lock) the third is lost and
+// moves to the middle of its range. Then each angle in turn becomes the nearest one for the other two.
 WideRotation nearest_in_xyz(const AngleRange (&angles)[3], WideRotation t) {
   float q[4];
   store(q, t.v);

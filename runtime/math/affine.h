@@ -27,7 +27,7 @@ inline void multiply(const Affine& a, f32x4 b0, f32x4 b1, f32x4 b2, Affine& out)
   }
 }
 
-// out = a · b. out is neither.
+// out = a · b. out must be neither a nor b.
 inline void multiply(const Affine& a, const Affine& b, Affine& out) {
   if constexpr (kMemoryOperands) {  // the rows of b are read where they are used, thrice
     for (int row = 0; row < 3; ++row)
@@ -70,7 +70,7 @@ inline Vector3 transform(const Affine& a, const Vector3& point) {
   return turn(a, point) + origin(a);
 }
 
-// A row of four maps, a lane a map.
+// One row of each of four maps, one map per lane.
 struct FourRows {
   Vector<f32x4> linear;
   f32x4 origin;

@@ -18,7 +18,7 @@ inline f32x4 turn(const Columns& m, f32x4 v) {
 inline f32x4 transform(const Columns& m, f32x4 point) {
   return turn(m, point) + m.origin;
 }
-// First b, then a: in `out`, which may be b.
+// out = a · b: first b, then a. out may be b.
 inline void multiply(const Columns& a, const Columns& b, Columns& out) {
   const f32x4 x = turn(a, b.axis[0]), y = turn(a, b.axis[1]), z = turn(a, b.axis[2]), origin = transform(a, b.origin);
   out = {{x, y, z}, origin};
@@ -29,8 +29,8 @@ inline Columns columns(const Affine& a) {
   transpose(x, y, z, w);
   return {{x, y, z}, w};
 }
-// The axes of a rotation, the bits of columns_of(): sums and differences of products, of which each axis has one of
-// either and one of the diagonal.
+// The axes of a rotation, bit for bit those of columns_of(). Each axis has one sum and one difference of products, and
+// one number of the diagonal.
 inline void set_axes(WideRotation q, f32x4 (&axis)[3]) {
   const f32x4 v = q.v, twice = v + v, squares = v * twice, products = v * rotated_xyz(twice);
   const f32x4 with_w = reordered<2, 0, 1, 3>(splat_lane<3>(v) * twice);

@@ -1,5 +1,5 @@
-// Sine, cosine, arc sine, exponential and powers of two without a library: the same bits on every processor, of a float
-// as of four lanes. F is one of the two; what is needed of one only is written for that.
+// Sine, cosine, arc sine, exponential and powers of two without a library: the same bits on every processor, for a
+// float as for four lanes. F: see math/lane.h. Functions that only one type needs are not templates.
 //
 // Sine, cosine and arc sine come as even functions, of the square of their argument: no root is needed, and nothing is
 // divided by zero.
@@ -24,7 +24,7 @@ inline F horner(const float (&c)[N], F y) {
   return horner(c, N, y);
 }
 
-// Each of the first three is exactly 1 at 0: rotations by nothing stay what they are.
+// Each of the next three is exactly 1 at 0, so that the identity rotation stays exact.
 
 // cos √y for y in [0, π²], within 1.2e-8 and rounding. Minimax fit of degree 6.
 template <class F>
@@ -50,8 +50,8 @@ inline F asinc_of_root(F z) {
   return horner(kFit, z);
 }
 
-// The same with fewer terms, for the weights of slerp, which are quotients: an error that all of them share does no
-// harm, and at 0 they need not be 1 each. Poses depend on their bits.
+// The same with fewer terms, for the weights of slerp. The weights are quotients, so an error that all functions share
+// cancels, and they need not be exactly 1 at 0. Poses depend on their bits.
 
 // sin √y / √y for y in [0, (π/2)²], within 5e-9. Minimax fit of degree 4.
 template <class F>
@@ -68,8 +68,8 @@ inline F asinc_for_slerp(F z) {
   return horner(kFit, z);
 }
 
-// And beyond 0, where the cosine becomes cosh √-y and the sine sinh √-y, for what is damped more than it swings:
-// Taylor's series, within 3e-6 of cosh √8 for all in [-8, 4.2].
+// The same for negative arguments too, where the cosine becomes cosh √-y and the sine sinh √-y: for overdamped
+// oscillators. Taylor series; the error is within 3e-6 · cosh √8 for all arguments in [-8, 4.2].
 
 // sin √q / √q.
 template <class F>
@@ -99,7 +99,7 @@ struct CosSin {
 
 // Within 1e-6 for up to a whole turn either way; what is not finite gives NaN.
 [[gnu::noinline]] inline CosSin cos_sin(float angle_rad) {
-  constexpr float kRounds = 12582912.0f;  // 3 · 2²²: what is added to it loses its fraction
+  constexpr float kRounds = 12582912.0f;  // 3 · 2²²: a number that is added to it loses its fraction
   const float turns = (angle_rad * 0.159154943f + kRounds) - kRounds;
   const float rest = (angle_rad - turns * 6.28125f) - turns * 1.93530718e-3f;
   return {cos_of_root(rest * rest), sinc_of_root(rest * rest) * rest};
@@ -132,13 +132,12 @@ inline float power_of_two(float x) {
 // e^x for x ≤ 0, within 2e-7 of itself: exactly 1 at 0, and 1.6e-38 for all below -87. Above 0 it soon gives anything;
 // NaN gives NaN.
 //
-// e^x = 2^n e^f with n the whole number next to x log₂ e, f at most half of ln 2 either way; a minimax fit of degree 6
-// there, within 4.4e-9.
+// e^x = 2^n e^f with n = round(x log₂ e) and |f| ≤ ½ ln 2. e^f is a minimax fit of degree 6, within 4.4e-9.
 inline f32x4 exp_negative(f32x4 x) {
   const f32x4 least = splat(-87.0f);
   x = select(x < least, least, x);
   constexpr float kLog2e = 1.44269504f, kLn2High = 0.693359375f, kLn2Low = -2.12194440e-4f;
-  // Has n in its lowest bits and nothing that 23 places to the left would leave in.
+  // `shifted` has n in its lowest bits. Shifting it left by 23 pushes out all its other bits.
   const f32x4 magic = splat(12582912.0f), shifted = x * splat(kLog2e) + magic;
   const f32x4 n = shifted - magic;
   const f32x4 f = (x - n * splat(kLn2High)) - n * splat(kLn2Low);

@@ -29,7 +29,7 @@ inline f32x4 inverse_length(f32x4 squared) {
 }
 
 #if !defined(MARROW_F32X4_SUMS_THREE)
-// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+// {Σ a, Σ b, Σ c, Σ c}, each as sum_of_lanes(); w of a, b and c must be 0.
 inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
   f32x4 again = c;
   transpose(a, b, c, again);
@@ -38,7 +38,7 @@ inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
 #endif
 
 #if !defined(MARROW_F32X4_SUMS)
-// Of each of three vectors the first three lanes, from left to right; then 0.
+// {x.x + x.y + x.z, the same of y, the same of z, 0}, each summed from left to right.
 inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
   f32x4 none = splat(0.0f);
   transpose(x, y, z, none);
@@ -47,7 +47,7 @@ inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
 #endif
 
 #if !defined(MARROW_F32X4_LOADS_TRANSPOSED)
-// The transpose of what lies at four multiples of 16 bytes.
+// Loads four vectors, each 16-byte aligned, and transposes them.
 inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
                             f32x4& z, f32x4& w) {
   x = load_aligned(a);

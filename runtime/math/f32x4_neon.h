@@ -10,7 +10,7 @@ namespace marrow {
 
 // Operands come from registers only.
 inline constexpr bool kMemoryOperands = false;
-// An instruction multiplies by one lane of a register.
+// Whether an instruction multiplies by one lane of a register.
 inline constexpr bool kMultipliesByLane = true;
 
 struct f32x4 {
@@ -63,7 +63,7 @@ inline mask4 load_mask(const std::uint32_t* p) {
 inline float first_lane(f32x4 a) {
   return vgetq_lane_f32(a.v, 0);
 }
-// The lanes in m; `to` is a multiple of 16 bytes.
+// Stores the lanes in m. `to` is 16-byte aligned.
 inline void store(float* to, mask4 m, f32x4 a) {
   vst1q_f32(to, vbslq_f32(m.v, a.v, vld1q_f32(to)));
 }
@@ -109,7 +109,7 @@ template <int Lane>
 inline f32x4 times(f32x4 v, const Factors& f) {
   return {vmulq_laneq_f32(v.v, f.row.v, Lane)};
 }
-// Says that these may have changed: what was made of single lanes before is forgotten.
+// Tells the compiler that the vector may have changed, so that it keeps no copies of single lanes.
 inline void stay_whole([[maybe_unused]] f32x4& a) {
 #if defined(__GNUC__)
   asm("" : "+w"(a.v));
@@ -137,7 +137,7 @@ inline f32x4 rotated_xyz(f32x4 a) {
   const uint8x16_t order = {4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 12, 13, 14, 15};
   return {vreinterpretq_f32_u8(vqtbl1q_u8(vreinterpretq_u8_f32(a.v), order))};
 }
-// The lanes so numbered.
+// a[X], a[Y], a[Z], a[W]
 template <int X, int Y, int Z, int W>
 inline f32x4 reordered(f32x4 a) {
   constexpr uint8x16_t order = {4 * X, 4 * X + 1, 4 * X + 2, 4 * X + 3, 4 * Y, 4 * Y + 1, 4 * Y + 2, 4 * Y + 3,
@@ -150,7 +150,7 @@ inline f32x4 sum_of_lanes(f32x4 a) {
   return {vpaddq_f32(pairs, pairs)};
 }
 #define MARROW_F32X4_SUMS_THREE 1  // else f32x4.h does
-// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+// {Σ a, Σ b, Σ c, Σ c}, each as sum_of_lanes(); w of a, b and c must be 0.
 inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
   return {vpaddq_f32(vpaddq_f32(a.v, b.v), vpaddq_f32(c.v, c.v))};
 }
@@ -214,7 +214,7 @@ inline i32x4 shift_left(i32x4 a) {
 inline i32x4 load_aligned(const std::uint32_t* p) {
   return {vreinterpretq_s32_u32(vld1q_u32(p))};
 }
-// To a multiple of 16 bytes, for a look at single bytes.
+// p is 16-byte aligned. For reading single bytes back.
 inline void store(std::byte* p, i32x4 a) {
   vst1q_u8(reinterpret_cast<std::uint8_t*>(p), vreinterpretq_u8_s32(a.v));
 }
@@ -250,11 +250,11 @@ inline u64x2 load_aligned(const std::uint64_t* p) {
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {vandq_u64(a.v, b.v)};
 }
-// How shift_right wants to be told to shift by n bits; in both words.
+// The count that makes shift_right() shift by n bits. Tables hold it in both words of a vector.
 constexpr std::uint64_t shift_count(std::uint64_t n) {
   return ~n + 1;  // NEON shifts left
 }
-// Both words by as many bits.
+// Shifts both words by the same number of bits. n: shift_count() in both words.
 inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
   return {vshlq_u64(a.v, vreinterpretq_s64_u64(vld1q_u64(n)))};
 }

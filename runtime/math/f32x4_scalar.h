@@ -11,7 +11,7 @@ namespace marrow {
 
 // As on NEON.
 inline constexpr bool kMemoryOperands = false;
-// An instruction multiplies by one lane of a register.
+// Whether an instruction multiplies by one lane of a register.
 inline constexpr bool kMultipliesByLane = false;
 
 struct f32x4 {
@@ -69,7 +69,7 @@ inline mask4 load_mask(const std::uint32_t* p) {
 inline float first_lane(f32x4 a) {
   return a.v[0];
 }
-// The lanes in m; `to` is a multiple of 16 bytes.
+// Stores the lanes in m. `to` is 16-byte aligned.
 inline void store(float* to, mask4 m, f32x4 a) {
   for (int i = 0; i < 4; ++i) to[i] = m.v[i] ? a.v[i] : to[i];
 }
@@ -130,7 +130,7 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return {{a.v[1], a.v[2], a.v[0], a.v[3]}};
 }
-// The lanes so numbered.
+// a[X], a[Y], a[Z], a[W]
 template <int X, int Y, int Z, int W>
 inline f32x4 reordered(f32x4 a) {
   return {{a.v[X], a.v[Y], a.v[Z], a.v[W]}};
@@ -207,7 +207,7 @@ inline i32x4 load_aligned(const std::uint32_t* p) {
   std::memcpy(out.v, p, 16);
   return out;
 }
-// To a multiple of 16 bytes, for a look at single bytes.
+// p is 16-byte aligned. For reading single bytes back.
 inline void store(std::byte* p, i32x4 a) {
   std::memcpy(p, a.v, 16);
 }
@@ -247,11 +247,11 @@ inline u64x2 load_aligned(const std::uint64_t* p) {
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {{a.v[0] & b.v[0], a.v[1] & b.v[1]}};
 }
-// How shift_right wants to be told to shift by n bits; in both words.
+// The count that makes shift_right() shift by n bits. Tables hold it in both words of a vector.
 constexpr std::uint64_t shift_count(std::uint64_t n) {
   return n;
 }
-// Both words by as many bits.
+// Shifts both words by the same number of bits. n: shift_count() in both words.
 inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
   return {{a.v[0] >> n[0], a.v[1] >> n[0]}};
 }

@@ -11,7 +11,7 @@ namespace marrow {
 
 // Instructions take an operand from memory: what is used once need not be loaded first.
 inline constexpr bool kMemoryOperands = true;
-// An instruction multiplies by one lane of a register.
+// Whether an instruction multiplies by one lane of a register.
 inline constexpr bool kMultipliesByLane = false;
 
 struct f32x4 {
@@ -24,7 +24,7 @@ struct mask4 {
 inline f32x4 load(const float* p) {
   return {_mm_loadu_ps(p)};
 }
-// From a multiple of 16 bytes: may be folded into what uses it.
+// p is 16-byte aligned, so the load may be folded into the instruction that uses it.
 inline f32x4 load_aligned(const float* p) {
   return {_mm_load_ps(p)};
 }
@@ -65,7 +65,7 @@ inline mask4 load_mask(const std::uint32_t* p) {
 inline float first_lane(f32x4 a) {
   return _mm_cvtss_f32(a.v);
 }
-// The lanes in m; `to` is a multiple of 16 bytes.
+// Stores the lanes in m. `to` is 16-byte aligned.
 inline void store(float* to, mask4 m, f32x4 a) {
   const __m128 change = _mm_and_ps(_mm_xor_ps(a.v, _mm_load_ps(to)), m.v);
   _mm_store_ps(to, _mm_xor_ps(change, _mm_load_ps(to)));
@@ -76,7 +76,7 @@ inline bool any(mask4 m) {
 inline bool all(mask4 m) {
   return _mm_movemask_ps(m.v) == 15;
 }
-// Of two numbers; of a number and NaN either, and of zeros either.
+// If one operand is NaN, or both are zeros, the result may be either operand.
 inline f32x4 lesser(f32x4 a, f32x4 b) {
   return {_mm_min_ps(a.v, b.v)};
 }
@@ -103,7 +103,7 @@ template <int Lane>
 inline f32x4 splat_lane(f32x4 a) {
   return {_mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(a.v), Lane * 0x55))};
 }
-// Four numbers that whole vectors are multiplied by, kept as this instruction set does that best: each in all lanes.
+// Four numbers that whole vectors are multiplied by. Each fills all lanes, which SSE multiplies fastest.
 struct Factors {
   f32x4 lane[4];
 };
@@ -135,7 +135,7 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return shuffled<_MM_SHUFFLE(3, 0, 2, 1)>(a);
 }
-// The lanes so numbered.
+// a[X], a[Y], a[Z], a[W]
 template <int X, int Y, int Z, int W>
 inline f32x4 reordered(f32x4 a) {
   return shuffled<_MM_SHUFFLE(W, Z, Y, X)>(a);
@@ -146,7 +146,7 @@ inline f32x4 sum_of_lanes(f32x4 a) {
   return pairs + shuffled<_MM_SHUFFLE(1, 0, 3, 2)>(pairs);
 }
 #define MARROW_F32X4_SUMS_THREE 1  // else f32x4.h does
-// As sum_of_lanes() of each of three vectors whose w is 0; then the third's once more.
+// {Σ a, Σ b, Σ c, Σ c}, each as sum_of_lanes(); w of a, b and c must be 0.
 inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
   const __m128 low = _mm_unpacklo_ps(a.v, b.v), high = _mm_unpackhi_ps(a.v, b.v);  // x, x, y, y; z, z, w, w
   const f32x4 x = {_mm_shuffle_ps(low, c.v, _MM_SHUFFLE(0, 0, 1, 0))},
@@ -155,7 +155,7 @@ inline f32x4 three_sums(f32x4 a, f32x4 b, f32x4 c) {
   return x + y + z;
 }
 #define MARROW_F32X4_SUMS 1  // else f32x4.h does
-// Of each of three vectors the first three lanes, from left to right; then 0.
+// {x.x + x.y + x.z, the same of y, the same of z, 0}, each summed from left to right.
 inline f32x4 sums(f32x4 x, f32x4 y, f32x4 z) {
   return without_w(three_sums(x, y, z));
 }
@@ -169,7 +169,7 @@ inline f32x4 fourths(f32x4 a, f32x4 b, f32x4 c) {
 }
 
 #define MARROW_F32X4_LOADS_TRANSPOSED 1  // else f32x4.h does
-// The transpose of what lies at four multiples of 16 bytes. By halves, which takes fewer shuffles' copies.
+// Loads four vectors, each 16-byte aligned, and transposes them. Loading halves saves the copies that shuffles need.
 inline void load_transposed(const float* a, const float* b, const float* c, const float* d, f32x4& x, f32x4& y,
                             f32x4& z, f32x4& w) {
   const auto halves = [](const float* low, const float* high) {
@@ -234,11 +234,12 @@ inline i32x4 shift_left(i32x4 a) {
 inline i32x4 load_aligned(const std::uint32_t* p) {
   return {_mm_load_si128(reinterpret_cast<const __m128i*>(p))};
 }
-// To a multiple of 16 bytes, for a look at single bytes.
+// p is 16-byte aligned. For reading single bytes back.
 inline void store(std::byte* p, i32x4 a) {
   __m128i* const to = reinterpret_cast<__m128i*>(p);
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__AVX__)
-  // GCC would rather shuffle each byte out of the register than load it. With the next: `sample/*` takes 4 to 6 % less.
+  // GCC would shuffle each byte out of the register instead of loading it. With this asm and the one in shift_right()
+  // `sample/*` takes 4 to 6 % less.
   asm("movdqa %1, %0" : "=m"(*to) : "x"(a.v));
 #else
   _mm_store_si128(to, a.v);
@@ -277,11 +278,11 @@ inline u64x2 load_aligned(const std::uint64_t* p) {
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {_mm_and_si128(a.v, b.v)};
 }
-// How shift_right wants to be told to shift by n bits; in both words.
+// The count that makes shift_right() shift by n bits. Tables hold it in both words of a vector.
 constexpr std::uint64_t shift_count(std::uint64_t n) {
   return n;
 }
-// Both words by as many bits.
+// Shifts both words by the same number of bits. n: shift_count() in both words.
 inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
   const __m128i* const count = reinterpret_cast<const __m128i*>(n);
 #if defined(__GNUC__) && !defined(__clang__) && !defined(__AVX__)

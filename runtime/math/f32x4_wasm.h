@@ -10,7 +10,7 @@ namespace marrow {
 
 // As on NEON.
 inline constexpr bool kMemoryOperands = false;
-// An instruction multiplies by one lane of a register.
+// Whether an instruction multiplies by one lane of a register.
 inline constexpr bool kMultipliesByLane = false;
 
 struct f32x4 {
@@ -63,7 +63,7 @@ inline mask4 load_mask(const std::uint32_t* p) {
 inline float first_lane(f32x4 a) {
   return wasm_f32x4_extract_lane(a.v, 0);
 }
-// The lanes in m; `to` is a multiple of 16 bytes.
+// Stores the lanes in m. `to` is 16-byte aligned.
 inline void store(float* to, mask4 m, f32x4 a) {
   wasm_v128_store(to, wasm_v128_bitselect(a.v, wasm_v128_load(to), m.v));
 }
@@ -73,7 +73,7 @@ inline bool any(mask4 m) {
 inline bool all(mask4 m) {
   return wasm_i32x4_all_true(m.v);
 }
-// pmin and pmax compare as minps and maxps do, with their operands the other way round.
+// pmin(b, a) and pmax(b, a) give the bits of SSE's minps(a, b) and maxps(a, b).
 inline f32x4 lesser(f32x4 a, f32x4 b) {
   return {wasm_f32x4_pmin(b.v, a.v)};
 }
@@ -125,7 +125,7 @@ inline f32x4 with_w(f32x4 a, f32x4 w) {
 inline f32x4 rotated_xyz(f32x4 a) {
   return {wasm_i32x4_shuffle(a.v, a.v, 1, 2, 0, 3)};
 }
-// The lanes so numbered.
+// a[X], a[Y], a[Z], a[W]
 template <int X, int Y, int Z, int W>
 inline f32x4 reordered(f32x4 a) {
   return {wasm_i32x4_shuffle(a.v, a.v, X, Y, Z, W)};
@@ -200,7 +200,7 @@ inline i32x4 shift_left(i32x4 a) {
 inline i32x4 load_aligned(const std::uint32_t* p) {
   return {wasm_v128_load(p)};
 }
-// To a multiple of 16 bytes, for a look at single bytes.
+// p is 16-byte aligned. For reading single bytes back.
 inline void store(std::byte* p, i32x4 a) {
   wasm_v128_store(p, a.v);
 }
@@ -235,11 +235,11 @@ inline u64x2 load_aligned(const std::uint64_t* p) {
 inline u64x2 operator&(u64x2 a, u64x2 b) {
   return {wasm_v128_and(a.v, b.v)};
 }
-// How shift_right wants to be told to shift by n bits; in both words.
+// The count that makes shift_right() shift by n bits. Tables hold it in both words of a vector.
 constexpr std::uint64_t shift_count(std::uint64_t n) {
   return n;
 }
-// Both words by as many bits.
+// Shifts both words by the same number of bits. n: shift_count() in both words.
 inline u64x2 shift_right(u64x2 a, const std::uint64_t* n) {
   return {wasm_u64x2_shr(a.v, static_cast<std::uint32_t>(*n))};
 }

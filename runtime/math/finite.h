@@ -1,4 +1,4 @@
-// Whether numbers are numbers, finite, and as large as they may be: what calls ask of their arguments.
+// Checks of arguments: not NaN, finite, within bounds.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@ inline bool is_number(float x) {
 inline bool is_number(double x) {
   return x == x;
 }
-// Neither infinite nor not a number.
+// Neither infinite nor NaN.
 inline bool is_finite(float x) {
   return x - x == 0.0f;
 }
 inline bool is_finite(double x) {
   return x - x == 0.0;
 }
-// All lanes. Infinities that meet in a sum leave nothing finite, so that a sum can stand for what was added.
+// All lanes. One check of a sum covers its terms: a sum with a term that is not finite is not finite.
 inline bool all_finite(f32x4 x) {
   return all(absolute(x) < splat(kInfinity));
 }
@@ -42,7 +42,7 @@ inline bool all_within(const float* values, std::size_t count, float least, floa
   return good;
 }
 
-// Whether something has a direction, by its squared length: neither too short, nor too long to say, nor not finite.
+// Whether a vector of this squared length has a direction: it is neither too short nor too long, and not NaN.
 inline bool has_direction(float squared_length) {
   return squared_length > 1e-30f && squared_length < 1e30f;
 }

@@ -1,12 +1,12 @@
-// Times among keys: between which two a time is, how far on the way, and the weights of glTF's cubic splines there.
+// Where a time falls among key times, and the weights of glTF's cubic splines there.
 #pragma once
 
 #include <cstddef>
 
 namespace marrow {
 
-// Of numbers that ascend: i with values[i] ≤ x < values[i + 1], for values[0] ≤ x < values[last], by halving. Whatever
-// the numbers are, 0 ≤ i < last, for last ≥ 1.
+// Binary search in ascending numbers: i with values[i] ≤ x < values[i + 1], if values[0] ≤ x < values[last]. Whatever
+// the numbers are, 0 ≤ i < last, if last ≥ 1.
 inline std::size_t find_interval(const float* values, std::size_t last, float x) {
   std::size_t low = 0, high = last;
   while (high - low > 1) {
@@ -35,8 +35,8 @@ inline Moment find_moment(const float* times_s, std::size_t count, float time_s)
   return {key, (time_s - times_s[key]) / span_s, span_s};
 }
 
-// glTF 2.0, "Interpolation Cubic", at u: of the values of two keys and of the tangents between them. A tangent is that
-// of one key interval; one per second is to be multiplied by the interval.
+// glTF 2.0, "Interpolation Cubic": the weights at u of two keys' values and of the tangents between them. Tangents are
+// per key interval: a tangent per second must be multiplied by the interval.
 struct HermiteWeights {
   float from, leave, to, arrive;
 };

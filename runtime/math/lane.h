@@ -1,6 +1,6 @@
-// What the mathematics is written over: F is float, one number; f32x4, a number a lane, four problems at once; or One,
-// a number that fills all four lanes, for one problem whose vectors lie in a register each. The operations and their
-// order are the same, and so are the results, but for the sign of zeros.
+// The number types F that the mathematics is templated on. float: one number. f32x4: four problems at once, one per
+// lane. One: a number that fills all four lanes, for one problem whose vectors take a register each. The operations and
+// their order are the same, and so are the results, but for the sign of zeros.
 #pragma once
 
 #include "core/builtins.h"
@@ -63,7 +63,7 @@ inline bool operator<(One a, One b) {
 inline One sqrt(One a) {
   return {sqrt(a.v)};
 }
-// Not by `m ? yes : no`: of two that have names GCC makes one address, for which both must lie in memory.
+// GCC turns ?: on two lvalues into a pointer select and spills both; if/return avoids that.
 [[gnu::always_inline]] inline One select(bool m, One yes, One no) {
   if (m) return yes;
   return no;

@@ -1,4 +1,4 @@
-// Matrices of three by three, by columns, over a lane: see math/lane.h. Of a matrix by rows the transpose is taken.
+// 3 × 3 matrices by columns, of numbers F: see math/lane.h. A matrix that is given by rows is handled as its transpose.
 #pragma once
 
 #include "math/vector.h"
@@ -53,8 +53,8 @@ inline Linear<F> cofactors(const Linear<F>& m) {
   return {cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y)};
 }
 
-// x, a unit vector, then what `unit` makes of the part of y across it, then their cross product: Gram and Schmidt.
-// `unit` gives a vector of length 1, and knows what to do if there is none.
+// Gram–Schmidt: x, which is a unit vector; the part of y perpendicular to x, normalised by `unit`; their cross product.
+// `unit` also decides what a vector without a direction becomes.
 template <class F, class Unit>
 inline Linear<F> right_angles(const Vector<F>& x, const Vector<F>& y, const Unit& unit) {
   const Vector<F> second = unit(across(y, x));

@@ -69,7 +69,7 @@ template <class F>
 inline Quaternion<F> select(bool m, const Quaternion<F>& yes, const Quaternion<F>& no) {
   return m ? yes : no;
 }
-// In the order in which One sums: the bits of one limb are those of four.
+// Summed in the same order as One, so that one limb gives the same bits as four.
 inline f32x4 squared_length(const Quaternion<f32x4>& q) {
   return (q.x * q.x + q.y * q.y) + (q.z * q.z + q.w * q.w);
 }
@@ -115,7 +115,7 @@ inline Quaternion<F> flip(const Quaternion<F>& q, F by) {
   return {flip(q.x, by), flip(q.y, by), flip(q.z, by), flip(q.w, by)};
 }
 
-// Of unit length; 0 of what is 0.
+// Of unit length; a quaternion of length 0 stays 0.
 inline Quaternion<f32x4> normalised(const Quaternion<f32x4>& q) {
   return q * inverse_length(dot(q, q));
 }
@@ -130,7 +130,7 @@ inline Vector3 rotate(const Rotation& q, const Vector3& v) {
   const Vector3 t = cross(axis_part(q), v) * 2.0f;
   return v + t * q.w + cross(axis_part(q), t);
 }
-// v turned by quaternions of any length; as it is by those of none.
+// v turned by quaternions of any length. A quaternion of length 0 leaves v unchanged.
 template <class F>
 inline Vector<F> rotate_by_any(const Quaternion<F>& q, F two_over_squared, const Vector<F>& v) {
   const Vector<F> t = cross(axis_part(q), v);
@@ -141,7 +141,7 @@ inline f32x4 two_over_squared(const Quaternion<f32x4>& q) {
   return select(zero < squared, splat(2.0f) / squared, zero);
 }
 
-// The axes of a rotation, the columns of its matrix; where q is not quite a unit, they are as long as q is squared.
+// The axes of a unit rotation: the columns of its matrix.
 template <class F>
 inline Linear<F> columns_of(const Quaternion<F>& q) {
   const F one = all_lanes<F>(1);
@@ -152,8 +152,8 @@ inline Linear<F> columns_of(const Quaternion<F>& q) {
       {one - (yy + zz), xy + wz, xz - wy}, {xy - wz, one - (xx + zz), yz + wx}, {xz + wy, yz - wx, one - (xx + yy)}};
 }
 
-// A share of a unit rotation on the straight line from the identity, which w ≥ 0 makes the shorter way: not of unit
-// length. share_of() is.
+// A share of a unit rotation, by linear interpolation from the identity; not normalised, as share_of() is. With w ≥ 0
+// it goes the shorter way.
 template <class F>
 inline Quaternion<F> straight_share(const Quaternion<F>& q, F share) {
   return quaternion(axis_part(q) * share, w_of(q) * share + (all_lanes<F>(1) - share));
@@ -171,8 +171,8 @@ inline Quaternion<F> exp_rotation(const Vector<F>& v) {
   return quaternion(half * sinc_of_root(y), cos_of_root(y));
 }
 
-// Axis times angle of unit quaternions with w > -½√2; the angle is in [0, 3π/2) and off by at most 1e-6 rad. Where w is
-// less, the logarithm of -q, the wrong way round: callers choose the sign of q first.
+// Axis times angle of unit quaternions with w > -½√2; the angle is in [0, 3π/2) and off by at most 1e-6 rad. For lower
+// w it is the negated logarithm of -q, so callers choose the sign of q first.
 template <class F>
 inline Vector<F> log_rotation(const Quaternion<F>& q) {
   const F zero = all_lanes<F>(0), two = all_lanes<F>(2), half_pi = all_lanes<F>(1.57079633f);
@@ -182,7 +182,7 @@ inline Vector<F> log_rotation(const Quaternion<F>& q) {
   const F wide = (half_pi - w * part) * inverse_length(select(narrow, zero, sine_squared));
   return axis_part(q) * (two * select(narrow, part, wide));
 }
-// Of the shorter of the two turns that a quaternion and its negative are.
+// The logarithm of q or -q, whichever has w ≥ 0: the shorter turn.
 template <class F>
 inline Vector<F> log_of_shorter(const Quaternion<F>& q) {
   return log_rotation(flip(q, w_of(q)));

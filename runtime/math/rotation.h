@@ -7,20 +7,20 @@
 
 namespace marrow {
 
-// x along `along`, y to the side of `aside`, as unit axes at right angles; a right-handed triple. Axes without a
-// direction are made up.
+// Right-handed orthonormal axes: x along `along`, y along the part of `aside` perpendicular to x. An axis without a
+// direction is made up.
 inline Columns right_axes(f32x4 along, f32x4 aside) {
   const f32x4 x = unit3_or(along, lanes(1.0f, 0.0f, 0.0f, 0.0f)), y = unit3_or(across3(aside, x), any_across3(x));
   return {{x, y, cross3(x, y)}, splat(0.0f)};
 }
-// A joint's attitude, world · model; mirrored or not.
+// The axes of a joint's orientation, world · model; right-handed even if the matrices mirror.
 inline Columns right_axes(const Columns& world, const Affine& model) {
   const Columns joint = columns(model);
   return right_axes(turn(world, joint.axis[0]), turn(world, joint.axis[1]));
 }
 
-// The rotations next to four matrices' first two columns; the third column is their cross product, mirrored or not. A
-// column without length stays zero.
+// Gram–Schmidt on the first two columns of four matrices. The third column is their cross product, even if a matrix
+// mirrors. A column without length stays zero.
 inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine& c, const Affine& d) {
   const FourAffines m = load_affines(a, b, c, d);
   const Linear<f32x4>& r = m.rows;
@@ -28,8 +28,8 @@ inline Linear<f32x4> rotations_of(const Affine& a, const Affine& b, const Affine
   return right_angles(normalised(x), y, [](const Vector<f32x4>& v) { return normalised(v); });
 }
 
-// The rotation that has these axes, unit and at right angles (Shepperd 1978): from a component q_i of its quaternion,
-// w or of the others the largest, and 4 q_i q.
+// The rotation with these orthonormal axes (Shepperd 1978): 4 q_i q, normalised. q_i is w if the trace is above 0, else
+// the largest of x, y and z.
 inline WideRotation rotation_of(const f32x4 (&axis)[3]) {
   static constexpr int kNext[] = {1, 2, 0};
   float m[3][4], q[4];
@@ -49,13 +49,13 @@ inline WideRotation rotation_of(const f32x4 (&axis)[3]) {
   }
   return normalised(WideRotation{load(q)});
 }
-// That takes the axes `from` to the axes `to`, as seen from `from`.
+// The rotation that takes the axes `from` to the axes `to`, in the coordinates of `from`.
 inline WideRotation rotation_between(const Columns& from, const Columns& to) {
   const f32x4 seen[3] = {products(from.axis, to.axis[0]), products(from.axis, to.axis[1]),
                          products(from.axis, to.axis[2])};
   return rotation_of(seen);
 }
-// In a map: its first axis keeps its direction, the second its side; scale, shear and mirroring are left out.
+// The rotation of a map, from its first two axes by Gram–Schmidt. Scale, shear and mirroring are left out.
 inline WideRotation rotation_of(const Affine& a) {
   const Columns m = columns(a);
   return rotation_of(right_axes(m.axis[0], m.axis[1]).axis);

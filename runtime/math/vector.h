@@ -6,7 +6,7 @@
 
 namespace marrow {
 
-// The square of a length that is none. Of few bits, which some processors need not load.
+// Vectors whose squared length is below this have no direction. It has few bits: some processors need no load for it.
 inline constexpr float kTinySquare = 0x1p-100f;
 
 template <class F>
@@ -91,7 +91,7 @@ template <class F>
 inline Vector<F> roots(const Vector<F>& squared) {
   return {sqrt(squared.x), sqrt(squared.y), sqrt(squared.z)};
 }
-// Component by component; infinite for 0 if `plain`, else 0 for what is too small.
+// 1 / √, lane by lane. plain: infinite for 0. Otherwise 0 for squares up to kTinySquare.
 template <bool plain>
 inline f32x4 inverse_root(f32x4 squared) {
   return plain ? splat(1.0f) / sqrt(squared) : only_where(splat(kTinySquare) < squared, splat(1.0f) / sqrt(squared));
@@ -135,7 +135,7 @@ inline One dot(Vector<One> a, Vector<One> b) {
 inline Vector<One> cross(Vector<One> a, Vector<One> b) {
   return {rotated_xyz(a.v * rotated_xyz(b.v) - rotated_xyz(a.v) * b.v)};
 }
-[[gnu::always_inline]] inline Vector<One> select(bool m, Vector<One> yes, Vector<One> no) {  // as of One
+[[gnu::always_inline]] inline Vector<One> select(bool m, Vector<One> yes, Vector<One> no) {  // see One's
   if (m) return yes;
   return no;
 }
@@ -175,13 +175,13 @@ inline F inverse_root(F squared) {
   return inverse_root<false>(squared);
 }
 
-// The part of v across a unit vector.
+// The part of v perpendicular to a unit vector.
 template <class F>
 inline Vector<F> across(const Vector<F>& v, const Vector<F>& unit) {
   return v - unit * dot(v, unit);
 }
 
-// Across v, however short or long v is: v × the axis that it is least along.
+// A vector perpendicular to v, for v of any length: v × the axis of its smallest component.
 template <class F>
 inline Vector<F> across_least_axis(const Vector<F>& v) {
   const F zero = all_lanes<F>(0), x = x_of(v), y = y_of(v), z = z_of(v), xx = x * x, yy = y * y, zz = z * z;
@@ -222,7 +222,7 @@ inline bool within(const Vector3& v, float least, float most) {
   return within(v.x, least, most) && within(v.y, least, most) && within(v.z, least, most);
 }
 
-// Of unit length; 0 of what is 0.
+// Of unit length; a vector of length 0 stays 0.
 inline Vector<f32x4> normalised(const Vector<f32x4>& v) {
   return v * inverse_length(dot(v, v));
 }

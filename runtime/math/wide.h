@@ -19,11 +19,11 @@ inline Vector3 narrow(f32x4 v) {
   store(f, v);
   return {f[0], f[1], f[2]};
 }
-// Three numbers that have something behind them in memory.
+// Loads three numbers and clears lane w. It reads a fourth number, which must be readable.
 inline f32x4 load_wide(const float* p) {
   return without_w(load(p));
 }
-// The same for what reads three lanes: in the fourth is what they have behind them, best a float that is no denormal.
+// The same, but lane w is whatever follows in memory; ignore it. A denormal there may be slow.
 inline f32x4 load_three(const float* p) {
   return load(p);
 }
@@ -31,7 +31,7 @@ inline void store_wide(float* to, f32x4 v) {
   store(to, narrow(v));
 }
 
-// One joint's numbers of four joints'.
+// One joint's numbers out of arrays for four joints (SoA).
 inline f32x4 three_of_lane(const float* p) {
   return lanes(p[0], p[4], p[8], 0.0f);
 }
@@ -56,7 +56,7 @@ inline f32x4 with_z(f32x4 v, float z) {
   return lanes(f[0], f[1], z, 0.0f);
 }
 
-// Of the first three lanes, from left to right.
+// The dot product of the first three lanes, summed from left to right.
 inline float dot3(f32x4 a, f32x4 b) {
   const f32x4 p = a * b;
   return first_lane(p + splat_lane<1>(p) + splat_lane<2>(p));
@@ -74,7 +74,7 @@ inline f32x4 cross3(f32x4 a, f32x4 b) {
 inline f32x4 products(const f32x4 (&of)[3], f32x4 v) {
   return sums(of[0] * v, of[1] * v, of[2] * v);
 }
-// The part of v across a unit vector.
+// The part of v perpendicular to a unit vector.
 inline f32x4 across3(f32x4 v, f32x4 unit) {
   return v - unit * dot3(v, unit);
 }
@@ -138,7 +138,7 @@ inline WideRotation shortest_arc(f32x4 from, f32x4 to) {
   return normalised(quaternion(cross3(a, b), w));
 }
 
-// As of other lanes.
+// See quaternion.h.
 inline WideRotation share_of(WideRotation q, float share) {
   return share_of(q, all_lanes<One>(share));
 }

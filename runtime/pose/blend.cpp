@@ -30,7 +30,7 @@ inline void store_rotation(const Quaternion<f32x4>& sum, SoaTransform& out) {
   store_rotations(out.rotation, sum * (splat(1.0f) / sqrt(dot(sum, sum))));
 }
 
-// In a loop of its own: a processor does not look far enough ahead to hide this chain of operations behind the sum's.
+// A separate loop: a processor does not look far enough ahead to overlap this long chain of operations with the sums.
 [[gnu::noinline]] void normalise_rotations(std::size_t groups, SoaTransform* out) {
   const f32x4 one = splat(1.0f);
 #pragma GCC unroll 4
@@ -72,7 +72,7 @@ void blend_group(Span<const BlendLayer> layers, const SoaTransform& rest, float 
   for (int i = 0; i < 3; ++i) store(out.scale[i], sum.scale[i] * inverse);
 }
 
-// Layers that count, without masks.
+// The layers whose weights are not negligible, without masks. There is one place more, for the rest pose.
 struct FewLayers {
   static constexpr std::size_t kMost = 4;
   std::size_t count = 0;
@@ -80,7 +80,7 @@ struct FewLayers {
   float weight[kMost + 1];
 };
 
-// count: of layers. Sums have weights relative to the first layer's; `share` is the first layer's part of the whole.
+// count: the number of layers. Weights in the sums are relative to the first layer's; `share` is its part of the total.
 template <class Count>
 void blend_even(Count count, const FewLayers& layers, std::size_t groups, SoaTransform* out) {
   const SoaTransform* pose[FewLayers::kMost + 1];
@@ -108,7 +108,7 @@ void blend_even(Count count, const FewLayers& layers, std::size_t groups, SoaTra
   normalise_rotations(groups, out);
 }
 
-// A layer with a mask, or with ones that stand in for it.
+// A layer with its mask. Without a mask, kOnes serves every group: its step is 0.
 struct MaskedLayer {
   explicit MaskedLayer(const BlendLayer& layer)
       : pose(layer.pose.data),
@@ -159,7 +159,7 @@ void blend_two(MaskedLayer a, MaskedLayer b, const SoaTransform* rest, float thr
   }
 }
 
-// Over itself, too.
+// from and to may be the same.
 inline void copy_pose(const SoaTransform* from, std::size_t groups, SoaTransform* to) {
   if (groups > 0) std::memmove(to, from, groups * sizeof(SoaTransform));  // else either may be null
 }
@@ -193,7 +193,7 @@ Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers, Span<SoaTr
     masked |= !layer.mask.empty();
   }
   const bool two = masked && layers.size == 2 && layers[0].weight > 0.0f && layers[1].weight > 0.0f;
-  // The rest pose makes up for what is missing.
+  // Below the threshold the rest pose fills up the total, so the whole is never less than `threshold`.
   const float least = kNegligible * (total < threshold ? threshold : total);
   if (two) {
     blend_two(MaskedLayer(layers[0]), MaskedLayer(layers[1]), skeleton.rest, threshold, groups, out.data);

@@ -14,13 +14,13 @@ struct LaneTables {
   // Operands from memory.
   alignas(16) float one[4], two[4], series_limit[4];
   alignas(16) std::uint32_t codes[4], high[4];
-  // What a width code means, as vectors: no instruction shifts or masks by a number from memory. Looked up by the code
-  // times 16, which is where the code stands in a header or how far an entry is from the first.
+  // Masks and shift counts by width code, as vectors: no instruction shifts or masks by a scalar from memory. The index
+  // is 16 · code: that is how a header holds the code, and it is the byte offset of the code's entry.
   alignas(16) std::uint64_t mask[16][2];
   alignas(16) std::uint64_t shift[16][2];
   std::uint64_t bits_times_16[16][2];
-  // By sets of lanes: the set as a vector, and where its lanes' headers and constants stand. A lane that is not in the
-  // set shares another's.
+  // Indexed by a set of lanes, one bit each: the set as a vector mask, and the byte offsets of its lanes' headers and
+  // constants. A lane outside the set has offset 0, the first track's.
   alignas(16) std::uint32_t lanes[16][4];
   std::uint8_t header[16][4], constant[16][4];
   std::uint8_t header_bytes[16], constant_bytes[16];
@@ -53,7 +53,7 @@ constexpr LaneTables make_lane_tables() {
 }
 inline constexpr LaneTables kLaneTables = make_lane_tables();
 
-// One address for all tables, and numbers that stay where instructions can take them from.
+// opaque() makes the compiler use one base address for all tables, and leave constants in memory as operands.
 inline const LaneTables& lane_tables() {
   return *opaque(&kLaneTables);
 }
@@ -62,13 +62,13 @@ inline const std::uint64_t* by_code(const std::uint64_t (&table)[16][2], std::ui
   return reinterpret_cast<const std::uint64_t*>(reinterpret_cast<const std::byte*>(table) + code_times_16);
 }
 
-// Of codes times 65536.
+// codes: step codes, each times 65536.
 inline f32x4 step_sizes(i32x4 codes) {
   return bits_as_float(shift_left<format::kStepShift - 16>(codes) +
                        splat_int(static_cast<std::int32_t>(format::kFirstStep)));
 }
 
-// The numbers of four lanes, four int16 each, times 65536; ab and cd hold two lanes each.
+// Splits four lanes of four int16 into out[component], each number times 65536. ab and cd hold two lanes each.
 inline void widen(const LaneTables& t, i32x4 ab, i32x4 cd, i32x4 (&out)[4]) {
   const i32x4 xy = even(ab, cd), zw = odd(ab, cd);
   const i32x4 high = load_aligned(t.high);

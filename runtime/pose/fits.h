@@ -5,7 +5,7 @@
 
 namespace marrow {
 
-// Its tracks are of joints that there are. Whether they mean these joints, bind_clips() knows.
+// Checks that every track's joint exists. Whether it is the right joint is checked by bind_clips().
 inline bool fits(const Clip& clip, const Skeleton& skeleton) {
   for (const Track& track : clip.tracks)
     if (track.joint >= skeleton.joint_count) return false;

@@ -1,4 +1,4 @@
-// Local to model for neighbours, for callers that know which joints have changed.
+// Local to model for a range of joints, for callers that know which joints have changed.
 #pragma once
 
 #include "marrow/file.h"

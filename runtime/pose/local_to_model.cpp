@@ -28,7 +28,7 @@ inline void to_matrices(const SoaTransform& t, FourMatrices& m) {
   store_row(axes.x.z * sx, axes.y.z * sy, axes.z.z * sz, load_aligned(t.translation[2]), m.rows[2]);
 }
 
-// Joints `first` … `end` - 1 of one group of four; the parents of roots are what stands above them.
+// Joints `first` … `end` - 1 of one group of four. A root's parent matrix is its model_from_root.
 void transform_some(const Skeleton& skeleton, const SoaTransform* local, std::uint32_t first, std::uint32_t end,
                     Affine* out) {
   FourMatrices m;

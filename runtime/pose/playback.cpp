@@ -9,7 +9,7 @@
 namespace marrow {
 namespace {
 
-// A game may copy it as bytes. Said here, for the header that this takes is twice as long as all of marrow.h.
+// A game may copy it as bytes. Asserted here, since <type_traits> is twice as long as all of marrow.h.
 static_assert(std::is_trivially_copyable_v<Playback>);
 
 constexpr std::int64_t kMostTurns = INT32_MAX;
@@ -20,8 +20,8 @@ struct Division {
   double remainder;
 };
 
-// Long division in base two, for x ≥ 0 and d > 0. It is exact: what is subtracted is never above x nor below half of it
-// (Sterbenz, Floating-Point Computation, 1974).
+// Long division in base two, for x ≥ 0 and d > 0. It is exact, since each number subtracted from x is between x / 2 and
+// x (Sterbenz, Floating-Point Computation, 1974).
 Division divide(double x, double d) {
   double multiple = d;
   int power = 0;
@@ -55,15 +55,15 @@ void run_loop(Playback& p, double time_s, double duration_s) {
   const bool at_start = passed.remainder == 0;
   const std::int64_t turns = passed.quotient + (at_start ? 0 : 1);
   const double left_s = duration_s - passed.remainder;
-  // What a tiny step leaves may be rounded to the whole.
+  // After a tiny step back, left_s may have been rounded to duration_s.
   p.time_s = at_start ? 0 : left_s < duration_s ? left_s : next_below(duration_s);
   p.turns = static_cast<std::int32_t>(turns < kMostTurns ? -turns : -kMostTurns);
 }
 
-// time_s runs in the direction in which time has gone up to now.
+// time_s: the clip time that is reached without turning round at the ends; it is folded into 0 … duration_s here.
 void run_ping_pong(Playback& p, double time_s, double duration_s) {
   const bool below = time_s < 0;
-  // There and back is one period; what is left of it tells place and direction.
+  // There and back is one period; the remainder gives the position and the direction.
   const Division passed = divide(below ? -time_s : time_s, duration_s + duration_s);
   const bool beyond = passed.remainder > duration_s;
   const bool at_start = passed.remainder == 0 && passed.quotient > 0;  // not yet turned there

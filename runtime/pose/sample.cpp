@@ -27,7 +27,7 @@ HermiteWeights weights_at(const Moment& m) {
   return w;
 }
 
-// n: numbers a key; of cubic splines thrice as many, in-tangent, value and out-tangent. turns: they are quaternions.
+// n: numbers of a value; a key of a cubic spline has 3 n: in-tangent, value, out-tangent. turns: they are quaternions.
 template <class Count>
 void mix_keys(Interpolation interpolation, bool turns, const Moment& m, const float* keys, std::uint32_t key_count,
               Count n, float* out) {
@@ -40,7 +40,7 @@ void mix_keys(Interpolation interpolation, bool turns, const Moment& m, const fl
       out[i] = w.from * a[n + i] + w.leave * a[2 * n + i] + w.to * b[n + i] + w.arrive * b[i];
     if (!turns) return;
     const float squared = out[0] * out[0] + out[1] * out[1] + out[2] * out[2] + out[3] * out[3];
-    // A curve through nothing, or one that is beyond numbers, turns nothing: what is blended needs a length.
+    // A curve through 0, or one that overflows, gives the identity: blending needs quaternions with a length.
     const bool turned = 0.0f < squared && squared < kInfinity;
     const float inverse = turned ? 1.0f / square_root(squared) : 0.0f;
     for (std::size_t i = 0; i < n; ++i) out[i] = turned ? out[i] * inverse : i == 3 ? 1.0f : 0.0f;
@@ -78,7 +78,7 @@ bool wanted(const SampleOptions& options, std::uint32_t joint) {
   return (wanted_lanes(options, joint / 4) >> (joint % 4) & 1u) != 0;
 }
 
-// Finds the moment of a time in list after list; one search serves neighbours that share theirs.
+// Finds a time in one list of key times after another. Consecutive tracks that share a list share the search.
 class MomentFinder {
  public:
   MomentFinder(const Clip& clip, float time_s) : times_s_(clip.times_s), time_s_(time_s) {}
@@ -100,7 +100,7 @@ class MomentFinder {
 
 constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;  // any with many bits
 
-// Which clip this is, of which skeleton and for which memory. A clip that was made by hand is known by its place.
+// A hash of the clip, the skeleton and the cache's memory. A clip that was made by hand is recognised by its addresses.
 std::uint64_t identity(const Skeleton& skeleton, const Clip& clip, Span<std::byte> memory) {
   const auto place_of = [](const void* data) { return std::uint64_t{reinterpret_cast<std::uintptr_t>(data)}; };
   std::uint64_t out = 1;
@@ -112,7 +112,7 @@ std::uint64_t identity(const Skeleton& skeleton, const Clip& clip, Span<std::byt
   return out;
 }
 
-// Whether the cache holds of this clip what does not move; else from now on it is this clip's.
+// Whether the cache is this clip's, so that `out` already holds what does not move. If not, it becomes this clip's.
 bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const SoaTransform* out) {
   const std::uint64_t id = identity(skeleton, clip, cache.memory);
   if (cache.out == out && cache.clip == id) return true;
@@ -174,7 +174,7 @@ Status sample_additive(const Skeleton& skeleton, const Clip& clip, float time_s,
   MARROW_ZONE;
   MARROW_REQUIRE(clip.additive);
   MARROW_REQUIRE(clip.reference == nullptr || clip.joint_count == skeleton.joint_count);
-  // The pose stands where its change will; make_additive reads every group before it writes it.
+  // The pose is sampled into `out`, and its change replaces it: make_additive reads every group before it writes it.
   const Span<SoaTransform> pose{reinterpret_cast<SoaTransform*>(out.data), out.size};
   MARROW_REQUIRE_GOOD(check_pose(skeleton, clip, time_s, pose, {}));
   sample_pose(skeleton, clip, time_s, pose, {}, false, nullptr);

@@ -12,7 +12,7 @@
 namespace marrow {
 namespace {
 
-// In place of a step, which is above 0: the two frames are alike.
+// Stored in place of the step, which is above 0, if the two frames are alike.
 constexpr float kAlike = -1.0f;
 inline bool are_alike(const FramePair& two) {
   std::int32_t bits;
@@ -20,8 +20,8 @@ inline bool are_alike(const FramePair& two) {
   return bits < 0;
 }
 
-// Whether it is to be written to the pose at once: it is alike, and was not. kFollows: what was kept is of the frame
-// before, whose later one is the earlier now.
+// Stores a pair in the cache. Returns whether it must be written to the pose now: its frames are alike, and were not
+// before. kFollows: the cache holds the pair before, whose later frame is now the earlier one.
 template <bool kFollows>
 inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
   const f32x4(&a)[3] = four.frame[0], (&b)[3] = four.frame[1];
@@ -43,14 +43,14 @@ struct Rotations {
   bool alike;  // all lanes are the same in both frames
 };
 
-// Of a frame of `four`. Returns the factor.
+// Sets m to the parameters of one frame of `four`. Returns the factor.
 [[gnu::always_inline]] inline f32x4 rodrigues(const LaneTables& t, const Unpacked& four, std::uint32_t frame,
                                               f32x4 (&m)[3]) {
   for (int c = 0; c < 3; ++c) m[c] = (four.frame[frame][c] + four.other[c]) * four.step;
   return load_aligned(t.two) / (m[0] * m[0] + m[1] * m[1] + m[2] * m[2] + load_aligned(t.one));
 }
 
-// Of rotations whose `a` and `factor_a` are there.
+// Fills in the rest of `out`, whose `a` and `factor_a` are set.
 [[gnu::always_inline]] inline void later_rotations(const LaneTables& t, const Unpacked& four, Rotations& out) {
   out.factor_b = rodrigues(t, four, 1, out.b);
   // The squared chord between the quaternions, without a difference of large numbers.
@@ -82,11 +82,11 @@ struct FrameBlend {
   explicit FrameBlend(float between) : u(splat(between)), a(slerp_series(1.0f - between)), b(slerp_series(between)) {}
 };
 
-// Of a and b, whose squared chord this is.
+// The weights of the frames a and b. chord_squared: between their quaternions.
 [[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const LaneTables& t, f32x4 chord_squared,
                                                           const FrameBlend& blend) {
   if (any(load_aligned(t.series_limit) < chord_squared)) [[unlikely]] {
-    // Beyond half a turn, minus the later is as good as the later, and nearer.
+    // Beyond half a turn, the later quaternion negated is the same rotation, and nearer.
     const mask4 far = splat(2.0f) < chord_squared;
     const auto [earlier, after] = slerp_weights(select(far, splat(4.0f) - chord_squared, chord_squared), blend.u);
     const f32x4 later = select(far, splat(0.0f) - after, after);
@@ -96,14 +96,14 @@ struct FrameBlend {
   return {slerp_weight(blend.a, chord_squared), slerp_weight(blend.b, chord_squared)};
 }
 
-// A blend of two equal ones would round as the time says.
+// Equal rotations get the weights 1 and 0: if they were blended, rounding would depend on the time.
 [[gnu::always_inline]] inline SlerpWeights<f32x4> weights(const LaneTables& t, const Rotations& two,
                                                           const FrameBlend& blend) {
   if (two.alike) return {load_aligned(t.one), splat(0.0f)};
   return weights(t, two.chord_squared, blend);
 }
 
-// Rotations, into the lanes in `lanes`.
+// Writes rest · blended rotation into the lanes in `lanes`.
 [[gnu::always_inline]] inline void rotate_rest(const LaneTables& t, const Rotations& two,
                                                const SlerpWeights<f32x4>& weight, const float (&rest)[4][4],
                                                std::uint32_t lanes, float (&rotation)[4][4]) {
@@ -131,18 +131,19 @@ inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t fir
   store_lanes(t, out, lanes, vector);
 }
 
-// What moves, group after group.
+// The arguments of set_moving() and set_kept().
 struct Moving {
   const Skeleton& skeleton;
   const CodedTracks& coded;
   const SampleOptions& options;
   const FrameBlend& blend;
-  FramePair *kept, *kept_last;  // one a kind and group, and the last that there is memory for; null: none is kept
+  FramePair *kept, *kept_last;  // the cache: one pair per kind and group, and the last that fits; null: none is kept
   std::uint32_t first;          // which of the two in a FramePair is the earlier
 };
 
-// Unpacks both frames, or the later alone if what is kept is of the frame before, of the same segment. Writes to the
-// pose what is not kept, or is alike from now on. One loop for all kinds, since they are unpacked alike.
+// Unpacks both frames. With kFollows only the later one: the cache holds the frame before, of the same segment. Writes
+// to the pose what is not cached, and pairs that have just become alike. One loop serves all kinds, since they are
+// unpacked alike.
 template <bool kFollows>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   const LaneTables& t = lane_tables();
@@ -161,7 +162,7 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
         skip(cursor, tracks);
         continue;
       }
-      // Only if a clip passes for another one by its id, as a file might that was made for that.
+      // Happens only if a clip has another clip's id, as in a hostile file.
       if (pair > m.kept_last) [[unlikely]]
         return;
       Unpacked four;
@@ -188,14 +189,14 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   }
 }
 
-// Of frames that are kept: all joints. What is alike in both stands there already. A loop of its own: processors do not
-// see far enough ahead to unpack a group while they blend the one before.
+// Blends the cached frames, for all joints. Pairs that are alike are in the pose already. A separate loop: processors
+// do not look far enough ahead to unpack a group while they blend the one before.
 void set_kept(const Moving& m, SoaTransform* out) {
   const LaneTables& t = lane_tables();
   const GroupMasks* masks = m.coded.masks;
   const SoaTransform* rest = m.skeleton.rest;
   SoaTransform* const end = out + m.skeleton.soa_size();
-  // Rotations of the even frame are `a`. Which is the earlier is a matter of weights alone, but for vectors.
+  // `a` is the even frame's rotation. If the even frame is the later one, swapping the weights is enough for rotations.
   FrameBlend blend = m.blend;
   if (m.first != 0) {
     std::swap(blend.a, blend.b);
@@ -233,7 +234,7 @@ void set_kept(const Moving& m, SoaTransform* out) {
   }
 }
 
-// A frame, the last but one at most, and how far it is on the way to the next.
+// A frame, at most the last but one, and the fraction of the way to the next.
 struct Place {
   std::uint32_t frame;
   float between;

@@ -21,7 +21,7 @@ inline void copy(const float (&from)[N][4], float (&to)[N][4]) {
 // One by one.
 void copy_some_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to);
 
-// All are copied faster than by a call for a few hundred bytes.
+// All lanes are copied inline, which is faster than a call of memcpy() for a few hundred bytes.
 inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransform& to) {
   if (lanes != 15) return copy_some_lanes(from, lanes, to);
   copy(from.translation, to.translation);
@@ -31,19 +31,19 @@ inline void copy_lanes(const SoaTransform& from, std::uint32_t lanes, SoaTransfo
 
 // Two neighbouring frames of four sub-tracks of one kind, a lane each, ready to be blended. An even frame stands in
 // frame[0], an odd one in frame[1], so that both stay where they are when the later one becomes the earlier.
-//   rotations  modified Rodrigues parameters m; factors 2 / (1 + m²) of the even and the odd frame, and the squared
-//              chord between the two
-//   others     integers; the least x, y and z, which are to be added to them; the step
-// The first step, or number in its place, is below 0 if the two frames are alike.
+//   rotations  frame: modified Rodrigues parameters m; other: factors 2 / (1 + m²) of the even and the odd frame, and
+//              the squared chord between the two
+//   others     frame: integers; other: the least x, y and z, to be added to the integers; step: the step
+// step[0] is below 0 if the two frames are alike. Rotations use it for that alone.
 struct FramePair {
   alignas(16) float frame[2][3][4], other[3][4], step[4];
 };
 
-// Writes what does not move of the joints asked for: the rest pose, over it what is constant in the clip. There need
-// not be coded tracks.
+// Writes what does not move, for the joints asked for: the rest pose, then the clip's constants over it. The clip may
+// have no coded tracks.
 void set_still(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options, SoaTransform* out);
 
-// Writes over it what moves. time_s is a number. cache: null, or of this clip; all joints are asked for then.
+// Writes the moving tracks over that. time_s is not NaN. cache: null or this clip's; then all joints are asked for.
 // Method: rotations are rest · q(m) with m = axis · tan(θ/4), the modified Rodrigues parameters (Shuster, "A survey of
 // attitude representations", 1993), translations and scales rest + v; each component an integer times the track's step.
 // Two neighbouring frames are unpacked and blended, rotations on the sphere.

@@ -8,13 +8,13 @@
 namespace marrow {
 namespace {
 
-// Of the next constants, one for each lane in `lanes`, those of the lanes `first` and `first` + 1.
+// The constants of the lanes `first` and `first` + 1. next: the constants, one for each lane in `lanes`.
 inline i32x4 two_constants(const LaneTables& t, const std::byte* next, std::uint32_t lanes, std::uint32_t first) {
   const std::uint8_t(&offset)[4] = t.constant[lanes];
   return words(load_pair(next + offset[first], next + offset[first + 1]));
 }
 
-// From constants of two lanes each: quaternions times any factor.
+// ab, cd: constants of two lanes each, quaternions of any length.
 inline void set_rotations(const LaneTables& t, i32x4 ab, i32x4 cd, std::uint32_t lanes, float (&rotation)[4][4]) {
   i32x4 v[4];
   widen(t, ab, cd, v);
@@ -23,7 +23,7 @@ inline void set_rotations(const LaneTables& t, i32x4 ab, i32x4 cd, std::uint32_t
   store_lanes(t, {x * inverse, y * inverse, z * inverse, w * inverse}, lanes, rotation);
 }
 
-// Differences from the rest pose, and their steps.
+// ab, cd: constants of two lanes each, a difference from the rest pose and its step.
 inline void set_vectors(const LaneTables& t, i32x4 ab, i32x4 cd, const float (&rest)[3][4], std::uint32_t lanes,
                         float (&vector)[3][4]) {
   i32x4 v[4];
@@ -35,7 +35,7 @@ inline void set_vectors(const LaneTables& t, i32x4 ab, i32x4 cd, const float (&r
               lanes, vector);
 }
 
-// What does not move: the rest pose, over it the constants, four numbers at a time.
+// Writes the rest pose, then the constants over it, four numbers at a time.
 void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const SampleOptions& options,
                      SoaTransform* out) {
   const LaneTables& t = lane_tables();
@@ -45,7 +45,7 @@ void set_still_coded(const Skeleton& skeleton, const CodedTracks& coded, const S
   SoaTransform* const end = out + skeleton.soa_size();
   for (std::size_t g = 0; out != end; ++g, ++out, ++rest, ++masks) {
     const std::uint32_t constant = masks->constant, wanted = wanted_lanes(options, g);
-    // Lanes that move will be written over.
+    // If every rotation is constant or moves, the rest pose's rotations need not be copied: all are overwritten.
     const bool rotations_follow = wanted == 15 && (~(masks->moving | constant) & 15u) == 0;
     if (rotations_follow) {
       copy(rest->translation, out->translation);

@@ -21,7 +21,7 @@ struct Offset {
   f32x4 at[9];
 };
 
-// A turn has two quaternions: the one with w ≥ 0, or, if `like` is given, the one in its hemisphere.
+// turn: set to the quaternion with w ≥ 0 or, if `like` is given, to the one in the hemisphere of `like`.
 Offset difference(const SoaTransform& from, const SoaTransform& to, const Quaternion<f32x4>* like,
                   Quaternion<f32x4>& turn) {
   const Quaternion<f32x4> either = load_rotations(from.rotation) * conjugate(load_rotations(to.rotation));
@@ -36,13 +36,13 @@ Offset difference(const SoaTransform& from, const SoaTransform& to, const Quater
   return out;
 }
 
-// The quintic (1 - s)⁴ (x + (4 x + v) s), with v the velocity over the whole fade. For x ≥ 0 it stays so if v ≥ -5 x:
-// then the fade is as long as it may be, else so much shorter. Of v > 0 it grows by at most 0.082 v, at s = 1/5.
+// The fade is the quintic (1 - s)⁴ (x + (4 x + v) s), with v the velocity over the whole fade. For x ≥ 0 it stays ≥ 0
+// if v ≥ -5 x; otherwise the fade is shortened until that holds. A v > 0 adds at most 0.082 v, at s = 1/5.
 void set_fade(f32x4 start, f32x4 velocity, f32x4 slowest, bool is_turn, int i, InertialOffset& out) {
   const f32x4 zero = splat(0.0f), most = splat(1e9f);
   const f32x4 x = flip(start, start);  // |start|; the rest is mirrored with it
   f32x4 v = flip(velocity, start);
-  // Ends per second: -v / 5 x where that is sooner. An x of 0 has no side, and keeps to any.
+  // The rate is 1 / duration, or -v / (5 x) if that is more. An x of 0 has no sign to keep, so it is not shortened.
   const f32x4 sooner = (zero - v) / (splat(5.0f) * select(zero < x, x, most));
   f32x4 rate = select(slowest < sooner, sooner, slowest);
   rate = select(rate < most, rate, most);

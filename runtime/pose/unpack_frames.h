@@ -53,13 +53,13 @@ inline void load_frame(const float (&from)[3][4], f32x4 (&to)[3]) {
 inline void store_frame(const f32x4 (&from)[3], float (&to)[3][4]) {
   for (int i = 0; i < 3; ++i) store(to[i], from[i]);
 }
-// A frame of a pair, by one address for all its numbers.
+// A frame of a pair. opaque() makes the compiler use one base address for all its numbers.
 template <class Pair>
 inline auto& numbers_of(Pair& two, std::uint32_t frame) {
   return *opaque(&two.frame[frame]);
 }
 
-// The first bytes of four headers, each code with its upper neighbour out of the way: times 16.
+// The width codes of four headers, unpacked from nibbles to bytes: each byte is 16 · code.
 struct WidthCodes {
   alignas(16) std::byte upper[16];  // x in byte 0, z in byte 1 of each word
   alignas(16) std::byte lower[16];  // y in byte 1
@@ -70,7 +70,8 @@ struct TrackFields {
   u64x2 x, y, z;
 };
 
-// The next track's; moves `record` to the byte where its bits begin, and `bit_times_16` from there behind them.
+// Reads the next track's fields. Moves `record` to the byte where they begin, and `bit_times_16` to their end, counted
+// from there.
 template <bool kLater>
 inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, std::size_t frame_bytes,
                         const LaneTables& t, const WidthCodes& codes, std::uint32_t lane, TrackFields& out) {
@@ -81,7 +82,7 @@ inline void next_fields(const std::byte*& record, std::uint64_t& bit_times_16, s
   bit_times_16 %= 128;
   const u64x2 bits = kLater ? load_one(record) : load_pair(record, record + frame_bytes);
   const u64x2 w = shift_right(bits, by_code(t.shift, bit_times_16));
-  // In this order each sum takes an operand from memory.
+  // opaque() fixes the order of the sums, so that each takes an operand from memory.
   bit_times_16 = opaque(bit_times_16 + *by_code(t.bits_times_16, x));
   bit_times_16 = opaque(bit_times_16 + *by_code(t.bits_times_16, y));
   bit_times_16 += *by_code(t.bits_times_16, z);
@@ -96,8 +97,8 @@ struct TwoLanes {
   i32x4 c[3];
 };
 
-// The next tracks, one for each lane in `lanes`, four numbers at a time into registers. What a lane without a track
-// gets is the same in all frames. kLater: of the later frame alone, at which the cursor stands.
+// Unpacks the next tracks, one for each lane in `lanes`, into registers. A lane without a track gets numbers that are
+// the same in all frames. kLater: only the later frame; the cursor is at that frame.
 template <bool kLater>
 [[gnu::always_inline]] inline void unpack(TrackCursor& cursor, const LaneTables& t, std::uint32_t lanes,
                                           Unpacked& out) {
@@ -110,7 +111,7 @@ template <bool kLater>
   WidthCodes codes;
   store(codes.upper, heads & load_aligned(t.codes));
   store(codes.lower, shift_left<4>(heads) & load_aligned(t.codes));
-  // 2^(shift - 16): the shift of the minima, put where a float has its exponent.
+  // 2^(shift - 16), from the shift of the minima: written as a float's exponent bits.
   const f32x4 power = bits_as_float(shift_left<23>(heads & splat_int(15)) + splat_int((127 - 16) << 23));
   i32x4 least[4];
   widen(t, load_two(h0 + 3, h1 + 3), load_two(h2 + 3, h3 + 3), least);

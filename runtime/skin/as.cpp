@@ -21,11 +21,11 @@ inline void add_turned(const Factors (&m)[3], const float* q, Vector<f32x4>& to)
   to = {to.x + dot4(m[0], x, y, z, w), to.y + dot4(m[1], x, y, z, w), to.z + dot4(m[2], x, y, z, w)};
 }
 
-// What the last joint makes of a vector.
+// A vector through the last joint's matrix.
 [[gnu::always_inline]] inline Vector<f32x4> turned(const Blend& last, const float* q) {
   return turn(last, load_anywhere(q));
 }
-// And of what follows the others, each `stride` floats behind the one before.
+// Adds the other influences' vectors through their matrices. The vectors are `stride` floats apart.
 [[gnu::always_inline]] inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints, const float* q,
                                               std::size_t stride, Vector<f32x4>& to) {
   for (std::uint32_t j = 0; j + 1 < influences; ++j, q += stride) add_turned(joints.others[j], q, to);
@@ -65,7 +65,8 @@ class AnimationSpace {
   template <class D, class Count>
   using Row = std::conditional_t<std::is_same_v<Count, std::uint32_t> || D() != Directions::none, Factors, f32x4>;
 
-  // A row of the blended matrix, which is the last joint's before; returns the positions' coordinate.
+  // v, origin: the last joint's row; v becomes the blended row, if directions are wanted. Returns one coordinate of the
+  // positions.
   template <class D, class Count, class Joints>
   [[gnu::always_inline]] static f32x4 add(D directions, Count influences, const Joints& joints, int row, const float* q,
                                           Vector<f32x4>& v, f32x4 origin) {

@@ -5,7 +5,7 @@
 namespace marrow {
 namespace {
 
-// Of the sine, squared: below that an entry says nothing that those before it do not.
+// A squared sine. Below it an entry counts as linearly dependent on the entries before it.
 constexpr float kLeastNewness = 1e-3f;
 
 // An entry as shares of joints.
@@ -26,7 +26,7 @@ float inner_product(const float* a, const float* b, std::uint32_t count) {
   return sum;
 }
 
-// The first of the greatest.
+// The index of the greatest number; if several are equal, the first.
 std::uint32_t place_of_greatest(const float* of, std::uint32_t count) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < count; ++i)
@@ -42,7 +42,7 @@ std::uint32_t StandIns::place_of(std::uint32_t other_slot, std::uint32_t joint) 
   return place;
 }
 
-// The vertex's joints, and its entries' directions by Gram and Schmidt.
+// Lists the vertex's joints, and makes its entries' directions orthonormal by Gram–Schmidt.
 void StandIns::prepare() {
   const Mesh& mesh = *surface_.part(slot_).mesh;
   float entry_weights[kMaxInfluences];
@@ -78,7 +78,7 @@ void StandIns::prepare() {
   prepared_ = true;
 }
 
-// Of the vertex's joints that which a neighbour follows most.
+// The vertex's joint that a neighbour follows most; the vertex's heaviest if the neighbour follows none of them.
 std::uint32_t StandIns::heir_of(std::uint32_t neighbour, const AsVertex& n) const {
   float followed[kMostJoints + 1] = {};
   for (std::uint32_t e = 0; e < n.influences; ++e) {

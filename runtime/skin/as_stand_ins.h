@@ -1,17 +1,18 @@
-// How the palette entries that a vertex follows stand for others, which its neighbours follow.
+// Expresses palette entries that a vertex's neighbours follow in terms of the entries that the vertex follows.
 #pragma once
 
 #include "skin/as_surface.h"
 
 namespace marrow {
 
-// An entry is h of joints: a joint itself, a helper the shares of two. One that the vertex lacks counts as the sum
-// Σ x_i h_i of the vertex's own entries that is h, or closest to it: a helper at 3/4 as twice that at 1/2 less that at
-// 1/4. Of h what joints have that none of the vertex's entries blends counts as that joint of the vertex's which the
-// neighbour follows most, or else as the vertex's own heaviest.
+// An entry is a vector h of shares of joints: a joint has one share, a helper has shares of two joints. An entry that
+// the vertex lacks is replaced by the combination Σ x_i h_i of the vertex's own entries that equals h or is closest to
+// it. For example, a helper at 3/4 is twice the helper at 1/2 less the helper at 1/4. Before that, joints in h that
+// none of the vertex's entries blends are replaced by one that the vertex has: the one that the neighbour follows most,
+// or if it follows none of them, the vertex's heaviest.
 class StandIns {
  public:
-  // Refers to both.
+  // Keeps references to `surface` and `vertex`.
   StandIns(const AsSurface& surface, std::uint32_t slot, const AsVertex& vertex)
       : surface_(surface), slot_(slot), vertex_(vertex) {}
 
@@ -20,7 +21,7 @@ class StandIns {
 
  private:
   static constexpr std::uint32_t kMostJoints = 2 * kMaxInfluences;
-  // Perpendicular to those before it, unit; and what it is of the vertex's entries.
+  // A unit vector perpendicular to the directions before it, and its coefficients over the vertex's entries.
   struct Direction {
     float along[kMostJoints], of_entries[kMaxInfluences];
   };
@@ -28,7 +29,7 @@ class StandIns {
   void prepare();
   std::uint32_t heir_of(std::uint32_t neighbour, const AsVertex& n) const;
   void find_shares(std::uint32_t neighbour, std::uint32_t entry, std::uint32_t heir, float (&x)[kMaxInfluences]) const;
-  // Of an entry of that slot's mesh, a joint: its number among the vertex's joints, joint_count_ if it is none.
+  // The index among the vertex's joints of a joint of the other slot's mesh; joint_count_ if it is not among them.
   std::uint32_t place_of(std::uint32_t other_slot, std::uint32_t joint) const;
 
   const AsSurface& surface_;

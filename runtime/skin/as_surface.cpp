@@ -5,9 +5,9 @@
 namespace marrow {
 namespace {
 
-// Farther apart in weight vertices at one place do not move alike.
+// Vertices at one position whose weights differ by more than this do not move alike.
 constexpr float kSameWeight = 1e-3f;
-// Slots that are looked at for a copy; more than this many at one place are not found.
+// The most slots that are searched for a copy. Copies beyond this many at one position may not be found.
 constexpr std::uint32_t kMostProbes = 256;
 
 struct Counts {
@@ -25,7 +25,7 @@ Counts count(Span<const AsPart> parts) {
   return c;
 }
 
-// Of a position's coordinates, four floats apart.
+// The hash of a position, whose coordinates are four floats apart.
 std::uint32_t hash_of(const float* position) {
   std::uint32_t h = 0;
   for (std::size_t c = 0; c < 3; ++c) {

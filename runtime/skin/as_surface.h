@@ -7,7 +7,7 @@ namespace marrow {
 
 inline constexpr std::uint32_t kNoNumber = 0xFFFFFFFF;
 
-// Animation-space coordinates of one slot: x y z w of all influences that have any, and the last.
+// Animation-space coordinates of one slot: x y z w of every influence that is not all 0, and always of the run's last.
 struct AsVertex {
   float q[kMaxInfluences][4];
   std::uint16_t set[kMaxInfluences];   // palette entries
@@ -40,21 +40,21 @@ class AsSurface {
   std::uint32_t local(std::uint32_t slot) const { return slot - numbers_[block(slot).part].first_slot; }
 
   void read(std::uint32_t slot, AsVertex& out) const;
-  // In the bind pose, without residuals: x, then y and z four floats on each.
+  // The position in the bind pose, without residuals: x at [0], y at [4], z at [8].
   const float* position(std::uint32_t slot) const { return geometry(slot).skin + block(slot).skin + slot % 4; }
-  // One of a vertex's normals, tangents …, blocks of `stride` × 4 floats.
+  // One component of a slot in a stream of normals, tangents …, whose blocks have `stride` × 4 floats.
   static float lane(const float* stream, std::uint32_t stride, std::uint32_t slot, std::uint32_t component) {
     return stream[4 * (std::size_t{stride} * (slot / 4) + component) + slot % 4];
   }
-  // Whether a palette entry of a slot's mesh is an entry of another's: the same joint, bound alike.
+  // Whether two palette entries, each of one slot's mesh, are the same: the same joints with the same bind matrices.
   bool same_entry(std::uint32_t slot, std::uint32_t entry, std::uint32_t other_slot, std::uint32_t other_entry) const;
 
-  // The next slot that is the same vertex, round and round.
+  // The next slot of the same vertex; these form a ring.
   std::uint32_t next_copy(std::uint32_t slot) const { return next_copy_[slot]; }
   // The corners at a slot, kNoNumber after the last.
   std::uint32_t first_corner(std::uint32_t slot) const { return first_corner_[slot]; }
   std::uint32_t next_corner(std::uint32_t corner) const { return next_corner_[corner]; }
-  // The slots that follow a corner at `slot` in its triangle.
+  // The slots of the next two corners in the triangle of `corner`, which is at `slot`.
   void opposite(std::uint32_t slot, std::uint32_t corner, std::uint32_t (&out)[2]) const;
 
  private:

@@ -7,11 +7,11 @@
 namespace marrow {
 namespace {
 
-// Copies of a vertex whose normals are farther apart, as a cosine, lie on two sides of a crease.
+// A cosine. Copies of a vertex whose normals are farther apart than this lie on two sides of a crease.
 constexpr float kSmooth = 0.9f;
 // Copies that are looked at, so that hostile meshes do not take for ever.
 constexpr std::uint32_t kMostCopies = 256;
-// Triangles that cancel out but for this share of their areas have no normal.
+// Triangles whose area vectors sum to less than this share of their areas have no common normal.
 constexpr float kFlat = 1e-3f;
 
 Vector3 direction(const float* stream, std::uint32_t stride, std::uint32_t slot) {
@@ -62,9 +62,9 @@ class Derivation {
     surface_.read(slot, vertex_);
   }
 
-  // Derivatives along the frame's axes on the bind pose's surface, triangles weighed by their areas. What they lack of
-  // the axes there, as an artist's normal is not the triangles' and a ring is not flat, goes through the blended
-  // matrix: so residuals tilt normals, and a vertex without area has the blend's.
+  // Derivatives along the frame's axes on the bind pose's surface, triangles weighted by area. In the bind pose they
+  // differ from the axes, as an artist's normal is not the triangles' normal and a ring of triangles is not flat. The
+  // difference goes through the blended matrix. So residuals tilt normals, and a vertex without area has the blend's.
   void run(const Frame& frame, Tangents& out) {
     for (auto& tangent : out)
       for (auto& tau : tangent)
@@ -99,7 +99,7 @@ class Derivation {
     return {p[0], p[4], p[8]};
   }
 
-  // A neighbour's difference from the vertex, as the vertex's entries have it, times a factor a tangent.
+  // Adds a neighbour's coordinates less the vertex's, expressed in the vertex's entries, times one factor per tangent.
   void add(std::uint32_t neighbour, const float (&factors)[2], Tangents& out) {
     float q[kMaxInfluences][4];
     for (std::uint32_t j = 0; j < vertex_.influences; ++j)
@@ -128,8 +128,8 @@ class Derivation {
   StandIns stand_ins_;
 };
 
-// Of a block: Σ_j of both tangents, x[4] y[4] z[4] each, then x[4] y[4] z[4] w[4] of both for each influence but the
-// last.
+// Writes one lane of a block. The block holds Σ_j of both tangents, x[4] y[4] z[4] each, then for each influence but
+// the last both tangents, x[4] y[4] z[4] w[4] each.
 void write(const Tangents& tangents, std::uint32_t influences, float* to) {
   for (int a = 0; a < 2; ++a, to += 12) {
     for (std::size_t c = 0; c < 3; ++c) {

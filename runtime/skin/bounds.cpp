@@ -26,7 +26,7 @@ struct Box {
   f32x4 most = splat(-kInfinity);
 };
 
-// Where an entry's box goes: the lanes of Box.
+// An entry's box after its matrix, in the lanes of Box.
 struct Placed {
   f32x4 centre, half;
 
@@ -75,7 +75,7 @@ void add_vertices(const Geometry& g, Span<JointExtent> joints) {
   }
 }
 
-// Corners become centre and half sides. What is halfway between two floats is rounded; half sides make up for it.
+// Corners become centre and half sides. The centre may be rounded; the half sides grow to make up for it.
 void finish(JointExtent& entry) {
   if (entry.half[0] < entry.centre[0]) {
     entry = {};
@@ -193,7 +193,7 @@ Status palette_bounds(const MeshExtents& extents, Span<const Affine> palette, Sp
     }
     const f32x4 centre = lanes(made.centre(0), made.centre(1), made.centre(2), 0);
     made.radius_m = radius_about(centre, extents, palette, change, 1.0f);
-    // Squares of what is far enough away are beyond a float.
+    // For distant corners the squares overflow a float; at a smaller scale they do not.
     if (!is_finite(made.radius_m)) made.radius_m = radius_about(centre, extents, palette, change, 0x1p-66f) * 0x1p66f;
   }
   out = made;

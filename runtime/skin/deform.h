@@ -24,7 +24,7 @@ inline void store_xyz(float* to, const Vector<f32x4>& v) {
 // What is written beside positions. exact: normals, and tangents if they are asked for.
 enum class Directions { none, blended_normals, blended_tangents, exact };
 
-// Where a kernel reads and writes; it leaves them behind the run.
+// Where a kernel reads and writes. The kernel advances these past the run.
 struct Cursor {
   const float* stream;  // positions and weights, or animation-space coordinates
   const float* normals;
@@ -34,17 +34,16 @@ struct Cursor {
   float* out_tangents;  // null: there are none
 };
 
-// Of unit length, turned round where `mirror` is negative.
+// Stores normals at unit length, negated where `mirror` is negative.
 inline void store_normals(float* out, const Vector<f32x4>& n, f32x4 mirror) {
   store_xyz(out, n * flip(inverse_length(dot(n, n)), mirror));
 }
-// With the handedness that a block of tangents has, the other where `mirror` is negative.
+// Stores tangents with the handedness of the block `tangents`, flipped where `mirror` is negative.
 inline void store_tangents(float* out, const Vector<f32x4>& t, const float* tangents, f32x4 mirror) {
   store_xyzw(out, t.x, t.y, t.z, flip(load_aligned(tangents + 12), mirror));
 }
 
-// Inverse transpose up to a positive factor: the cofactors, turned round where the blend mirrors. Returns the
-// determinant.
+// Inverse transpose up to a positive factor: the cofactors, negated where the blend mirrors. Returns the determinant.
 inline f32x4 write_exact_normals(const Blend& m, const float* normals, float* out) {
   const Linear<f32x4> cofactor = cofactors(m.rows);
   const f32x4 det = dot(m.rows.x, cofactor.x);
@@ -72,7 +71,7 @@ inline void write_directions(D directions, const Blend& m, f32x4 mirror, Cursor&
   }
 }
 
-// Runs that have as many influences each; returns the run behind them.
+// Deforms consecutive runs with the same number of influences; returns the run behind them.
 template <class D, class Count, class Deformer>
 [[gnu::noinline]] const Run* deform_alike(D directions, Count influences, Deformer& deformer, const Run* run,
                                           const Run* end, const std::uint16_t*& set, const Affine* palette,
@@ -88,9 +87,9 @@ template <class D, class Count, class Deformer>
   return run;
 }
 
-// deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. A
-// deformer has a kernel for each Fixed<…> of directions if it says kFixedDirections, and of up to four influences if it
-// says kFixedInfluences. Else it is told by a number.
+// deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. With
+// kFixedDirections a deformer has one kernel for each Fixed<…> of directions; with kFixedInfluences, one for each
+// Fixed<…> of up to four influences. Otherwise it gets plain values.
 template <class D, class Deformer>
 void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {

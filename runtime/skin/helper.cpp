@@ -5,11 +5,11 @@
 namespace marrow {
 namespace {
 
-// Squares: of the lengths and sines below which there is no direction, of how far helpers may take what is at 0, and of
-// the difference to a turn that is none.
+// All are squares: the length and the sine below which a column has no direction, how far a helper may move the origin,
+// and the deviation from a rotation below which a matrix counts as one.
 constexpr float kLeastSquare = 1e-30f, kLeastSine = 1e-10f, kMostSquare = 1e36f, kNoStretch = 1e-9f;
 
-// Of the palette, or bind matrices. joint: Helper::first or second.
+// One joint's matrices of four helpers, from the palette or the bind matrices. joint: Helper::first or second.
 inline FourAffines maps(const Affine* from, const Helper* h, std::uint16_t Helper::*joint) {
   return load_affines(from[h[0].*joint], from[h[1].*joint], from[h[2].*joint], from[h[3].*joint]);
 }
@@ -20,7 +20,7 @@ inline Linear<f32x4> columns_of(const FourAffines& m) {
   return transposed(m.rows);
 }
 
-// 1 + the trace of a turn by 166°; of what turns farther w is small.
+// 1 + the trace of a rotation by 166°. For larger rotations w is small: take_far_turn() handles them.
 constexpr float kFarTurn = 0.0625f;
 
 // A turn as a quaternion of some length, w ≥ 0: the shorter way.
@@ -69,7 +69,7 @@ f32x4 mixed(f32x4 a, f32x4 b, f32x4 share) {
   return a + (b - a) * share;
 }
 
-// A matrix as a stretch, 0 below the diagonal, and then a turn: Gram and Schmidt.
+// QR by Gram–Schmidt: a matrix = turn · stretch. The stretch is upper triangular.
 struct Parts {
   Linear<f32x4> turn;
   f32x4 xx, xy, yy, xz, yz, zz;  // of the stretch
@@ -94,10 +94,10 @@ struct Parts {
   return out;
 }
 
-// From one matrix to another.
+// The way from a first matrix to a second.
 struct Way {
   Linear<f32x4> turn;
-  Linear<f32x4> stretched;  // the first, with the stretch of both
+  Linear<f32x4> stretched;  // the first's turn, with a mix of both stretches
   f32x4 good;
 };
 [[gnu::cold, gnu::noinline]] Way stretched_way(const Linear<f32x4>& first, const Linear<f32x4>& second, f32x4 share) {
@@ -136,14 +136,14 @@ struct LinearInverse {
   const f32x4 scale = inverse.over_determinant;
   return {m.x * scale, m.y * scale, m.z * scale};
 }
-// What maps take to `places`.
+// The points that `bind` takes to `places`.
 Vector<f32x4> place_before(const FourAffines& bind, const Vector<f32x4>& places) {
   const LinearInverse inverse = inverse_of(columns_of(bind));
   return inverse.linear * (places - origin(bind)) * inverse.over_determinant;
 }
 
-// Four helpers, of which `count` are stored; gives those that are good. The turn between two entries
-// is the product of one and the other's inverse, unless their stretches differ; then all of four are taken apart.
+// Blends four helpers and stores `count` of them; returns which are good. The turn from entry a to b is b a⁻¹, if that
+// is a rotation for all four. Otherwise all four are split into turn and stretch.
 [[gnu::noinline]] mask4 blend_some(const Helper* h, const float* centres, const Affine* bind, const Affine* palette,
                                    std::size_t count, Affine* out) {
   const FourAffines a = maps(palette, h, &Helper::first), b = maps(palette, h, &Helper::second);
@@ -177,7 +177,7 @@ Vector<f32x4> place_before(const FourAffines& bind, const Vector<f32x4>& places)
   return splat(0.0f) < only_where(dot(at, at) < splat(kMostSquare), way.good);
 }
 
-// Of two matrices, straight.
+// The linear blend of two matrices.
 void blend_straight(const Affine& a, const Affine& b, float share, Affine& out) {
   for (int r = 0; r < 3; ++r)
     store(out.rows[r], load_aligned(a.rows[r]) * splat(1.0f - share) + load_aligned(b.rows[r]) * splat(share));
@@ -204,7 +204,7 @@ void add_helpers(Span<const Helper> helpers, const float* centres, Span<const Af
     if (centres != nullptr) centres += 12;
   }
   if (i == helpers.size) return;
-  // The rest, and the first of it once more for each that is missing.
+  // The remaining helpers. Lanes without one repeat the first of them.
   Helper last[4];
   float last_centres[12];
   for (std::size_t k = 0; k < 4; ++k) {

@@ -26,8 +26,8 @@ struct JointSet {
     }
   }
 
-  // Before each block; rows `skin/as/ps/*` take 3 to 5 % less for it. GCC would spread the lanes of many rows over
-  // registers ahead of the blocks, and spill those, or copy from memory to memory what has been spread.
+  // To be called before each block. Without it GCC spreads the lanes of many rows over registers ahead of the blocks
+  // and spills those, or copies spread rows from memory to memory. Rows `skin/as/ps/*` take 3 to 5 % less with it.
   template <class D, class Count>
   [[gnu::always_inline]] void stay([[maybe_unused]] D directions, [[maybe_unused]] Count influences) {
     if constexpr (kMultipliesByLane && !std::is_same_v<Count, std::uint32_t>) {
@@ -61,8 +61,8 @@ inline void add_scaled(Vector<f32x4>& v, f32x4& origin, f32x4 w, const Factors& 
   origin = origin + times<3>(w, row);
 }
 
-// To four vertices' matrices, which are the last joint's before: the others by their weights, each `stride` floats
-// behind the one before.
+// Adds the other joints, weighted, to four vertices' matrices m, which start as the last joint's. Consecutive joints'
+// weights are `stride` floats apart.
 [[gnu::always_inline]] inline void add_others(std::uint32_t influences, const JointSet<Factors>& joints,
                                               const float* weights, std::size_t stride, Blend& m) {
   for (std::uint32_t j = 0; j + 1 < influences; ++j, weights += stride) {

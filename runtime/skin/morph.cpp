@@ -60,7 +60,7 @@ struct Streams {
         tangents(const_cast<float*>(g.tangents)) {}
 };
 
-// xyz of a block to where another has them.
+// Copies the x, y and z of a block.
 void copy_block(const float* from, float* to) {
   for (int i = 0; i < 12; i += 4) store(to + i, load_aligned(from + i));
 }
@@ -238,7 +238,7 @@ Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates) {
   if (bind.targets.empty()) return Status::ok;
   const std::size_t words = word_count(bind);
   for_each_block(morphed.changed, words, [&](std::size_t block) {
-    // With K influences of the blocks before, the skin's offset is 4 K + 8 block.
+    // The skin's offset is 4 K + 8 · block, where K is the number of influences of all blocks before.
     const std::size_t at = morphed.offsets[block], influences = (at - 8 * block) / 4;
     const std::uint32_t k = (morphed.offsets[block + 1] - morphed.offsets[block]) / 4 - 2;
     float* q = coordinates.data + 16 * influences - 4 * block;

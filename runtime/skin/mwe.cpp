@@ -6,7 +6,7 @@
 namespace marrow {
 namespace {
 
-// A row of the blend and one influence more, element by element.
+// A row of the blend plus one more influence, whose weight is per element.
 inline FourRows add_weighted(const Vector<f32x4>& v, f32x4 origin, f32x4 w, const float* residual, const Factors& m) {
   return {{v.x + times<0>(w + load_aligned(residual), m), v.y + times<1>(w + load_aligned(residual + 4), m),
            v.z + times<2>(w + load_aligned(residual + 8), m)},

@@ -9,7 +9,7 @@
 namespace marrow {
 namespace {
 
-// The determinant, in double precision: in single one of tiny scales would be 0.
+// The determinant, in double precision: in single precision it would underflow to 0 for tiny scales.
 double volume(const Affine& map) {
   double m[3][3];
   for (int r = 0; r < 3; ++r)
@@ -18,7 +18,7 @@ double volume(const Affine& map) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-// Whether all keep the rules in file.h. Of a number above 0 and below 1 the bits are between those of the two.
+// Whether all helpers keep the rules in file.h. A float is above 0 and below 1 exactly if its bits are between theirs.
 bool blend_two(Span<const Helper> helpers, std::size_t joint_count) {
   constexpr std::uint32_t kOne = 0x3F800000;
   const auto count = static_cast<std::uint32_t>(joint_count < 65536 ? joint_count : 65536);

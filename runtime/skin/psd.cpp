@@ -48,7 +48,7 @@ class Examples {
   std::uint32_t block_[kMaxPoseExamples];
 };
 
-// What the influences of a run are from one pose: all but the last as differences from the last, as weights are.
+// The distances of a run's influences from one pose. As in JointSet, all but the last are differences from the last.
 struct SetDistance {
   f32x4 last, others[kMaxInfluences - 1];
 
@@ -59,7 +59,7 @@ struct SetDistance {
     last = splat(of_last);
     for (std::uint32_t j = 0; j + 1 < influences; ++j) others[j] = splat(distances[stride * set[j] + k] - of_last);
   }
-  // Of four vertices.
+  // The exponential of the weighted distance, for four vertices.
   f32x4 phi(const float* weights, std::uint32_t influences) const {
     f32x4 sum = last;
     for (std::uint32_t j = 0; j + 1 < influences; ++j) sum = sum + load_aligned(weights + 4 * j) * others[j];

@@ -7,8 +7,8 @@
 namespace marrow {
 namespace {
 
-// What a rotation matrix L is asked for over and over: its trace with the rotation of a quaternion q, which is
-// Davenport's quadratic form in q, |q|² tr(Lᵀ R(q)) = Σ diagonal_i q_i² + 2 Σ product_i.
+// A rotation matrix L as Davenport's quadratic form in a quaternion q. It gives the trace of Lᵀ R(q):
+// |q|² tr(Lᵀ R(q)) = Σ diagonal_i q_i² + 2 Σ product_i.
 struct RotationForm {
   f32x4 xx, yy, zz, ww, xy, xz, yz, wx, wy, wz;
 
@@ -25,7 +25,7 @@ struct RotationForm {
         wz(l.x.y - l.y.x) {}
 };
 
-// sin² of half the angle between: (3 - tr(Lᵀ R)) / 4, at least 0 whatever rounding does. Of no rotation, 0.
+// sin² of half the angle between L and q: (3 - tr(Lᵀ R)) / 4, kept at or above 0 against rounding. 0 for q = 0.
 f32x4 distance(const RotationForm& l, const Quaternion<f32x4>& q) {
   const f32x4 squares = l.xx * (q.x * q.x) + l.yy * (q.y * q.y) + l.zz * (q.z * q.z) + l.ww * (q.w * q.w);
   const f32x4 with_w = q.w * (l.wx * q.x + l.wy * q.y + l.wz * q.z);
@@ -36,11 +36,11 @@ f32x4 distance(const RotationForm& l, const Quaternion<f32x4>& q) {
   return select(zero < d, d, zero);
 }
 
-// Four entries of a palette; beyond its end the last again.
+// Four entries of a palette; lanes beyond its end repeat the last entry.
 struct FourEntries {
   std::size_t entry[4];
   const Affine* joints[4];
-  const Affine* parents[4];  // of those without, their own
+  const Affine* parents[4];  // an entry without a parent: the entry itself
   alignas(16) float has_parent[4];
 
   FourEntries(std::size_t first, std::size_t count, const std::uint16_t* parent_of, const Affine* palette) {
@@ -60,7 +60,7 @@ struct FourEntries {
   }
 };
 
-// Relative to the parents'.
+// The entries' rotations relative to their parents.
 RotationForm local_rotations(const FourEntries& four) {
   const auto rotations = [](const Affine* const(&m)[4]) { return rotations_of(*m[0], *m[1], *m[2], *m[3]); };
   return RotationForm(transposed_times(rotations(four.parents), rotations(four.joints)));
@@ -91,7 +91,7 @@ Status psd_distances(const Geometry& geometry, Span<const Affine> palette, Span<
       const bool is_bind = k == examples;
       alignas(16) float to[4];
       store(to, distance(now, is_bind ? bind : four.rotations(space.rotations + 4 * joints * k)) * scale);
-      // What is beyond the end writes the last again.
+      // Lanes beyond the end write the last entry again.
       for (std::size_t lane = 0; lane < 4; ++lane) out[(examples + 1) * four.entry[lane] + k] = to[lane];
     }
   }

@@ -17,7 +17,7 @@ struct JointLists {
     while (n < most && joints[n] != joints[n - 1]) ++n;
     return n;
   }
-  // Number of joints and the first four of them: sorts as they do, up to what the rest of five or more decide.
+  // A sort key: the number of joints, then the first four. Vertices that tie with five or more need compare_rest().
   std::uint64_t key(std::uint32_t vertex) const {
     if (values == nullptr) return 0;
     const std::uint32_t n = count(vertex);
@@ -25,7 +25,7 @@ struct JointLists {
     for (std::uint32_t i = 0; i < 4; ++i) key = key << 15 | (i < n ? static_cast<std::uint32_t>(of(vertex)[i]) : 0u);
     return key;
   }
-  // Whose fifth and further joints are the lower: less than 0, 0 or more.
+  // Compares the fifth and further joints: less than 0, 0 or more.
   std::int32_t compare_rest(std::uint32_t a, std::uint32_t b) const {
     for (std::uint32_t i = 4; i < most; ++i)
       if (of(a)[i] != of(b)[i]) return of(a)[i] - of(b)[i];
@@ -43,7 +43,7 @@ JointLists joint_lists(const MeshStreams& mesh) {
   return joints == nullptr ? JointLists{} : JointLists{joints->values, joints->components};
 }
 
-// The steps of an arrangement, of as many elements as are asked for.
+// The passes of an arrangement. A pass goes on up to the element `end`.
 class Arranging {
  public:
   Arranging(const MeshStreams& mesh, ArrangingInWork& work, Arrangement& out)
@@ -77,7 +77,7 @@ class Arranging {
       return different != 0 ? different < 0 : a < b;
     });
   }
-  // A stretch's run takes the place of a key that is compared no more, a run's first place that of what is sorted.
+  // Reuses memory: run_of overwrites keys that are not compared again, and runs' first places overwrite sorted().
   void find_runs(std::uint32_t end) {
     std::uint32_t* const run_of = w_.low;
     for (std::uint32_t s = w_.at; s < end; ++s) {
@@ -89,11 +89,11 @@ class Arranging {
     }
     if (end == w_.stretch_count) run_of[w_.before] = out_.run_count - 1;
   }
-  // Slots are 0 first and then say whether a vertex was seen.
+  // slot_of_vertex is cleared; then fill() uses it to mark vertices as seen.
   void clear(std::uint32_t end) {
     for (std::uint32_t v = w_.at; v < end; ++v) out_.slot_of_vertex[v] = 0;
   }
-  // Vertices in the order of their first use, each to where its run has come to. Those that no triangle uses come last.
+  // Appends vertices to their runs in the order of their first use. Vertices that no triangle uses come last.
   void fill(std::uint32_t end) {
     const std::uint32_t corners = 3 * mesh_.triangle_count;
     for (std::uint32_t i = w_.at; i < end; ++i) {
@@ -103,7 +103,7 @@ class Arranging {
       out_.order[out_.run_ends[w_.low[w_.stretch_of[v]]]++] = v;
     }
   }
-  // Slots of a run's vertices; returns how many they are.
+  // Gives a run's vertices their slots; returns the number of vertices.
   std::uint32_t place(std::uint32_t run) {
     const std::uint32_t begin = run > 0 ? out_.run_ends[run - 1] : 0, end = out_.run_ends[run];
     const std::uint32_t influences = joints_.count(out_.order[begin]), blocks = (end - begin + 3) / 4;
@@ -115,7 +115,7 @@ class Arranging {
   }
 
  private:
-  // Until runs are there, stretches are in their places: sorted, their first vertices, and the upper halves of keys.
+  // Until the runs are known, the output arrays hold stretches: sorted, their first vertices, and upper halves of keys.
   std::uint32_t* sorted() const { return out_.run_ends; }
   std::uint32_t* first() const { return out_.order; }
   std::uint32_t* high() const { return out_.slot_of_vertex; }

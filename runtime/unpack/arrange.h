@@ -10,14 +10,14 @@ namespace marrow {
 struct Arrangement {
   std::uint32_t* order = nullptr;           // vertex_count; vertices in the order of their slots, without padding
   std::uint32_t* slot_of_vertex = nullptr;  // vertex_count
-  std::uint32_t* run_ends = nullptr;        // run_count; in `order`, behind the last vertex each
+  std::uint32_t* run_ends = nullptr;        // run_count; where in `order` each run ends
   std::uint32_t block_count = 0;
   std::uint32_t influence_blocks = 0;
   std::uint32_t run_count = 0;
   std::uint32_t set_count = 0;
 };
 
-// How many of the joints of a vertex count: those up to where the last one repeats.
+// The number of joints of a vertex, without the repeats of the last one.
 std::uint32_t influence_count(const MeshStreams& mesh, std::uint32_t vertex);
 
 // Orders vertices by number of influences, then joints, then first use by a triangle, so that vertices of neighbouring
@@ -26,12 +26,12 @@ constexpr std::uint64_t arrange_scratch_bytes(std::uint64_t vertex_count) {
   return 3 * ((vertex_count * 4 + 15) / 16 * 16) + (vertex_count * 8 + 15) / 16 * 16;
 }
 
-// An arrangement on its way.
+// The state of arrange() between steps.
 struct ArrangingInWork {
   enum class Place : std::uint8_t { beginning, stretches, sorting, runs, clearing, filling, placing, done };
 
   Place place = Place::beginning;
-  std::uint32_t at = 0;             // of what it goes through
+  std::uint32_t at = 0;             // index in the current pass
   std::uint32_t stretch_count = 0;  // stretches of vertices that follow the same joints
   std::uint32_t before = 0, first = 0;
   Sorting sorting;

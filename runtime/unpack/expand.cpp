@@ -24,12 +24,12 @@ float value(const Stream& s, std::uint32_t vertex, std::uint32_t component) {
   return s.origin[component < 3 ? component : 0] + static_cast<float>(v) * s.step;
 }
 
-// What a biased number stands for at 0.
+// The biased number that stands for 0.
 std::int32_t nothing(const Stream& s) {
   return 1 << (s.bits - 1);
 }
 
-// Of an influence. Stored relative to the vertex, which the w carry along.
+// A component of an influence's residual. x, y and z are stored less w times the vertex's position.
 float residual(const Stream& s, const Stream& positions, std::uint32_t vertex, std::uint32_t component) {
   const std::int32_t* const v = s.values + std::size_t{vertex} * 4;
   if (s.bits == 0) return bit_cast<float>(v[component]);
@@ -47,13 +47,13 @@ f32x4 raw(const Stream& s, const std::uint32_t (&v)[4], std::uint32_t component)
   return lanes(static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2]), static_cast<float>(n[3]));
 }
 
-// As value(), of what is not centred.
+// value() of four vertices, for streams that are not centred.
 f32x4 values(const Stream& s, const std::uint32_t (&v)[4], std::uint32_t component) {
   const f32x4 numbers = raw(s, v, component);
   return s.bits == 0 ? numbers : splat(s.origin[component < 3 ? component : 0]) + numbers * splat(s.step);
 }
 
-// What lies furthest out.
+// The least and the greatest number on each axis.
 template <class Number>
 void find_range(const std::int32_t* positions, std::uint32_t count, Number (&low)[3], Number (&high)[3]) {
   for (std::size_t i = 0; i < 3; ++i) low[i] = high[i] = bit_cast<Number>(positions[i]);
@@ -65,7 +65,7 @@ void find_range(const std::int32_t* positions, std::uint32_t count, Number (&low
     }
 }
 
-// The least and the greatest number are the least and the greatest position, or the other way round.
+// The least and the greatest number give the ends of the box; a negative step swaps them.
 void find_box(const Stream& s, std::uint32_t count, float (&low)[3], float (&high)[3]) {
   if (s.bits == 0) {
     find_range(s.values, count, low, high);
@@ -98,7 +98,7 @@ GeometryHeader make_header(const MeshStreams& mesh, const Arrangement& a, const 
   return h;
 }
 
-// Four vertices of a run, `i` and those behind it in the order of the slots; past its end its last.
+// Four vertices of a run, from `i` on in the order of the slots. Past the run's end its last vertex repeats.
 void take_block(const Arrangement& a, std::uint32_t i, std::uint32_t end, std::uint32_t (&vertices)[4]) {
   for (std::uint32_t lane = 0; lane < 4; ++lane) vertices[lane] = a.order[i + lane < end ? i + lane : end - 1];
 }
@@ -117,7 +117,7 @@ void for_each_block(const Arrangement& a, const OnBlock& on_block) {
   }
 }
 
-// Where vertices go, from the first on.
+// Points w at the places of the first vertices.
 void begin_vertices(const GeometryLayout& l, std::byte* base, WritingInWork& w) {
   w.skin = at<float>(base, l.skin);
   w.normals = at<float>(base, l.normals);
@@ -135,7 +135,7 @@ class Writer {
  public:
   Writer(const MeshStreams& mesh, const Arrangement& a, const WritingInWork& w) : mesh_(mesh), a_(a), w_(w) {}
 
-  // From where it is; whether that were all.
+  // Goes on until `left` is used up. Returns whether everything is written.
   bool write(std::uint32_t& left, WritingInWork& work) {
     while (w_.run < a_.run_count && left > 0) {
       const std::uint32_t begin = w_.run > 0 ? a_.run_ends[w_.run - 1] : 0, end = a_.run_ends[w_.run];
@@ -230,7 +230,7 @@ class RecordWriter {
   RecordWriter(const MeshStreams& mesh, const Arrangement& a, StreamKind kind, std::uint32_t target_count)
       : mesh_(mesh), a_(a), kind_(kind), target_count_(target_count) {}
 
-  // Goes on; whether that were all.
+  // Goes on until `left` is used up. Returns whether everything is counted.
   bool count(TargetsInWork& at, std::uint32_t& left) const {
     return for_some_targets(at, left, [&](std::uint32_t end) {
       for_each_moved(at.stream, end, [&](std::uint32_t, const std::uint32_t(&)[4]) {
@@ -263,7 +263,7 @@ class RecordWriter {
   }
 
  private:
-  // Calls f(the stream behind its last) for targets from at.target on.
+  // Calls f(end) for targets from at.target on, where `end` is the stream behind the target's last.
   template <class F>
   bool for_some_targets(TargetsInWork& at, std::uint32_t& left, const F& f) const {
     if (at.target == 0)
@@ -279,8 +279,8 @@ class RecordWriter {
     return at.target == target_count_;
   }
 
-  // Calls f(block, its vertices) for the blocks that the streams move. A target without streams, which takes a byte of
-  // a file, takes no pass over the vertices.
+  // Calls f(block, its vertices) for the blocks that the streams move. A target without streams takes one byte in a
+  // file, so it must not cost a pass over the vertices.
   template <class F>
   void for_each_moved(std::uint32_t first, std::uint32_t end, const F& f) const {
     if (first == end) return;
@@ -327,7 +327,7 @@ class Appendix {
 
   std::uint64_t bytes() const { return mesh_.example_count > 0 ? space_.bytes : morphs_end_; }
 
-  // Each goes on, and says whether that were all.
+  // Each goes on until `left` is used up, and returns whether everything is written.
   bool write_targets(const RecordWriter& targets, TargetsInWork& at, std::uint32_t& left, std::byte* base) const {
     if (mesh_.target_count == 0) return true;
     zero(base, arrays_end_, morphs_.header);
@@ -370,7 +370,7 @@ void write_indices(const MeshStreams& mesh, const Arrangement& a, const Geometry
   }
 }
 
-// Whether any of them is negative, or `end` or more. Looks at all, which compilers do four at a time.
+// Whether any number is negative, or `end` or more. It does not stop early, so that compilers vectorise it.
 template <class Number>
 bool any_from(const Number* numbers, std::size_t count, std::uint32_t end) {
   std::uint32_t bad = 0;

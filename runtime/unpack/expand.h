@@ -10,7 +10,7 @@ namespace marrow {
 // Bytes of the scratch memory that arrange_geometry() takes.
 std::uint64_t expand_scratch_bytes(const MeshStreams& mesh);
 
-// Null, or the rule that is broken, by numbers that nobody has checked: all that is needed to go by them.
+// Checks untrusted streams as far as is needed to use them safely. Returns null, or the rule that is broken.
 const char* check_streams(const MeshStreams& mesh);
 
 // Goes on with checking the streams and deciding where each vertex goes, until `left` is used up or work.place is
@@ -21,16 +21,16 @@ const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arranging
 // All at once.
 const char* arrange_geometry(const MeshStreams& mesh, Memory& scratch, Arrangement& out);
 
-// Which of a geometry's morph targets or examples comes next, its first stream, and how much those before it have.
+// The next morph target or example of a geometry, its first stream, and the blocks and records of those before it.
 struct TargetsInWork {
   std::uint32_t target = 0, stream = 0, blocks = 0, records = 0;
 };
-// A section on its way.
+// The state of write_geometry() between steps.
 struct WritingInWork {
   enum class Place : std::uint8_t { counting, counting_deltas, vertices, slots, indices, targets, deltas, done };
 
   Place place = Place::counting;
-  std::uint32_t at = 0, run = 0;  // of what it goes through; where vertices are written the run
+  std::uint32_t at = 0, run = 0;  // index in the current pass; the run, while vertices are written
   TargetsInWork targets, deltas;
   std::uint32_t block_count = 0, record_count = 0, delta_count = 0;  // of targets, and of examples
   float box_min[3], box_max[3];

@@ -11,14 +11,14 @@ namespace {
 constexpr std::uint32_t kMaxVertices = 1u << 28;  // counts times components and bytes stay below 2^36
 constexpr std::uint32_t kMaxTriangles = 1u << 28;
 constexpr std::uint32_t kMaxTargets = 1u << 16;
-constexpr std::size_t kStreamBytes = 32;  // what files count it as, whatever a pointer takes
+constexpr std::size_t kStreamBytes = 32;  // of a Stream in memory_bytes, for any size of pointers
 static_assert(sizeof(Stream) <= kStreamBytes);
 
 bool is_sane(float x) {
   return x > -1e30f && x < 1e30f;  // false for NaN
 }
 
-// A record that is read, or only measured: then there is no memory, and one stream in place of another.
+// A record that is read, or only measured. Measuring has no memory: each stream replaces the one before, in `last`.
 struct Reading {
   ByteReader& reader;
   Memory& memory;
@@ -210,7 +210,7 @@ const char* read_streams(Reading& in) {
   return sane && !reader.failed() ? nullptr : "a stream's bits, origin or step out of range";
 }
 
-// Of what comes after decoding. What a residual leaves free, the arrangement takes.
+// Scratch memory for what comes after decoding. The arrangement reuses what a residual frees.
 std::uint64_t work_bytes(const MeshStreams& mesh) {
   const std::uint64_t arranging = expand_scratch_bytes(mesh);
   if (mesh.apart.influences == 0) return arranging;
@@ -250,7 +250,7 @@ const char* begin_streams(Span<const std::byte> record, Span<std::byte> scratch,
   return memory.failed ? "memory_bytes too small" : nullptr;
 }
 
-// Which vertex each of the source has become: a step of that, or all of it. False if the record ends too soon.
+// Reads which vertex each source vertex has become: one step's worth, or all. False if the record ends too soon.
 bool map_source(Span<const std::byte> record, const MeshStreams& mesh, Decoding& work, bool a_step) {
   const std::uint32_t count = mesh.source_vertex_count, end = a_step ? step_end(work.mapped, count) : count;
   ByteReader reader(record.data + work.read, record.size - work.read);
@@ -328,7 +328,7 @@ const char* arrange_geometry(GeometryInWork& mesh, bool& done) {
 
 const char* write_geometry(GeometryInWork& mesh, Span<std::byte> out, std::uint32_t& bytes, bool& done) {
   done = true;
-  // So few vertices that how far one is does not fit where they were arranged are written at once.
+  // A small mesh is written at once: its array stretch_of, which is free by now, has no room for a WritingInWork.
   if (mesh.streams.vertex_count < sizeof(WritingInWork) / sizeof(std::uint32_t))
     return write_geometry(mesh.streams, mesh.arrangement, out, bytes);
   if (mesh.writing == nullptr) mesh.writing = ::new (mesh.arranging.stretch_of) WritingInWork;

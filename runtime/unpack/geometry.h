@@ -31,7 +31,7 @@ const char* measure_geometry_record(Span<const std::byte> record, GeometryNeeds&
 // Bytes of scratch memory for the arrays of these streams and for expanding them.
 std::uint64_t geometry_scratch_bytes(const MeshStreams& mesh);
 
-// A mesh on its way from a record to a section. What it points at lies in the scratch memory.
+// The state of a mesh between its record and its section. What it points at lies in the scratch memory.
 struct GeometryInWork {
   Memory scratch;
   MeshStreams streams;
@@ -42,17 +42,17 @@ struct GeometryInWork {
   WritingInWork* writing = nullptr;  // begun
 };
 
-// A record's streams, decoded; finish_streams(), until it is done, arrange_geometry() and write_geometry() of them
-// follow. Returns null, or the rule that is broken; `decoded` is what the codec says. With `done` it is a step of that,
-// if the codec can stop; without, all of it. `out` is {} at first.
+// Decodes a record's streams. finish_streams(), arrange_geometry() and write_geometry() follow, each until it is done.
+// Returns null, or the rule that is broken; `decoded` is the codec's status. With `done` a call does one step, if the
+// codec can stop; without `done` it does everything. `out` is {} at first.
 const char* decode_geometry(Span<const std::byte> record, const MeshDecoder& decoder, Span<std::byte> scratch,
                             GeometryInWork& out, Status& decoded, bool* done = nullptr);
 
-// Goes on with a residual that stands apart, of which a large mesh's takes several steps; without one there is nothing
-// to do. Returns null, or the rule that is broken.
+// Does the next step of a residual apart (unpack/residual.h); a mesh without one has nothing to do. Returns null, or
+// the rule that is broken.
 const char* finish_streams(GeometryInWork& mesh, bool& done);
 
-// The same of one step of arrange_geometry() and of write_geometry().
+// One step of arrange_geometry() and of write_geometry(), likewise.
 const char* arrange_geometry(GeometryInWork& mesh, bool& done);
 const char* write_geometry(GeometryInWork& mesh, Span<std::byte> out, std::uint32_t& bytes, bool& done);
 

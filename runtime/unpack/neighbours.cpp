@@ -5,7 +5,7 @@
 namespace marrow {
 namespace {
 
-// Less than 0, 0 or more, by what two vertices have in the streams that say how they move.
+// Compares two vertices by position, joints and weights: less than 0, 0 or more.
 std::int32_t compare(const Stream* const (&streams)[3], std::uint32_t a, std::uint32_t b) {
   for (const Stream* const s : streams) {
     const std::int32_t *const x = s->values + std::size_t{a} * s->components, *const y = s->values +
@@ -16,7 +16,7 @@ std::int32_t compare(const Stream* const (&streams)[3], std::uint32_t a, std::ui
   return 0;
 }
 
-// The steps of a search, of as many elements as are asked for.
+// The passes of a search. A pass goes on up to the element `end`.
 class Search {
  public:
   Search(const MeshStreams& mesh, NeighboursInWork& work, MeshNeighbours& out)
@@ -73,7 +73,7 @@ class Search {
   void mark(std::uint32_t end) {
     for (std::uint32_t v = w_.at; v < end; ++v) out_.scratch[v] = UINT32_MAX;
   }
-  // Each neighbour once; how often one stood there is how many triangles the edge to it has. Returns how many did.
+  // Removes repeats from a row. A neighbour occurs once for each triangle of the edge to it. Returns the old length.
   std::uint32_t thin(std::uint32_t v) {
     std::uint32_t *const seen_by = out_.scratch, *const times = out_.scratch_2;
     std::uint32_t* const row = out_.all + out_.first[v];
@@ -96,7 +96,7 @@ class Search {
   }
 
  private:
-  // Calls f(corner, one of the other two) for all of each triangle, up to `end`, whose corners are different leaders.
+  // Calls f(corner, another corner) for all six pairs of each triangle up to `end` whose corners are different leaders.
   template <class F>
   void for_each_side(std::uint32_t end, const F& f) {
     for (std::uint32_t t = w_.at; t < end; ++t) {

@@ -1,4 +1,4 @@
-// Who is whose neighbour on a mesh, vertices that move alike being one.
+// The neighbours of each vertex of a mesh. Vertices that move alike count as one.
 #pragma once
 
 #include "core/memory.h"
@@ -8,13 +8,12 @@
 namespace marrow {
 
 struct MeshNeighbours {
-  std::uint32_t* leader =
-      nullptr;                     // of each vertex the first that lies where it does and follows the same joints alike
-  std::uint32_t* first = nullptr;  // of each vertex in `all`, which has entries for leaders alone
+  std::uint32_t* leader = nullptr;  // per vertex: the first vertex with the same position, joints and weights
+  std::uint32_t* first = nullptr;   // per vertex: where its row in `all` begins; only leaders have entries
   std::uint32_t* count = nullptr;
-  std::uint32_t* all = nullptr;       // leaders, each once a row; in an order that the mesh's own order decides
-  std::uint8_t* is_inside = nullptr;  // whether each edge round a leader has two triangles, and there are some
-  std::uint32_t* scratch = nullptr;   // a number a vertex, free when find_neighbours() is done; two of these
+  std::uint32_t* all = nullptr;       // rows of leaders, without repeats; their order follows from the mesh's
+  std::uint8_t* is_inside = nullptr;  // whether a leader has edges, and each of them has two triangles
+  std::uint32_t* scratch = nullptr;   // a number per vertex; this and scratch_2 are free after find_neighbours()
   std::uint32_t* scratch_2 = nullptr;
 };
 
@@ -24,7 +23,7 @@ constexpr std::uint64_t neighbours_bytes(std::uint64_t vertex_count, std::uint64
   return 5 * aligned(vertex_count * 4) + aligned(vertex_count) + aligned(triangle_count * 24);
 }
 
-// A search on its way.
+// The state of find_neighbours() between steps.
 struct NeighboursInWork {
   enum class Place : std::uint8_t {
     beginning,
@@ -40,7 +39,7 @@ struct NeighboursInWork {
   };
 
   Place place = Place::beginning;
-  std::uint32_t at = 0, sum = 0;  // of what it goes through; entries of `all`
+  std::uint32_t at = 0, sum = 0;  // index in the current pass; entries of `all` so far
   Sorting sorting;
 };
 

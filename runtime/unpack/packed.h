@@ -58,12 +58,12 @@ enum PackedClipFlags : std::uint32_t {
   kClipHasLists = 4,     // of tracks, channels, times, values, or a reference
   kClipStartsLater = 8,  // start_s is not 0
   kClipIsUneven = 16,
-  kClipGivesDuration = 32,  // it is not a whole number of the rate's parts of a second
+  kClipGivesDuration = 32,  // duration_s is given: it is not n / rate for a whole number n
   kClipGivesMean = 64,      // frames_per_s does not follow from the duration
   kAllClipFlags = 127,
 };
 
-// Of a compressed GEOM, beside GEOM's own: its residual is not among the codec's streams.
+// A flag of a compressed GEOM, beside GEOM's own flags: the residual is not among the codec's streams.
 inline constexpr std::uint32_t kResidualIsApart = 4096;
 
 inline constexpr std::uint32_t kMaxDirectionBits = 16;

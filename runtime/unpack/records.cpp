@@ -8,11 +8,11 @@ namespace marrow {
 namespace {
 
 constexpr std::uint64_t kLeastJointBytes = 10;  // of a section that stands as it is
-// Of a joint: masks and constants, which may be as in the clip before and take hardly a bit.
+// Per joint: masks and constants. If they are as in the clip before, they take hardly a bit in the record.
 constexpr std::uint64_t kStillBytes = sizeof(GroupMasks) + 3 * sizeof(format::Constant);
 
-// Of a compact record's section, but for a clip's payload, lists, times and constants. Nothing grows more than a
-// skeleton, by 46 bytes for a joint's one and 48 for a root's; a name by 64 for two.
+// The most bytes of a compact record's section, without a clip's payload, lists, times and constants. Skeletons grow
+// most: one byte of a joint becomes 46, one byte of a root 48. Two bytes of a name become 64.
 std::uint64_t most_compact_bytes(std::uint64_t record_bytes) {
   return 256 + 96 * record_bytes;
 }

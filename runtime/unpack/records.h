@@ -25,7 +25,7 @@ inline Record take_record(ByteReader& reader) {
 struct RecordNeeds {
   std::uint64_t scratch_bytes = 0;    // exactly: the most that one of them needs
   std::uint64_t most_file_bytes = 0;  // of the unpacked file
-  std::uint64_t most_joints = 0;      // of a skeleton before
+  std::uint64_t most_joints = 0;      // of any skeleton so far
 };
 // Adds a record's. Returns null, or the rule that is broken.
 const char* add_needs(const Record& record, RecordNeeds& needs);

@@ -9,11 +9,11 @@
 namespace marrow {
 namespace {
 
-// What files count them as, whatever a pointer takes.
+// Their sizes in memory_bytes, for any size of pointers.
 constexpr std::size_t kWorkBytes = 768, kModelsBytes = 12288;
 static_assert(sizeof(ResidualInWork) <= kWorkBytes && sizeof(ResidualModels) <= kModelsBytes);
 
-// What is decoded goes on as streams: of joints and weights others in place of the codec's, and one an influence.
+// Takes memory for the decoded streams: joints and weights that replace the codec's, and one residual per influence.
 void take_streams(const MeshStreams& mesh, Memory& memory, ResidualTable& out, std::int32_t*& weights) {
   const std::uint64_t count = mesh.vertex_count;
   out.influences = mesh.apart.influences;
@@ -26,7 +26,7 @@ Stream& stream_of(MeshStreams& mesh, StreamKind kind) {
   return mesh.streams[mesh.find(kind) - mesh.streams];
 }
 
-// The weights that a vertex has, at the places that its joints have among all that it follows.
+// Writes a vertex's weights to the places of their joints in the larger set that it follows in animation space.
 void spread_weights(const MeshStreams& mesh, const ResidualTable& table, std::uint32_t v, std::int32_t* out) {
   const Stream &joints = *mesh.find(StreamKind::joints), &weights = *mesh.find(StreamKind::weights);
   const std::uint32_t own = influence_count(mesh, v);
@@ -42,7 +42,7 @@ void spread_weights(const MeshStreams& mesh, const ResidualTable& table, std::ui
   }
 }
 
-// As streams have them, whose numbers are not negative.
+// Biases residuals as streams hold them: not negative.
 void bias_residual(const ResidualTable& table, std::uint32_t v) {
   for (std::uint32_t j = 0; j < table.influences; ++j)
     for (std::size_t c = 0; c < 4; ++c) table.rows[j][std::size_t{v} * 4 + c] += 1 << (kResidualBits - 1);
@@ -68,7 +68,7 @@ void replace_streams(const ResidualTable& table, std::int32_t* weights, MeshStre
   }
 }
 
-// A step of looking for neighbours, after the last of which smoothing begins.
+// Does one step of finding neighbours. After the last one smoothing begins.
 const char* find_guess(Memory& memory, ResidualInWork& work) {
   std::uint32_t left = kStepNumbers;
   const ResidualApart& apart = work.mesh.apart;

@@ -12,7 +12,7 @@ namespace marrow {
 // Reads what stands in front of the bits. False for what is out of range.
 bool read_residual_apart(ByteReader& reader, MeshStreams& mesh);
 
-// Bytes that it takes: of what stays until the mesh is written, and of what is free again before it is arranged.
+// Bytes that it takes. kept: until the mesh is written. freed: only until the mesh is arranged.
 struct ResidualBytes {
   std::uint64_t kept, freed;
 };
@@ -20,7 +20,7 @@ ResidualBytes residual_apart_bytes(const MeshStreams& mesh);
 
 inline constexpr std::uint32_t kResidualBits = packed::kMaxValueBits;
 
-// A residual on its way from its bits to streams. What it points at, and it, lie where nothing moves them.
+// The state of a residual between its bits and its streams. Neither it nor what it points at may be moved.
 struct ResidualInWork {
   enum class Place : std::uint8_t { neighbours, smoothing, decoding, guessing, spreading, done };
 
@@ -29,7 +29,7 @@ struct ResidualInWork {
   Smoothed smoothed;
   ResidualTable table;
   std::int32_t* weights = nullptr;  // influences - 1 a vertex, as those of a stream
-  std::size_t kept_end = 0;         // of the memory
+  std::size_t kept_end = 0;         // where the memory that is kept ends
   Place place = Place::neighbours;
   std::uint32_t at = 0;  // vertex
   NeighboursInWork finding;
@@ -37,18 +37,18 @@ struct ResidualInWork {
   SymbolDecoder decoder{{}};
 };
 
-// Looks who is whose neighbour in work.mesh, and begins to smooth it. Returns null, or the rule that is broken.
+// Finds the neighbours in work.mesh, and begins to smooth it. Returns null, or the rule that is broken.
 const char* begin_guess(Memory& memory, ResidualInWork& work);
-// Between residuals in whole steps and how far they are from the guess, in place, when all is smoothed: takes the guess
-// (sign -1) from all vertices' numbers, or adds it (1). False if a number then needs more than kResidualBits.
+// Subtracts the guess from all vertices' residuals (sign -1) or adds it (sign 1), in place, in whole steps. Smoothing
+// must be complete. False if a number then needs more than kResidualBits.
 bool shift_by_guess(const ResidualInWork& work, std::int32_t sign);
 // The same of vertices from `from` on and before `end`.
 bool shift_by_guess(const ResidualInWork& work, std::int32_t sign, std::uint32_t from, std::uint32_t end);
 
 // For streams that a codec has decoded. Returns null, or the rule that is broken.
 const char* begin_residual_apart(const MeshStreams& mesh, Memory& memory, ResidualInWork*& out);
-// Goes on with the next step. The last one gives the mesh its joints, weights and residual. Then `done`, and `memory`
-// is back at what stays.
+// Does the next step. The last one gives the mesh its joints, weights and residual; then `done` is true, and `memory`
+// holds only what is kept.
 const char* unpack_residual_apart(ResidualInWork& work, Memory& memory, MeshStreams& mesh, bool& done);
 
 }  // namespace marrow

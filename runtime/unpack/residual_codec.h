@@ -1,5 +1,5 @@
-// Which joints a vertex follows in animation space beside its own, and its residual, as bits: one text for the cooker,
-// which writes them, and for unpacking.
+// Codes as bits which joints a vertex follows in animation space beside its own, and its residual. The cooker, which
+// writes them, and unpacking share this source.
 #pragma once
 
 #include "unpack/entry_set.h"
@@ -25,7 +25,7 @@ struct ResidualModels {
   NumberModels numbers[2][3];  // x, y, z or w; of the last joint, the first or others
 };
 
-// What is coded, of all vertices: sets and how far their residuals are from what was guessed.
+// What is coded for all vertices: their sets, and their residuals less the guess.
 struct ResidualTable {
   std::uint32_t influences = 1;
   std::int32_t* joints = nullptr;           // influences a vertex; the last repeats
@@ -39,13 +39,13 @@ struct ResidualTable {
   }
 };
 
-// The guess at a vertex's residual in steps, by what its leader carries: with c_j the weighed offset of joint j, W_j
-// its weight, v_j the weight that the vertex has of it: d_j = (c_j - W_j / W Σ c) / W and δ_j = W_j / W - v_j, where W
-// = Σ W_j, over the joints of the set. Those that are not carried count as 0.
+// The guess at a vertex's residual, in steps, from what its leader carries: d_j = (c_j - W_j / W Σ c) / W and δ_j = W_j
+// / W - v_j. c_j is the weighted offset of joint j, W_j its carried weight, v_j the vertex's own weight of it, and W =
+// Σ W_j over the joints of the set. Joints that are not carried count as 0.
 class ResidualGuess {
  public:
-  // Steps of residuals: of their w, and of x, y, z in steps of positions. 0 and what is not finite guesses nothing
-  // good.
+  // step_of_w: the step of residuals' w. step_in_positions: the step of their x, y, z, in steps of positions. A step
+  // that is 0 or not finite makes the guess useless.
   ResidualGuess(const Smoothed& smoothed, float step_of_w, double step_in_positions)
       : smoothed_(&smoothed), of_w_(1.0 / static_cast<double>(step_of_w)), of_d_(1.0 / step_in_positions) {}
 
@@ -64,7 +64,7 @@ class ResidualGuess {
       }
       weight += weights[k];
     }
-    double carry[4] = {};  // what one is rounded by goes to the next: joints that move alike hardly notice
+    double carry[4] = {};  // each joint's rounding error goes to the next: if joints move alike, it hardly shows
     const double all = static_cast<double>(weight > 0 ? weight : 1), one = static_cast<double>(smoothed_->one());
     for (std::uint32_t k = 0; k < set.count; ++k) {
       const double share = static_cast<double>(weights[k]) / all;
@@ -74,7 +74,7 @@ class ResidualGuess {
   }
 
  private:
-  // The nearest, and 0 of what is too far from it to matter.
+  // The nearest integer; 0 for numbers that are out of range or NaN.
   static std::int32_t whole(double x, double& carry) {
     constexpr double kMost = 1 << 22;
     if (!(x > -kMost && x < kMost)) return 0;
@@ -103,7 +103,7 @@ class ResidualCodec {
         models_(models),
         coder_(coder) {}
 
-  // The next vertex's, in their order. False if it is nothing that an encoder writes.
+  // Codes one vertex; vertices come in order. False if the bits are none that an encoder writes.
   bool code(std::uint32_t vertex) {
     const std::uint32_t leader = near_.leader[vertex];
     for (std::uint32_t j = 0; !Coder::kEncodes && j < table_.influences; ++j)
@@ -141,7 +141,7 @@ class ResidualCodec {
       for (int c = 0; c < 4; ++c) row(j, to)[c] = row(j, from)[c];
   }
 
-  // MeshNeighbours that have been coded.
+  // Finds the neighbours that have been coded already.
   void find_earlier(std::uint32_t vertex, std::uint32_t leader) {
     earlier_count_ = 0;
     const std::uint32_t* const all = near_.all + near_.first[leader];
@@ -151,7 +151,7 @@ class ResidualCodec {
         sets_[earlier_count_++] = table_.set_of(all[i]);
       }
   }
-  // 0: there are none; how many follow the joint, 1: none, 2: some, 3: all.
+  // How many of the earlier neighbours follow the joint: 1 none, 2 some, 3 all. 0 if there are no earlier neighbours.
   std::uint32_t followed(std::int32_t joint) const {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < earlier_count_; ++i) count += sets_[i].has(joint) ? 1u : 0u;
@@ -204,7 +204,7 @@ class ResidualCodec {
     return true;
   }
 
-  // Of the neighbours before: sizes in sixteenths and sums of numbers, for x, y, z together and for w.
+  // Totals over earlier neighbours. size: in sixteenths, of x, y, z together and of w. sum: of x, y, z and w.
   struct Seen {
     std::int64_t size[2] = {}, sum[4] = {};
     std::int64_t count = 0;
@@ -250,7 +250,7 @@ class ResidualCodec {
       const Seen& seen = of_joint[k];
       for (int c = 3; c >= 0; --c) {
         const int kind = c == 3 ? 1 : 0;
-        // The last is what makes the sum 0; others are like their neighbours.
+        // The last joint is expected to make the sum 0, the others to be like their neighbours.
         const std::int32_t guess = is_last ? -sum[c] : mean(seen.sum[c], seen.count * mean_divisor_);
         std::int64_t size = 0, shares = 0;
         const auto expect = [&](std::int64_t total, std::int64_t count, std::int64_t share) {
@@ -282,7 +282,7 @@ class ResidualCodec {
     return out;
   }
 
-  // Whether it is 0, its sign, and its size: the length by ones that a zero ends, and the bits behind the first.
+  // Codes whether the number is 0, its sign, its length in unary (ones, then a zero), and the bits behind the first.
   std::int32_t code_number(NumberModels& models, std::uint32_t size, std::int32_t number) {
     if (!coder_.bit(models.is_some[size], number != 0)) return 0;
     const bool negative = coder_.bit(models.is_negative, number < 0);

@@ -8,8 +8,8 @@
 
 namespace marrow {
 
-// How a component of a rotation is said: two bits. The last two are what makes the length 1 beside those that are
-// given.
+// Two bits that say how a component of a rotation is stored. kCodeLeft and kCodeMinusLeft: plus or minus what makes the
+// length 1, beside the components that are given.
 enum RotationCode : std::uint32_t { kCodeZero = 0, kCodeGiven = 1, kCodeLeft = 2, kCodeMinusLeft = 3 };
 
 // squared: the given components' squares, added up in their order.
@@ -18,7 +18,7 @@ inline float left_of_rotation(double squared) {
   return static_cast<float>(square_root(left > 0 ? left : 0.0));
 }
 
-// Of a scale: exporters write 1 but for its last bits, and those are a byte.
+// How a scale is stored. Exporters write numbers that differ from 1 in the last bits alone; kCodeNearOne stores those.
 enum ScaleCode : std::uint32_t { kCodeOne = 0, kCodeScale = 1, kCodeNearOne = 2 };
 
 inline float near_one(std::int8_t last_bits) {

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kWeightBits = packed::kMaxWeightBits;
 constexpr std::uint32_t kColumnBits = 30;      // of a weight times a position
 constexpr std::uint64_t kMostWork = 1024;      // for each vertex
-constexpr std::int32_t kLeastShare = 1 << 13;  // of the whole, that a joint is carried for
+constexpr std::int32_t kLeastShare = 1 << 13;  // a joint is carried from 1 / kLeastShare of the whole weight on
 
 std::int64_t position(const Stream& s, std::uint32_t vertex, std::uint32_t axis) {
   const std::int32_t x = s.values[std::size_t{vertex} * 3 + axis], most = (1 << s.bits) - 1;
@@ -85,7 +85,7 @@ bool Smoothed::find_own(std::uint32_t& left) {
     for (std::uint32_t j = 0; near_->leader[v] == v && j < n; ++j) ++first_of_[of(v).carried[j].joint];
   }
   if (at_ < mesh_->vertex_count) return false;
-  // Where each joint's list ends; filled from behind, each begins there in the end.
+  // Now first_of_ is where each joint's list ends. The lists are filled backwards, after which it is where they begin.
   for (std::uint32_t j = 0; j < joint_count_; ++j) first_of_[j + 1] += first_of_[j];
   return true;
 }
@@ -166,7 +166,7 @@ bool Smoothed::iterate(std::uint32_t& left) {
   return true;
 }
 
-// What has become of a joint goes to the vertices, and zeros where it was.
+// Hands the joint's smoothed columns to their vertices, and clears the columns.
 bool Smoothed::keep(std::uint32_t& left) {
   for (; at_ < active_count_ && left > 0; ++at_) {
     keep(joint_, active_[at_]);

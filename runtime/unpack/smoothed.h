@@ -1,5 +1,5 @@
-// What smoothing linear blend skinning over the surface would make of a mesh, in whole numbers: a guess at animation
-// space's residual that the rest of the file decides.
+// Linear blend skinning smoothed over the surface of a mesh, in whole numbers. It gives a guess at animation space's
+// residual that needs nothing but the rest of the file.
 #pragma once
 
 #include "core/memory.h"
@@ -8,7 +8,7 @@
 
 namespace marrow {
 
-// A joint that a vertex would follow: its weight, and the place that it would carry less the vertex, times the weight.
+// A joint that a vertex follows after smoothing: its weight, and the weight times (smoothed position - vertex).
 struct Carried {
   std::int32_t joint;
   std::int32_t weight;  // of Smoothed::one()
@@ -23,7 +23,7 @@ class Smoothed {
   static constexpr std::uint32_t kMostCarried = kMaxInfluences;
   static constexpr std::uint32_t kWholeStep = 1 << 15;
 
-  // All own joints of a vertex in their order, then of the others those with the largest weights, the largest first.
+  // All own joints of a vertex in their order, then the others with the largest weights, in descending order.
   struct Joints {
     const Carried* carried;
     std::uint32_t own, all;
@@ -32,17 +32,17 @@ class Smoothed {
     return {carried_ + std::size_t{leader} * kMostCarried, own_[leader], all_[leader]};
   }
   std::int32_t one() const { return one_; }
-  // That the file gives an own joint, of one().
+  // The weight that the file gives an own joint; one() stands for 1.
   std::int32_t own_weight(std::uint32_t leader, std::uint32_t influence) const;
 
   // Bytes that begin() takes. With no iterations there are only the own joints.
   static std::uint64_t bytes(const MeshStreams& mesh, std::uint32_t iterations);
-  // share: of the way to the mean that a step goes, of kWholeStep. Both must outlive this. Returns false if the memory
-  // does not suffice. What there is of the mesh is read by step().
+  // share: how far an iteration goes towards the mean; kWholeStep is all the way. mesh and near must outlive this.
+  // Returns false if the memory does not suffice. step() reads the vertices.
   bool begin(const MeshStreams& mesh, const MeshNeighbours& near, std::uint32_t iterations, std::uint32_t share,
              Memory& memory);
-  // Goes on until that is a step's work, which counts vertices and their neighbours. Returns null, or the rule that is
-  // broken: joints that spread so far that it would take too long.
+  // Does one step's work, counted in vertices and their neighbours. Returns null, or the rule that is broken: joints
+  // that spread so far that it would take too long.
   const char* step();
   bool at_end() const { return place_ == Place::smoothing && joint_ == joint_count_; }
 
@@ -50,7 +50,7 @@ class Smoothed {
   using Column = std::int32_t[4];  // of a joint and a vertex: its weight times the position, and its weight
   enum class Place : std::uint8_t { own, followers, smoothing };
 
-  // Each goes on until `left` is used up, and says whether that was all.
+  // Each goes on until `left` is used up, and returns whether it is finished.
   bool find_own(std::uint32_t& left);
   bool find_followers(std::uint32_t& left);
   bool iterate(std::uint32_t& left);
@@ -69,15 +69,16 @@ class Smoothed {
   std::uint64_t work_ = 0;  // vertices that steps have taken
   Carried* carried_ = nullptr;
   std::uint8_t *own_ = nullptr, *all_ = nullptr;
-  std::uint32_t* pace_ = nullptr;      // a leader: of a sum of differences how much a step takes, of 2^30
-  std::uint32_t* first_of_ = nullptr;  // a joint and one: of those that follow it in followers_
+  std::uint32_t* pace_ = nullptr;      // per leader: an iteration's factor of the summed differences, times 2^30
+  std::uint32_t* first_of_ = nullptr;  // per joint, and one more: where its followers begin in followers_
   std::uint32_t* followers_ = nullptr;
   Column *now_ = nullptr, *next_ = nullptr;
-  // The vertices that a joint has reached, those that the last step reached from grown_ on, and by which joint last.
+  // The vertices that the current joint has reached, in active_; from grown_ on those that the last iteration reached.
+  // reached_by_: the joint that last reached a vertex.
   std::uint32_t *active_ = nullptr, *reached_by_ = nullptr;
   std::uint32_t active_count_ = 0, grown_ = 0;
-  // Where a step stopped: vertices that it goes through, the joint's iteration, and of that how far vertices were to
-  // grow, and whether all have.
+  // Where a step stopped: the index in the current pass, the joint's iteration, and the end of the active vertices
+  // whose neighbours this iteration adds; is_grown_: whether all have been added.
   std::uint32_t at_ = 0, iteration_ = 0, grow_end_ = 0, share_ = 0;
   Place place_ = Place::own;
   bool is_begun_ = false, is_grown_ = false;

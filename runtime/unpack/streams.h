@@ -1,4 +1,4 @@
-// A mesh between its codec and its blocks: whole numbers a vertex, property by property, and triangles.
+// A decoded mesh that is not in blocks yet: triangles, and one stream of whole numbers per property of the vertices.
 #pragma once
 
 #include "marrow/file.h"
@@ -6,8 +6,8 @@
 
 namespace marrow {
 
-// What stands in a stream. A vertex's joints ascend strictly; the last is repeated where there are fewer than in other
-// vertices. Of its weights the last is what the others leave and not stored; places without a joint hold 0.
+// What a stream holds, and how many numbers per vertex. A vertex's joints ascend strictly; the last one repeats if
+// other vertices have more. The last weight is 1 less the others and is not stored; places without a joint hold 0.
 enum class StreamKind : std::uint8_t {
   position,      // 3
   normal,        // 2: octahedral, as Draco has them; verbatim: 3
@@ -25,8 +25,8 @@ enum class StreamKind : std::uint8_t {
 };
 inline constexpr std::uint32_t kBindStreams = 8 + 2 * kMaxInfluences;  // at most, before those of morph targets
 
-// Whether a stream of this kind does not come any more: all but those of deformers stand before morph targets', which
-// may be many.
+// Whether no stream of kind `wanted` can follow one of kind `seen`. Only deformers' streams stand behind those of morph
+// targets, which may be many.
 inline bool is_past(StreamKind wanted, StreamKind seen) {
   return seen == StreamKind::target && wanted < StreamKind::residual;
 }
@@ -42,7 +42,7 @@ struct Stream {
   std::int32_t* values = nullptr;  // vertex by vertex
 };
 
-// Whether numbers lie round a middle that stands for 0.
+// Whether numbers are biased: the middle of their range stands for 0.
 constexpr bool is_centred(StreamKind kind) {
   return kind == StreamKind::residual || kind == StreamKind::multi_weight || kind == StreamKind::target ||
          kind == StreamKind::pose_delta;
@@ -58,11 +58,11 @@ constexpr float weight_step(std::uint32_t bits) {
   return 1.0f / static_cast<float>((1 << bits) - 1);
 }
 
-// Animation space's residual, in bits of its own: the streams are linear blend skinning's.
+// Animation space's residual, coded apart from the streams, which hold linear blend skinning's joints and weights.
 struct ResidualApart {
   std::uint32_t influences = 0;  // that a vertex may have in animation space; 0: there is none apart
-  std::uint32_t iterations = 0;  // of smoothing, by which it is guessed; 0: it is not
-  std::uint32_t share = 0;       // of the way to its neighbours' mean that each goes, of 2^15
+  std::uint32_t iterations = 0;  // of the smoothing that guesses the residual; 0: it is not guessed
+  std::uint32_t share = 0;       // how far an iteration goes towards the neighbours' mean; 2^15 is all the way
   float step_of_w = 1, step = 1;
   Span<const std::byte> bits;
 };
@@ -92,7 +92,7 @@ struct MeshStreams {
   ResidualApart apart;
   Stream* streams = nullptr;
   std::uint32_t stream_count = 0;
-  Decoding* decoding = nullptr;  // where a codec that can stop goes on with it, a step a call; null: all in one go
+  Decoding* decoding = nullptr;  // a codec that can stop does one step per call and counts here; null: all at once
 
   const Stream* find(StreamKind kind) const {
     for (std::uint32_t i = 0; i < stream_count; ++i) {

@@ -56,7 +56,7 @@ void take_rotation(ByteReader& reader, std::size_t lane, SoaTransform& four) {
     if (code_of(i) >= kCodeLeft) four.rotation[i][lane] = code_of(i) == kCodeLeft ? left : -left;
 }
 
-// What is not said is the identity's.
+// Numbers that are not stored keep the identity's values.
 void take_joint(ByteReader& reader, std::uint32_t flags, std::size_t lane, SoaTransform& four) {
   for (std::uint32_t axis = 0; axis < 3; ++axis)
     if ((flags & packed::kJointTranslates << axis) != 0) four.translation[axis][lane] = reader.take<float>();
@@ -104,7 +104,7 @@ bool take_mesh_header(ByteReader& reader, std::uint32_t flags, format::MeshHeade
          h.target_count <= kMostTargets;
 }
 
-// Each as its distance from the one behind the last. False if one is not of the skeleton.
+// Each joint is stored less (the joint before it + 1). False if a joint is not of the skeleton.
 bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::uint16_t> joints) {
   std::uint32_t joint = 0xFFFFFFFF;
   for (std::uint16_t& out : joints) {
@@ -115,7 +115,7 @@ bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::ui
   return true;
 }
 
-// Those that the file gives; the others follow from the rest pose, of which `model` are the joints' matrices.
+// Reads the inverse binds that the file gives; the others follow from the rest pose. model: its matrices of the joints.
 void take_inverse_binds(ByteReader& reader, std::uint32_t flags, Span<const std::uint16_t> joints, const Affine* model,
                         const Affine& model_from_mesh, Affine* inverse_bind) {
   const Span<const std::byte> given =
@@ -187,7 +187,7 @@ std::uint32_t NameReader::next(char* pool) {
   if (pool != nullptr)
     for (std::uint32_t i = 0; i < shared; ++i) pool[offset + i] = pool[from.offset + i];
   end_ += shared;
-  // However long it is, which load() judges, it takes no longer than to copy it.
+  // The search costs no more than copying the name, however long it is; load() checks the length.
   const std::size_t room = pool_bytes_ - end_, most = reader_.left() < room ? reader_.left() : room;
   const void* const zero = most > 0 ? std::memchr(reader_.at(), 0, most) : nullptr;
   if (zero == nullptr) {
@@ -234,7 +234,7 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
 
   auto* const rest = at<SoaTransform>(out, l.rest);
   auto* const parents = at<std::uint16_t>(out, l.parents);
-  std::uint32_t known = h.root_count;  // joints whose parents are
+  std::uint32_t known = h.root_count;  // joints whose parents are known
   for (std::uint32_t j = 0; j < h.root_count; ++j) parents[j] = kNoJoint;
   for (std::uint32_t j = 0; j < h.joint_count; ++j) {
     if (j % 4 == 0) rest[j / 4] = kIdentities;

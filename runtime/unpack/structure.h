@@ -13,8 +13,8 @@ class NameReader {
   explicit NameReader(Span<const std::byte> record);
 
   std::uint32_t pool_bytes() const { return pool_bytes_; }
-  // Where in the pool the next string stands; written there if there is a pool. Past the last one, or with anything
-  // that does not fit: 0, and failed().
+  // Returns the next string's offset in the pool, and writes the string there if `pool` is given. Past the last one, or
+  // with anything that does not fit: 0, and failed().
   std::uint32_t next(char* pool = nullptr);
   std::uint32_t end() const { return end_; }
   bool at_end() const { return !reader_.failed() && reader_.left() == 0; }
@@ -30,10 +30,10 @@ class NameReader {
   } last_[4] = {};  // newest first
 };
 
-// Each writes a section at `out`, 16-byte aligned, and says how long it is. They return null, or the rule that is
-// broken. `names` stands where the skeleton's names begin, and behind them afterwards.
+// Each writes a section to `out`, 16-byte aligned, and its size to `bytes`. They return null, or the rule that is
+// broken. `names` must be at the skeleton's first name; it is advanced past the skeleton's names.
 const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Span<std::byte> out, std::uint32_t& bytes);
-// Of names so many as a step takes; names: of the record, with all before them read.
+// Writes one step's worth of names. names: the record's reader, which goes on from call to call.
 const char* unpack_names(NameReader& names, Span<std::byte> out, std::uint32_t& bytes, bool& done);
 inline const char* unpack_names(Span<const std::byte> record, Span<std::byte> out, std::uint32_t& bytes) {
   NameReader names(record);
@@ -47,11 +47,11 @@ struct UnpackedSkeletons {
   const std::byte* file = nullptr;
   std::uint32_t count = 0, reference_count = 0;  // one of them is 0
 };
-// The view lacks names; without joints past the last.
+// A view of the skeleton, without names. Past the last skeleton it has no joints.
 Skeleton skeleton_at(UnpackedSkeletons skeletons, std::uint32_t index);
 // Of a skeleton or of a reference; 0 past the last.
 std::uint32_t joint_count_at(UnpackedSkeletons skeletons, std::uint32_t index);
-// modelled: the skeleton whose rest pose in model space the scratch holds already, and then holds; kNoneModelled: none.
+// modelled, in and out: the skeleton whose rest pose in model space is in `scratch`; kNoneModelled: none.
 inline constexpr std::uint32_t kNoneModelled = 0xFFFFFFFF;
 const char* unpack_mesh(Span<const std::byte> record, UnpackedSkeletons skeletons, std::uint32_t& modelled,
                         Span<std::byte> scratch, Span<std::byte> out, std::uint32_t& bytes);

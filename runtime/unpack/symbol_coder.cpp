@@ -5,7 +5,7 @@
 namespace marrow {
 namespace {
 
-// Of 2^16, less a half.
+// Moves a chance, out of 2^16 and less a half, by 1 / 2^shift of the way towards the bit.
 std::int16_t moved(std::int16_t from, bool bit, std::uint32_t shift) {
   constexpr std::int32_t kOne = 1 << 16, kHalf = kOne / 2, kLeast = 32;
   std::int32_t chance = from + kHalf;
@@ -14,11 +14,11 @@ std::int16_t moved(std::int16_t from, bool bit, std::uint32_t shift) {
   return static_cast<std::int16_t>(chance - kHalf);
 }
 
-constexpr std::int16_t kLeastOfSymbol = 8;  // that each symbol moves to
+constexpr std::int16_t kLeastOfSymbol = 8;  // the share that a symbol tends to while others are seen
 constexpr std::int16_t kAllButLeast = (1 << SymbolModel::kBits) - SymbolModel::kCount * kLeastOfSymbol;
 
-// Where the ends of symbols move to: those of the symbol and of what stands behind it by kAllButLeast further than
-// others. The last 16 from 15 - symbol on.
+// Where the ends of symbols move to, beyond their least shares: kAllButLeast for the ends of the symbol seen and of
+// those behind it, 0 for those before it. The 16 numbers for a symbol begin at of[15 - symbol].
 struct EndSteps {
   std::int16_t of[2 * SymbolModel::kCount] = {};
   constexpr EndSteps() {
@@ -27,7 +27,7 @@ struct EndSteps {
 };
 constexpr EndSteps kEndSteps;
 
-// How far they move, of 2^16, by how many symbols were seen.
+// How far ends move, out of 2^16, by the number of symbols seen so far.
 constexpr std::int16_t kRates[] = {1 << 13, 1 << 13, 1 << 12, 1 << 12, 1 << 11, 1 << 11, 1 << 11, 1 << 11, 1 << 10};
 constexpr std::int16_t kMostSeen = sizeof(kRates) / sizeof(kRates[0]) - 1, kGuessSeen = 3;
 
@@ -69,7 +69,7 @@ void begin_evenly(SymbolModel* models, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) models[i].begin(kEven, false);
 }
 
-// Written so that compilers see 16-bit vectors in it. Not inlined: GCC 12 then takes the count's lanes for negative.
+// Written so that compilers vectorise it in 16 bits. Not inlined: inlined, GCC 12 takes the count's lanes for negative.
 [[gnu::noinline]] std::uint32_t SymbolModel::find(std::uint32_t place) const {
   const auto wanted = static_cast<std::int16_t>(place);
   std::int16_t out = 0;
@@ -77,7 +77,7 @@ void begin_evenly(SymbolModel* models, std::size_t count) {
   return static_cast<std::uint32_t>(out);
 }
 
-// So is this: a product's upper half is a vector's operation, a shift by a number from memory is none.
+// Vectorised likewise: vectors have an instruction for a product's upper half, but none for a shift by a loaded number.
 void SymbolModel::learn(std::uint32_t symbol) {
   const std::int16_t* const steps = kEndSteps.of + (kCount - 1 - symbol);
   const std::int16_t rate = kRates[seen_];

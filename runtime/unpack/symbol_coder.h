@@ -1,4 +1,4 @@
-// Bits and small numbers in fewer bits: models that learn, and asymmetric numeral systems in their variant of ranges.
+// Entropy coding of bits and small numbers: adaptive models, and range asymmetric numeral systems (rANS).
 // Duda, "Asymmetric numeral systems: entropy coding combining speed of Huffman coding with compression rate of
 // arithmetic coding", arXiv:1311.2540, 2013. What is decoded first was encoded last.
 #pragma once
@@ -17,8 +17,8 @@ constexpr std::uint32_t bit_length(std::uint64_t x) {
   return bits;
 }
 
-// How likely a bit is to be 1, by those before it: the mean of two that forget at different speeds, of which both learn
-// faster while they have seen little.
+// An adaptive model of a bit. The chance of a 1 is the mean of two estimates that adapt at different speeds. Both adapt
+// faster while they have seen few bits.
 class BitModel {
  public:
   static constexpr std::uint32_t kBits = 16;
@@ -36,8 +36,7 @@ struct SymbolShare {
   std::uint32_t start, size;  // size is not 0
 };
 
-// How likely each of 16 symbols is, by those before it. Shares move towards what was seen, all at once, and none ever
-// gets to 0.
+// An adaptive model of 16 symbols. After each symbol all shares move towards it; no share ever reaches 0.
 class SymbolModel {
  public:
   static constexpr std::uint32_t kCount = 16, kBits = 14;
@@ -62,14 +61,14 @@ void begin_near(std::uint32_t size, SymbolModel& model);
 // All symbols alike.
 void begin_evenly(SymbolModel* models, std::size_t count);
 
-// Past the end everything reads as zero. Where a function takes what an encoder would write, it is not looked at.
+// Past the end everything reads as zero. Unnamed parameters are what an encoder would write; the decoder ignores them.
 class SymbolDecoder {
  public:
   static constexpr bool kEncodes = false;
   static constexpr std::uint32_t kMostRawBits = 16;
 
   explicit SymbolDecoder(Span<const std::byte> bytes);
-  // Raw bits follow, of which there may be none.
+  // Does not refill the state: raw_bits() must be called next, with a count of 0 if there are none.
   std::uint32_t symbol(SymbolModel& model, std::uint32_t);
   std::uint32_t raw_bits(std::uint32_t count, std::uint32_t) {
     const auto out = static_cast<std::uint32_t>(state_) & ((1u << count) - 1);

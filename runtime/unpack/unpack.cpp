@@ -38,7 +38,7 @@ Status read_header(Span<const std::byte> packed, Header& h, DataError* error) {
   return Status::ok;
 }
 
-// The header lies outside the checksum: what it says of memory must be what the records need.
+// The checksum does not cover the header, so its sizes are checked against what the records need.
 Status check_sizes(Span<const std::byte> packed, const Header& h, DataError* error) {
   ByteReader reader(packed.data + sizeof h, packed.size - sizeof h);
   RecordNeeds needs;
@@ -83,10 +83,10 @@ const char* codec_name(std::uint32_t codec) {
   return "an unknown codec";
 }
 
-// What a mesh record waits for.
+// The next stage of a mesh record.
 enum class MeshStage : std::uint8_t { decoding, finishing, ordering, writing };
 
-// What a step leaves of its record, or of the file's checksum, for the next one.
+// The state that a step leaves for the next one: of its record, or of the file's checksum.
 union Work {
   std::uint32_t copied;
   GeometryInWork mesh;
@@ -117,7 +117,7 @@ class Unpacker {
   std::uint32_t done_bytes() const { return static_cast<std::uint32_t>(end_); }
   Span<const std::byte> file() const { return {memory_.data, file_bytes_}; }
 
-  // Not at_end().
+  // Not to be called at_end().
   Status step(DataError* error) {
     if (end_ > file_bytes_) return fail(error, Status::bad_data, 12, "file_bytes too small");
     if (!is_going_on_) {
@@ -131,7 +131,7 @@ class Unpacker {
     return status == Status::ok ? status : fail(error, status, offset_, rule);
   }
 
-  // at_end(). Not done yet: to be called again.
+  // To be called at_end(), and again until `done`.
   Status finish(DataError* error, bool& done) {
     if (end_ != file_bytes_) return fail(error, Status::bad_data, 12, "file_bytes is not what the records come to");
     if (!is_going_on_) ::new (&work_.sum) format::Checksum;
@@ -173,7 +173,7 @@ class Unpacker {
     }
   }
 
-  // Adds to the record's section, which is done when nothing goes on.
+  // Does one step of the record's section. The section is complete when is_going_on_ is false afterwards.
   Status add(const char*& rule) {
     if (record_.kind >= format::kKindCount) return bad(rule, "an unknown kind of record");
     const std::uint64_t offset = format::align16(end_);
@@ -280,9 +280,9 @@ class Unpacker {
   File::Section section_{};  // of the record in work
   Work work_;
   std::uint32_t offset_ = 0, index_ = 0;          // of the record in work
-  std::uint32_t skeletons_ = 0, references_ = 0;  // compact ones, or references, at the front of the table
-  std::uint32_t modelled_ = kNoneModelled;        // a mesh's skeleton, at the front of the scratch memory, likewise
-  bool has_models_ = false;                       // a clip's, at the front of the scratch memory, for the next one
+  std::uint32_t skeletons_ = 0, references_ = 0;  // numbers of compact skeletons, or references, that begin the table
+  std::uint32_t modelled_ = kNoneModelled;        // the skeleton whose rest pose is at the front of the scratch memory
+  bool has_models_ = false;                       // a clip's models are at the front of the scratch memory
   bool is_going_on_ = false;                      // with a record, or with the file's checksum
   MeshStage stage_ = MeshStage::decoding;
 };

@@ -11,7 +11,7 @@ namespace marrow {
 
 // The largest weight of a layer; results stay far from the limits of float.
 inline constexpr float kMaxBlendWeight = 1e6f;
-// Below this sum of weights a joint is filled up with its rest pose.
+// Where a joint's weights sum to less than this, its rest pose makes up the difference.
 inline constexpr float kRestThreshold = 0.1f;
 
 // A pose and how much of it.
@@ -26,11 +26,11 @@ struct BlendLayer {
 // out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
 // as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
 //
-// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
-// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
-// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
-// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
-// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it. So two layers
+// blend along the shorter arc, and no number of layers cancels out; the result's sign is arbitrary. Where Σ w is below
+// `threshold`, the rest pose is added with the missing weight; so without layers the result is the rest pose. A single
+// layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are layers below
+// 1e-12 of the sum or of `threshold`. The result is finite for poses with translations and scales up to 1e15.
 //
 // layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
 // kMaxBlendWeight.
@@ -60,9 +60,9 @@ struct AdditiveLayer {
   Span<const float> mask = {};                // as in BlendLayer
 };
 
-// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
-// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
-// their reference and yield changes by themselves: sample_additive(). Errors: bad_argument if a span is too short.
+// out: the change from `reference` to `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. For clips cooked as additive
+// call sample_additive() instead: they hold their reference. Errors: bad_argument if a span is too short.
 MARROW_API Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose,
                                 Span<const SoaTransform> reference, Span<AdditiveTransform> out);
 

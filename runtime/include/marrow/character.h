@@ -2,11 +2,11 @@
 //
 //   once a load       make_animations
 //   once a character  make_character
-//   every frame       pose_character; the game reaches, places feet, lets springs swing; finish_character
+//   every frame       pose_character; the game's own inverse kinematics, feet and springs; finish_character
 //   then              skin_ssd() and its like of a CharacterMesh, or pose() of a gles3::Skinner
 //
-// A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
-// a skeleton or a mesh has its index in the file.
+// A file may hold several skeletons, such as a rider's and a horse's; they are posed together. Arrays with one element
+// a skeleton or mesh are in the order of the file.
 //
 // Local poses may come from anyone. Instead of pose_character(): write Pose::local of each skeleton and
 // CharacterMesh::weights, then call local_to_model().
@@ -38,24 +38,24 @@ struct Animation {
 
 // All animations of a file, by name.
 struct Animations {
-  // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
-  // A clip without a name has nothing to do with others.
+  // One a clip, at the clip's own index. It plays the clip and, on each other skeleton, the first clip with the same
+  // name. A clip without a name plays alone.
   Span<const Animation> all = {};
 };
 
 // Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
 MARROW_API std::size_t animations_bytes(const File& file, const File& clips);
 
-// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
-// its name if it fits that, else with the first that it fits and no reference before it has; see bind_clips(). If it
-// fits none, its clips are left out: no skeleton plays them.
+// Makes animations from clips of `file`, the character's, or of a clip pack. Each reference of a pack is paired with
+// one skeleton that it fits and that no earlier reference has taken: the one with its name, else the first. A reference
+// that fits no skeleton is left out: no skeleton plays its clips. See bind_clips().
 //
 // memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
 // a skeleton). Cost: compares names; once a load.
 MARROW_API Status make_animations(const File& file, const File& clips, Span<std::byte> memory, Animations& out);
 
-// The first with this name that moves anything; null if there is none. Cost: compares names.
+// The first animation with this name that moves anything; null if there is none. Cost: compares names.
 MARROW_API const Animation* find_animation(const Animations& animations, const char* name);
 
 // The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
@@ -63,9 +63,9 @@ MARROW_API Clip clip_of(const Animation& animation, std::uint32_t skeleton);
 
 // What a character is made for.
 struct CharacterOptions {
-  std::uint32_t layers = 2;      // that are blended at once, at most; at least 1
+  std::uint32_t layers = 2;      // the most layers that are blended at once; at least 1
   std::uint32_t level = 0;       // of detail, as in File::mesh
-  bool skin = true;              // on the CPU; false: neither palettes nor morphed vertices, a gles3::Skinner has them
+  bool skin = true;              // on the CPU; false: no palettes or morphed vertices; a gles3::Skinner makes its own
   bool animation_space = false;  // skin by skin_as(), too
 };
 
@@ -73,7 +73,7 @@ struct CharacterOptions {
 // keep the other alike; all calls between the two do.
 struct CharacterSkeleton {
   Pose pose = {};
-  // sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
+  // sample_character()'s own. One a layer: its sampled pose, and what is cached of the clip.
   Span<SoaTransform> sampled = {};
   Span<SampleCache> caches = {};  // as `sampled`
 };
@@ -137,12 +137,13 @@ MARROW_API Status sample_character(Character& character, Span<const AnimationLay
 // Brings model_from_joint of all skeletons up to date with `local`.
 MARROW_API Status local_to_model(Character& character);
 
-// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as sample_character().
+// sample_character(), then local_to_model(): the pose is ready for inverse kinematics, feet and springs. Errors: as
+// sample_character().
 MARROW_API Status pose_character(Character& character, Span<const AnimationLayer> layers);
 
-// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
-// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
-// bits, and so do poses. Between pose_character() and finish_character().
+// Adds an expression, such as a face's, to the weights of morph targets: the difference between the animation's weight
+// and the default, times `weight`. Call it once for each expression, between pose_character() and finish_character(). A
+// weight that no channel drives keeps its bits; poses do, too.
 //
 // Errors: bad_argument (an animation that is null or not made for this file, a weight out of range, a time that is not
 // a number); nothing is written. Cost: sample_channels() of what drives morph targets.
@@ -153,13 +154,14 @@ MARROW_API Status add_expression(Character& character, const AnimationLayer& exp
 // mesh.
 MARROW_API Status finish_character(Character& character);
 
-// Of one skeleton of an outfit: what it follows.
+// What one skeleton of an outfit follows.
 struct OutfitSkeleton {
   std::uint32_t body_skeleton = 0;             // of the body's character
   Span<const std::uint16_t> body_joints = {};  // one a joint of the outfit; see bind_outfit()
 };
 
-// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+// How an outfit, hair or clothes in a file of its own, follows the skeletons of a body's file. It serves any number of
+// characters.
 struct Outfit {
   Span<const OutfitSkeleton> skeletons = {};  // one a skeleton of the outfit
 };
@@ -167,22 +169,22 @@ struct Outfit {
 // Bytes that make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
 MARROW_API std::size_t outfit_bytes(const File& outfit);
 
-// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
-// that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
+// Finds the body's skeleton that each skeleton of an outfit follows: the one with the same name if the outfit's fits
+// it, else the first that it fits. An outfit is cooked with `--skeleton BODY`; outfit.h says when it fits.
 //
 // memory: at least outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one body.
 // Errors: bad_argument (the memory); mismatch if a skeleton fits none, and bind_outfit() says which joints are in the
 // way. Cost: compares names; once a load.
 MARROW_API Status make_outfit(const File& body, const File& outfit, Span<std::byte> memory, Outfit& out);
 
-// Brings model_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
-// finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to frame.
-// So where its clips or springs move them, a frame is
+// Brings model_from_joint of an outfit's skeletons to the body's pose. Call it once the body is posed, then
+// finish_character(). Joints that only the outfit has are placed by the outfit's `local`, which stays as it is from
+// frame to frame. If clips or springs of the outfit move them, a frame is
 //
 //   sample_character(outfit, …); follow_body(…); springs; finish_character(outfit)
 //
-// where sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
-// written. Morph targets are the outfit's own: its clips move them, or the game writes CharacterMesh::weights.
+// sample_character() without layers puts those joints back to rest. `local` of the body's joints is neither read nor
+// written. The outfit drives its own morph targets: by its clips, or the game writes CharacterMesh::weights.
 //
 // worn: made from the outfit's file. Errors: bad_argument if `outfit` was made for other files. Cost: follow_body() of
 // outfit.h for each skeleton.

@@ -1,5 +1,5 @@
-// Curves through keys, easings and patches: a time, or any other parameter, → numbers; beside the road of data, for
-// user channels and procedural motion.
+// Curves through keys, easings and patches: a time, or any other parameter, → numbers. For user channels and
+// procedural motion; outside the pipeline of poses and meshes.
 //
 // Everything is plain functions over the caller's memory; nothing is kept, nothing is allocated, all is thread-safe on
 // different outputs. Results are the same bits on every processor.
@@ -32,9 +32,9 @@ enum class CurveKind : std::uint8_t {
 // and arrives straight.
 struct Curve {
   CurveKind kind = CurveKind::linear;  // what lies between keys
-  // Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
-  // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
-  // A blend that has no direction gives the earlier key's.
+  // Values are unit quaternions x, y, z, w; components is 4. Each key and control point is taken with the sign that is
+  // nearer to the one before it. The result is normalised and may have either sign, as q and -q are the same rotation.
+  // Where a blend has no direction, the result is the earlier key.
   bool rotation = false;
   std::uint32_t components = 1;    // floats a value: 1 … 4
   Span<const float> times_s = {};  // one a key, strictly increasing; seconds, or whatever the curve runs over
@@ -50,23 +50,25 @@ constexpr std::size_t curve_value_count(CurveKind kind, std::uint32_t components
   return components * key_count;
 }
 
-// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: bad_argument if `kind`
-// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; bad_data if times do
-// not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the longest
-// interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+// Whether a curve keeps the rules above; call it once for keys that come from outside. Errors: bad_argument if `kind`
+// is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing. bad_data if times do
+// not increase strictly, a number is not finite, a value or control point is beyond 1e18, a tangent times the longest
+// interval is beyond 1e18, or a rotation key's squared length differs from 1 by more than 1e-3. Cost: once over the
+// keys.
 MARROW_API Status check_curve(const Curve& curve);
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
 // out: at least curve.components floats. Errors: bad_argument as in check_curve(), if `out` is too short, or time_s is
-// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; of others values are finite.
-// At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost: a binary search and
-// some dozen operations.
+// not a number. Keys that check_curve() refuses with bad_data are safe but give garbage; all other keys give finite
+// values. At a key's time the value is exactly the key's (a rotation's except for normalisation and sign). Cost: a
+// binary search and some dozen operations.
 MARROW_API Status evaluate_curve(const Curve& curve, float time_s, Span<float> out);
 
-// The derivative of evaluate_curve() by time, a second. At an inner key: of what follows; before the first and after
-// the last key: 0. Arguments, errors and cost as there; also unsupported for rotations, and
-// bad_data, with nothing written, if it is not finite, as keys are so far apart in so little time.
+// The derivative of evaluate_curve() by time, per second. At an inner key it is that of the interval after the key;
+// before the first and after the last key it is 0. Arguments, errors and cost as in evaluate_curve(). Also unsupported
+// for rotations; and bad_data, with nothing written, if the result is not finite because keys are so far apart in so
+// little time.
 MARROW_API Status curve_velocity(const Curve& curve, float time_s, Span<float> out);
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
@@ -91,8 +93,8 @@ MARROW_API Status clamped_spline(const Curve& keys, Span<const float> first_velo
 // Cost: degree · (degree + 1) / 2 interpolations.
 MARROW_API Status bezier(Span<const float> points, std::uint32_t components, float u, Span<float> scratch,
                          Span<float> out);
-// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. bad_data also if the
-// result has no direction, or is too long to be squared.
+// The same for unit quaternions; each is taken with the sign nearer to the one before it, and the result is normalised.
+// bad_data also if the result has no direction, or is too long to be squared.
 MARROW_API Status bezier_rotation(Span<const float> quaternions, float u, Span<float> scratch, Span<float> out);
 
 // How a patch's points shape it.
@@ -110,7 +112,7 @@ enum class PatchBasis : std::uint8_t {
 MARROW_API Status bicubic_patch(PatchBasis basis, Span<const float> points, std::uint32_t components, float u, float v,
                                 Span<float> out);
 
-// Arc length: where on a path to be for its speed to be even.
+// Arc length: at which time to evaluate a curve to move along it at an even speed.
 //
 // The table holds the length of the path up to each of `steps` equal parts of every key interval.
 struct ArcLength {

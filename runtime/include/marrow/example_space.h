@@ -1,11 +1,11 @@
-// Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
+// Shape by example, the stage before morph: numbers that a game or a clip sets → weights of morph targets.
 //
 //   once a load    File::example_space, find_example_channels
 //   every frame    sample_channels → parameters → evaluate_examples → weights of each of the space's meshes → morph(),
 //                  or CharacterMesh::weights between pose_character() and finish_character()
 //
-// An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// An artist places shapes at points of a space, such as "angry" at (1, 0). Each shape is a morph target, or the mesh as
+// it is. Between those points all shapes are interpolated at once. The cooker solves for the coefficients here
 // (docs/deformers.md).
 #pragma once
 
@@ -16,7 +16,7 @@ namespace marrow {
 
 // What a space has at most.
 inline constexpr std::uint32_t kMaxExampleParameters = 8;
-inline constexpr std::uint32_t kMaxExamples = 64;  // and targets
+inline constexpr std::uint32_t kMaxExamples = 64;  // also the most targets
 
 // An axis of the space.
 struct ExampleParameter {
@@ -30,12 +30,12 @@ struct ExampleSpace {
   const char* name = "";                         // as the source calls it; never null
   std::uint32_t example_count = 0;               // at most kMaxExamples
   Span<const ExampleParameter> parameters = {};  // at most kMaxExampleParameters
-  Span<const std::uint32_t> targets = {};  // that it weighs, ascending, at most kMaxExamples; the same of each mesh
+  Span<const std::uint32_t> targets = {};  // of each mesh the targets that it weighs, ascending, at most kMaxExamples
   Span<const std::uint32_t> meshes = {};   // of the file, ascending
   Span<const float> linear = {};           // a row of constants, then a row a parameter
   Span<const float> radial = {};           // a row an example
-  Span<const float> places = {};           // an example: its parameters
-  Span<const float> inverse_widths = {};   // an example; above 0
+  Span<const float> places = {};           // for each example its parameters
+  Span<const float> inverse_widths = {};   // one an example; above 0
 };
 
 // For each parameter the index of the channel of `clip` that has its name, or kNoChannel. The space is of `file`, the

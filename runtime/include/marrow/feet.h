@@ -1,5 +1,5 @@
-// Feet on the ground, for poses after local_to_model(): soles stand on what rays hit, planted feet stay, the pelvis
-// gives way.
+// Feet on the ground, for poses after local_to_model(). Soles stand where the game's rays hit, planted feet stay in
+// place, and the pelvis moves so that the legs reach.
 #pragma once
 
 #include "marrow/api.h"
@@ -8,7 +8,8 @@
 
 namespace marrow {
 
-// A leg. Other joints may lie between the three, and keep their angles: a hind leg of three bones is hip, knee and paw.
+// A leg. Other joints may lie between the three, and keep their local rotations: of a hind leg of three bones name hip,
+// knee and paw.
 struct Foot {
   std::uint32_t hip = 0, knee = 0, ankle = 0;  // joints of the skeleton
   float sole[3] = {0, 0, 0};  // the point that stands on the ground, below the ball of the foot, say; ankle's space
@@ -19,33 +20,33 @@ struct Foot {
 // The legs of a character, whose clips are made for level ground through the model's origin.
 struct Feet {
   Span<const Foot> feet = {};       // two or more
-  std::uint32_t pelvis = kNoJoint;  // moves up and down with all that hangs on it, hips included; kNoJoint: none does
+  std::uint32_t pelvis = kNoJoint;  // moves up and down with all below it, hips included; kNoJoint: no joint moves
   float lower_m = 0.5f;             // ≥ 0: the most that the pelvis goes down, or up; world
   // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
   float leg_extension = 0.99f;
-  float slope_rad = 0.6f;  // 0 … 1.5: the most that a foot leans with the ground
-  float ease_s = 0.25f;    // > 0: the time after which 2 % of a step in the ground, or of a release, is left
+  float slope_rad = 0.6f;  // 0 … 1.5: the steepest slope that a foot follows
+  float ease_s = 0.25f;    // > 0: after this time 2 % is left of a step in the ground, or of a release
 };
 
-// What the game says of a foot in this frame; world.
+// The ground under a foot in this frame, from the game; world.
 struct FootGround {
   bool hit = false;             // false: as if the ground were level at the height of the model's origin
-  float point[3] = {0, 0, 0};   // of a ray along `up` through foot_sole(), or anywhere on the plane that it hit
+  float point[3] = {0, 0, 0};   // where a ray along `up` through foot_sole() hit, or any point of the plane that it hit
   float normal[3] = {0, 1, 0};  // of any length; steeper than 80°: no hit
   bool planted = false;         // the sole stays where it is for as long as this is true
 };
 
-// The motion of one foot: plain numbers. A new one, and one with numbers out of range, begins where the animation has
-// the foot. World; on a moving platform, let the world be the platform.
+// The motion of one foot: plain numbers. A new motion, and one with numbers out of range, begins where the animation
+// has the foot. All in world space. On a moving platform, use the platform's space as the world.
 struct FootMotion {
   float place[3] = {};                            // of the sole, as shown last
-  float offset[3] = {}, offset_speed[3] = {};     // of the sole from its target
+  float offset[3] = {}, offset_speed[3] = {};     // from the sole's target to the sole
   float lean[3] = {}, lean_speed[3] = {};         // what is added to the ground's normal to give the foot's
   float point[3] = {}, normal[3] = {};            // the ground in the last frame
-  float heading[3] = {};                          // level direction of the ankle's axis `axis` when it was planted
+  float heading[3] = {};                          // level direction of the ankle's axis `axis` at the time of planting
   float turn[4] = {};                             // about up, from the animated to the planted heading
   float turn_share = 0, turn_share_speed = 0;     // how much of `turn` is left
-  std::uint8_t axis = 0, planted = 0, begun = 0;  // of heading; whether it is planted; whether it has begun
+  std::uint8_t axis = 0, planted = 0, begun = 0;  // axis of heading; whether planted; whether begun
   std::uint8_t hit = 0;                           // whether its ray hit ground
   std::uint8_t reached = 0;                       // whether the leg was long enough
 };
@@ -70,12 +71,12 @@ MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_model, Sp
 //
 // pose: the animated one. ground, motion: one a foot.
 //
-// The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
-// plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
-// so that a heel can rise. Where the ground's plane changes, and where a foot is released, the sole keeps an offset
-// from its target, which dies away as a critically damped spring does, from the speed that the foot had: exact at any
-// frame rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if
-// legs are too short. Ankles keep their animated attitude but for lean and heading. See docs/ik/feet.md.
+// The sole's target is its animated place, lifted by the height of the ground's plane there. The foot tilts with the
+// plane, about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
+// so that a heel can rise. When the ground's plane changes, or a foot is released, the sole keeps its offset from the
+// target. The offset starts with the foot's speed and dies away as a critically damped spring does: exact at any frame
+// rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
+// too short. Ankles keep their animated attitude except for lean and heading. See docs/ik/feet.md.
 //
 // Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
 // range or beyond 1e6; nothing is written.

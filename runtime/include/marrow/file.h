@@ -8,7 +8,7 @@
 
 namespace marrow {
 
-// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+// Limits that every valid file keeps, so that a caller can bound its memory by them.
 inline constexpr std::uint32_t kMaxJoints = 32767;
 // The most palette entries that a vertex follows.
 inline constexpr std::uint32_t kMaxInfluences = 8;
@@ -19,12 +19,12 @@ inline constexpr std::uint32_t kNoClip = 0xFFFFFFFF;
 // In Geometry::source_slots: a vertex of no triangle.
 inline constexpr std::uint32_t kNoSlot = 0xFFFFFFFF;
 
-// What shape the rotations within a JointLimit have.
+// The shape of a JointLimit: which rotations it allows.
 enum class LimitKind : std::uint8_t {
   none,   // turns freely; for joints that have a rate limit alone
   hinge,  // about one axis, between two angles: knees, elbows, fingers
   cone,   // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
-  euler,  // three angles about three axes, each between two: rigs whose limits came so
+  euler,  // three angles about three axes, each within its own range: for rigs with Euler-angle limits
 };
 
 // The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
@@ -38,7 +38,7 @@ struct AngleRange {
   float half_width = 0;  // 0 … 1; 1: any angle
 };
 
-// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
+// The highest speed and acceleration; 0: no limit. In radians for rotations, in metres for points.
 struct RateLimit {
   float speed = 0;         // rad/s or m/s
   float acceleration = 0;  // rad/s² or m/s²
@@ -46,20 +46,20 @@ struct RateLimit {
 
 // How far and how fast a joint may turn, as it lies in a cooked file; make one with make_limit(), see limits.h.
 //
-// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
-// rotation. A local rotation q (parent_from_joint) is seen in them as
+// The limit has axes of its own, fixed to the joint. At the joint's zero rotation they coincide with axes fixed to the
+// parent. In them a local rotation q (parent_from_joint) is
 //   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
 // so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
 //
 // hinge: t is a turn about x, by an angle in angles[0].
-// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
-//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
-//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
-//   90° this is within 2.3° of an ellipse in the angles themselves.
-// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
-//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
+// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns by θ about a
+//   unit axis in the y-z plane. The point (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes
+//   angles[1].half_width and angles[2].half_width. So angles[1] holds the widest swing about y alone, angles[2] the
+//   widest about z alone. Below 90° this is within 2.3° of an ellipse in the angles themselves.
+// euler: t is the product of three turns about x, y and z in the order `order`; angles[0] is the first factor's. The
+//   second angle is within ±90°, so that each rotation has one set of angles (at ±90° many).
 //
-// A swing of 180° has no twist: all twists are one step away. See clamp_rotation().
+// At a swing of 180° the twist is undefined: the smallest step leads to any twist. See clamp_rotation().
 struct JointLimit {
   std::uint16_t joint = 0;                    // of the skeleton
   LimitKind kind = LimitKind::none;           // which of the shapes above
@@ -71,33 +71,33 @@ struct JointLimit {
 };
 static_assert(sizeof(JointLimit) == 68);
 
-// Whether a limit keeps these rules, as those of make_limit() and load() do.
+// Whether a limit keeps these rules. Limits from make_limit() and load() do.
 MARROW_API bool is_valid(const JointLimit& limit);
 
-// A joint that swings, by the bone that goes from it to the next joint of its chain. See springs.h.
+// A joint that swings. Its bone goes from the joint to the next joint of its chain. See springs.h.
 struct SpringJoint {
   std::uint16_t joint = 0;      // of the skeleton
   std::uint16_t most_pull = 0;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
-  float frequency_hz = 2.0f;    // 0 … 15: of small swings about the animated direction, without damping and gravity
+  float frequency_hz = 2.0f;    // 0 … 15: of small swings about the animated direction, undamped and without gravity
   float damping_ratio = 0.5f;   // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
   float gravity = 1.0f;         // -10 … 10, times SpringFrame::gravity
-  float drag = 0.0f;            // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-  float radius_m = 0.0f;        // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-  float weight = 1.0f;          // 0 … 1, of what is shown; the motion itself goes on
+  float drag = 0.0f;            // 0 … 50 1/s: how strongly air slows the bone's end, and wind carries it
+  float radius_m = 0.0f;        // ≥ 0: of a sphere about the bone's end, which stays out of colliders; world
+  float weight = 1.0f;          // 0 … 1: how much of the swing is shown; the swing itself goes on at 0, too
 };
 static_assert(sizeof(SpringJoint) == 28);
 
-// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
+// A chain of joints, each a descendant of the one before it. A joint belongs to at most one chain.
 struct SpringChain {
   Span<const SpringJoint> joints = {};  // from the chain's root to its end
   float tip[3] = {0, 0, 0};  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-  std::uint64_t colliders = ~std::uint64_t{0};  // bit i, lowest first: it stays out of SpringFrame::colliders[i]
+  std::uint64_t colliders = ~std::uint64_t{0};  // bit i, lowest first: the chain stays out of SpringFrame::colliders[i]
 };
 
-// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-// space is where that is most.
+// A capsule that moves with a joint; a sphere where both ends are one point. Its radius is scaled by the largest of the
+// scales along the joint's axes.
 struct SpringCollider {
-  std::uint16_t joint = 0;  // it moves with
+  std::uint16_t joint = 0;  // the joint that it moves with
   std::uint16_t reserved = 0;
   float from[3] = {0, 0, 0}, to[3] = {0, 0, 0};  // in the joint's space
   float radius_m = 0.1f;                         // in the joint's space
@@ -112,17 +112,17 @@ struct Skeleton {
   const char* name = "";                    // as the source calls it; never null
   std::uint32_t joint_count = 0;            // 1 … kMaxJoints
   std::uint32_t root_count = 0;             // joints 0 … root_count-1 have no parent joint
-  const Affine* model_from_root = nullptr;  // root_count; what stands above each root and never moves
+  const Affine* model_from_root = nullptr;  // root_count; the transform above each root, which never changes
   const SoaTransform* rest = nullptr;       // soa_count(joint_count); the pose of joints that a clip leaves alone
   const std::uint16_t* parents = nullptr;   // joint_count; kNoJoint for roots
   const std::uint32_t* names = nullptr;     // joint_count; see File::text
-  Span<const JointLimit> limits = {};       // ascending by joint; those that the asset came with
+  Span<const JointLimit> limits = {};       // the asset's own limits, ascending by joint
 
   // How many groups of four joints a local pose has.
   std::size_t soa_size() const { return soa_count(joint_count); }
 };
 
-// In a clip pack, instead of a skeleton: which one its clips were made for. See clip_pack.h.
+// The skeleton that clips of a clip pack were made for; a pack holds references instead of skeletons. See clip_pack.h.
 struct SkeletonReference {
   const char* name = "";                       // the skeleton's
   std::uint32_t joint_count = 0;               // the skeleton's
@@ -149,16 +149,17 @@ struct Track {
 };
 static_assert(sizeof(Track) == 16);
 
-// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
-// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
+// For a group of four joints: which sub-tracks (a joint's rotation, translation or scale) move in a clip, and which
+// hold one value that is not the rest pose's. Bits 0-3 are rotations, 4-7 translations, 8-11 scales; the lowest bit is
+// the first joint.
 struct GroupMasks {
-  std::uint16_t moving = 0;    // what changes over the clip
-  std::uint16_t constant = 0;  // what stays, but not as at rest
+  std::uint16_t moving = 0;    // sub-tracks that change over the clip
+  std::uint16_t constant = 0;  // sub-tracks that hold one value, not the rest pose's
 };
 static_assert(sizeof(GroupMasks) == 4);
 
-// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
-// that keys on a straight line between others may have been left out (docs/cooking/clips.md).
+// A number over time, such as a morph target's weight or a property of the game; it moves no joint. Stored without
+// loss, except that keys on a straight line between others may have been left out (docs/cooking/clips.md).
 struct Channel {
   std::uint32_t name = 0;         // see File::text
   float rest = 0;                 // the number where no clip drives it
@@ -169,18 +170,18 @@ struct Channel {
   std::uint8_t reserved[3] = {};
 };
 static_assert(sizeof(Channel) == 24);
-// In place of a channel: none.
+// No channel.
 inline constexpr std::uint32_t kNoChannel = 0xFFFFFFFF;
 
-// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
-// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
+// Tracks compressed within a stated error (docs/format.md): poses at even steps of time, or at times of their own. They
+// are divided into segments of packed integers, relative to the rest pose. What does not move is stored once.
 struct CodedTracks {
   std::uint32_t frame_count = 0;                   // 0: the clip has no coded tracks; else ≥ 2
   std::uint32_t track_count = 0;                   // sub-tracks that move
-  std::uint32_t constant_count = 0;                // sub-tracks that stay, but not as at rest
-  std::uint32_t segment_intervals = 0;             // steps of time a segment; the last may have fewer
+  std::uint32_t constant_count = 0;                // sub-tracks that hold one value, not the rest pose's
+  std::uint32_t segment_intervals = 0;             // time steps in a segment; the last may have fewer
   float start_s = 0;                               // of frame 0
-  float frames_per_s = 0;                          // of uneven ones the mean
+  float frames_per_s = 0;                          // the mean rate where steps are uneven
   const float* times_s = nullptr;                  // frame_count, ascending; null: even steps
   const GroupMasks* masks = nullptr;               // one a group of four joints
   const std::uint32_t* segment_offsets = nullptr;  // bytes into payload
@@ -200,7 +201,7 @@ struct Clip {
   std::uint32_t joint_count = 0;            // of that skeleton
   float duration_s = 0;                     // time of the last key; ≥ 0
   bool additive = false;                    // for sample_additive(), not for sample()
-  const SoaTransform* reference = nullptr;  // additive: the pose that changes are taken from; null: the rest pose
+  const SoaTransform* reference = nullptr;  // additive: the pose that changes are relative to; null: the rest pose
   CodedTracks coded = {};                   // what is compressed
   Span<const Track> tracks = {};            // what is stored without loss
   Span<const Channel> channels = {};        // numbers that it drives
@@ -219,31 +220,32 @@ static_assert(sizeof(Run) == 8);
 
 // Which attributes a morph target changes.
 enum MorphAttributes : std::uint32_t { kMorphsPositions = 1, kMorphsNormals = 2, kMorphsTangents = 4 };
-// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+// What a morph target adds to the vertices of the blocks that it moves; other blocks it leaves alone. Each block has a
+// record for each attribute, in the order of MorphAttributes: twelve integers dx[4] dy[4] dz[4]. An integer times the
+// attribute's step is the change.
 struct MorphTarget {
   std::uint32_t first_block = 0;   // into Geometry::target_blocks
   std::uint32_t block_count = 0;   // how many blocks it moves
   std::uint32_t first_record = 0;  // into Geometry::target_records
   std::uint32_t attributes = 0;    // kMorphsPositions | …; 0 if it moves nothing
   float position_step = 0;         // metres, mesh space
-  float normal_step = 0;           // a unit of its records of normals
-  float tangent_step = 0;          // a unit of its records of tangents
+  float normal_step = 0;           // the change that 1 in a record of normals means
+  float tangent_step = 0;          // the change that 1 in a record of tangents means
   std::uint32_t reserved = 0;
 };
 static_assert(sizeof(MorphTarget) == 32);
 
 // The most examples of a PoseSpace.
 inline constexpr std::uint32_t kMaxPoseExamples = 32;
-// What pose-space deformation adds to vertices of the bind pose, see skin_psd() in skin.h: example poses, and for each
-// the deltas of some blocks.
+// Example poses for pose-space deformation, and for each example the deltas of the blocks that it moves. They are added
+// to the bind pose, see skin_psd() in skin.h.
 struct PoseSpace {
-  float sigma = 0;                          // width of the Gaussian, a share of 1: sin of half an angle
+  float sigma = 0;                          // width of the Gaussian, as the sine of half an angle
   Span<const MorphTarget> examples = {};    // positions alone; empty: none
   const void* blocks = nullptr;             // as Geometry::target_blocks
   const std::int16_t* records = nullptr;    // as Geometry::target_records
-  const std::int16_t* rotations = nullptr;  // for each example and palette entry x y z w, up to a positive factor
-  const std::uint16_t* parents = nullptr;   // a palette entry: the one that its rotation is relative to, or kNoJoint
+  const std::int16_t* rotations = nullptr;  // for each example and palette entry a quaternion x y z w, of any length
+  const std::uint16_t* parents = nullptr;   // the entry that each entry's rotation is relative to, or kNoJoint
 };
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
@@ -262,11 +264,11 @@ struct Geometry {
   const float* tangents = nullptr;        // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
   const float* as_residual = nullptr;     // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
   const float* mwe_residual = nullptr;    // a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
-  std::uint32_t mwe_root = 0;             // palette entry whose frame they are meant in
+  std::uint32_t mwe_root = 0;             // palette entry in whose frame mwe_residual is meant
   const float* uvs = nullptr;             // a slot: u v; null if absent
   const std::uint8_t* colours = nullptr;  // a slot: r g b a, linear; null if absent
-  // The slot of each vertex of the source, if cooked with --keep-vertex-order; kNoSlot: no triangle uses it, of this
-  // part of a primitive in parts.
+  // The slot of each source vertex, if cooked with --keep-vertex-order. kNoSlot: no triangle of this mesh uses the
+  // vertex; of a primitive that was split into parts, no triangle of this part.
   Span<const std::uint32_t> source_slots = {};
   Span<const MorphTarget> targets = {};          // morph targets, as many as MeshTarget of a mesh
   const void* target_blocks = nullptr;           // as wide as indices; for each target the blocks it moves, ascending
@@ -279,17 +281,17 @@ struct Geometry {
 // A morph target of a mesh: what it is called and what drives it.
 struct MeshTarget {
   std::uint32_t name = 0;  // see File::text; may be empty
-  // Name of the channel that clips drive its weight by, see find_weight_channels() in morph.h.
+  // Name of the channel by which clips drive its weight; see find_weight_channels() in morph.h.
   std::uint32_t channel = 0;
-  float weight = 0;  // where no clip does
+  float weight = 0;  // its weight where no clip drives it
 };
 static_assert(sizeof(MeshTarget) == 12);
 
-// In Mesh::material_index: no more than what stands in the Mesh.
+// In Mesh::material_index: the source says no more of the material than the Mesh itself holds.
 inline constexpr std::uint32_t kNoMaterial = 0xFFFFFFFF;
 // How a material's alpha is meant, as in glTF 2.0.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-// What of a material an image gives.
+// Which property of a material an image supplies.
 enum class TextureRole : std::uint8_t {
   base_colour,
   metallic_roughness,
@@ -313,8 +315,8 @@ enum class MinFilter : std::uint8_t {
   linear_mipmap_linear,
 };
 
-// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
-// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
+// An image in a role; its channels are as in glTF 2.0, section 3.9. Base colour, emissive and specular-glossiness
+// images are sRGB (the last except for alpha), all others linear. UV (0, 0) is the image's upper left corner.
 struct Texture {
   std::uint16_t image = 0;                            // which image of the file
   TextureRole role = TextureRole::base_colour;        // none twice in a material
@@ -325,7 +327,7 @@ struct Texture {
 };
 static_assert(sizeof(Texture) == 8);
 
-// A material as far as Mesh does not say it.
+// What a material has beyond the members of Mesh.
 struct Material {
   const char* name = "";                // as the source calls it; never null
   AlphaMode alpha = AlphaMode::opaque;  // opaque: alpha is not looked at
@@ -335,28 +337,28 @@ struct Material {
   Span<const Texture> textures = {};  // one a role
 };
 
-// In place of an image: none.
+// No image.
 inline constexpr std::uint32_t kNoImage = 0xFFFFFFFF;
 // What an image's bytes are.
 enum class ImageFormat : std::uint8_t { unknown, png, jpeg, webp, ktx2, dds };
-// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
+// A picture, by reference or as the source's own bytes. Marrow does not check the bytes; whoever decodes them must.
 struct Image {
   const char* name = "";  // as the source calls it; never null
   const char* uri = "";   // relative to the source file and percent-encoded, as it stood there; empty if it had none
-  ImageFormat format = ImageFormat::unknown;  // unknown: by its bytes or its URI none of the others
+  ImageFormat format = ImageFormat::unknown;  // unknown: neither its bytes nor its URI tell which
   Span<const std::byte> bytes = {};           // empty: by reference
   std::uint32_t fallback = kNoImage;          // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
 };
 
 // What a Property is.
 enum class PropertyType : std::uint8_t { number, boolean, text };
-// A number, a truth or a text that an artist gave a node.
+// A number, boolean or text that an artist attached to a node.
 struct Property {
-  std::uint32_t name = 0;                    // see File::text; of nested ones the path, as in "door/hinges/0"
+  std::uint32_t name = 0;                    // see File::text; a nested property has its path, as in "door/hinges/0"
   PropertyType type = PropertyType::number;  // which of the two members below holds it
   std::uint8_t reserved[3] = {};
   union {
-    double number = 0;   // finite; of a boolean 1 or 0
+    double number = 0;   // finite; a boolean is 1 or 0
     std::uint32_t text;  // see File::text
   };
 };
@@ -386,13 +388,13 @@ struct MeshLod {
 };
 static_assert(sizeof(MeshLod) == 8);
 
-// A box, and a sphere about the box's centre, about the same vertices. Model space, metres.
+// A box and a sphere about the box's centre; both contain the same vertices. Model space, metres.
 struct Bounds {
   float box_min[3] = {0, 0, 0};  // least corner
   float box_max[3] = {0, 0, 0};  // greatest corner
   float radius_m = -1;           // below 0: empty, or not known
 
-  // Whether nothing is known or in it.
+  // Whether it contains nothing, or is not known.
   bool is_empty() const { return radius_m < 0; }
   // The box's centre along an axis, 0 to 2: the sphere's, too.
   float centre(int axis) const { return box_min[axis] + (box_max[axis] - box_min[axis]) * 0.5f; }
@@ -402,7 +404,7 @@ struct Bounds {
 struct Mesh {
   const char* name = "";                       // as the source calls it; never null
   const char* material = "";                   // the material's name; never null
-  std::uint32_t material_index = kNoMaterial;  // which material of the file, if it has more than what stands here
+  std::uint32_t material_index = kNoMaterial;  // which material of the file, if that has more than this Mesh
   std::uint32_t skeleton = 0;                  // which skeleton of the file
   std::uint32_t geometry_index = 0;            // meshes with the same number share their geometry
   std::uint32_t joint_count = 0;               // palette entries that are joints
@@ -410,8 +412,8 @@ struct Mesh {
   const Affine* inverse_bind = nullptr;        // joint_count; joint_from_mesh in the bind pose
   float base_colour[4] = {1, 1, 1, 1};         // linear RGBA
   bool double_sided = false;                   // backs are drawn, too
-  // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
-  // vertex order needs to know: see Geometry::source_slots.
+  // Another part of the same source primitive as the mesh before it: one palette was too small for the whole. Only the
+  // source's vertex order depends on this, see Geometry::source_slots.
   bool is_next_part = false;
   Span<const Helper> helpers = {};        // palette entries behind those of the joints
   Span<const float> helper_centres = {};  // three a helper, or none: see build_palette()
@@ -430,37 +432,39 @@ class File {
  public:
   // How many of each there are.
   std::uint32_t skeleton_count() const { return counts_[0]; }
-  std::uint32_t reference_count() const { return counts_[1]; }  // 0 but in clip packs, which have no skeletons
+  std::uint32_t reference_count() const { return counts_[1]; }  // 0 except in clip packs, which have no skeletons
   std::uint32_t clip_count() const { return counts_[2]; }
   std::uint32_t mesh_count() const { return counts_[4]; }
   std::uint32_t material_count() const { return counts_[5]; }
   std::uint32_t image_count() const { return counts_[6]; }
   std::uint32_t node_count() const { return counts_[7]; }
 
-  // An index that is not below the count gives what is empty. Cost: a few loads.
+  // An index at or above the count returns an empty object. Cost: a few loads.
   MARROW_API Skeleton skeleton(std::uint32_t index) const;
   MARROW_API SkeletonReference reference(std::uint32_t index) const;
   MARROW_API Clip clip(std::uint32_t index) const;
   MARROW_API Material material(std::uint32_t index) const;
   MARROW_API Image image(std::uint32_t index) const;
   MARROW_API Node node(std::uint32_t index) const;
-  // level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+  // level: of detail; 0 is the full mesh, and a level beyond the mesh's last returns the last. All levels share one
+  // palette.
   MARROW_API Mesh mesh(std::uint32_t index, std::uint32_t level = 0) const;
-  // About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
-  // deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
-  // Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
-  // pack has none: palette_bounds() in bounds.h. Cost: a look at every clip and mesh; once a load.
+  // Contains the mesh's vertices while the clip plays from the rest pose: at every level of detail, by every deformer
+  // that the mesh was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+  // Stored as codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the
+  // vertices. For clips of a clip pack there are none; see palette_bounds() in bounds.h. Cost: a look at every clip and
+  // mesh; once a load.
   MARROW_API Bounds bounds(std::uint32_t clip, std::uint32_t mesh) const;
 
-  // Spring bones that the asset came with, of one of the skeletons: chains for make_springs(), and SpringFrame's
-  // colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+  // The asset's spring bones for one of the skeletons: chains for make_springs(), and colliders for SpringFrame. A game
+  // may copy them and change their settings. Cost: a look at every section of springs.
   MARROW_API std::uint32_t spring_count(std::uint32_t skeleton) const;
   MARROW_API SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
   MARROW_API Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
 
-  // Spaces of example shapes, see example_space.h. load() knows where they stand, example_space() looks at all that one
-  // holds; spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported,
-  // with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
+  // Spaces of example shapes, see example_space.h. load() only locates them; example_space() checks all that one holds.
+  // Spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported, with
+  // `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
   std::uint32_t example_space_count() const { return counts_[12]; }
   MARROW_API Status example_space(std::uint32_t index, ExampleSpace& out, DataError* error = nullptr) const;
 
@@ -469,11 +473,11 @@ class File {
   // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
   // frame.
   MARROW_API std::uint32_t find_joint(const Skeleton& skeleton, const char* name) const;
-  // Index of the first mesh with this name, or mesh_count(). A mesh of several materials is one a material, all of the
-  // same name.
+  // Index of the first mesh with this name, or mesh_count(). A source mesh with several materials is one Mesh for each,
+  // all of the same name.
   MARROW_API std::uint32_t find_mesh(const char* name) const;
-  // Index of the first clip with this name, or clip_count(); the second of those that move one skeleton. An animation
-  // of several skeletons is a clip each, with the same name and duration.
+  // Index of the first clip with this name, or clip_count(). With `skeleton` only clips that move that skeleton are
+  // searched. An animation of several skeletons is one clip for each, all with the same name and duration.
   MARROW_API std::uint32_t find_clip(const char* name) const;
   MARROW_API std::uint32_t find_clip(const char* name, std::uint32_t skeleton) const;
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
@@ -483,7 +487,7 @@ class File {
   MARROW_API std::uint32_t find_node(const char* name) const;
   // The property of `node`, a node of this file, with this name; null if there is none.
   MARROW_API const Property* node_property(const Node& node, const char* name) const;
-  // A name by its number (Skeleton::names, Channel::name, Property::name); empty for what is none. UTF-8,
+  // The name with this number (Skeleton::names, Channel::name, Property::name); empty if there is none. UTF-8,
   // zero-terminated, never null.
   MARROW_API const char* text(std::uint32_t name) const;
 
@@ -511,12 +515,12 @@ class File {
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.
 //
-// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere: nothing is
-// read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out of
-// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
-// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
-// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
-// failure. Cost: one pass over the block; no allocation. Thread-safe.
+// The block must be 16-byte aligned (bad_argument otherwise; block.h helps) and may come from anywhere. Nothing is read
+// outside it, whatever it holds. After `ok`, nothing that it holds can make another stage read or write out of bounds.
+// Numbers of matrices, translations and scales are at most 1e12, and rotations are unit quaternions. So the product of
+// a root's model_from_root, one joint and an inverse bind is finite; along a long chain of huge scales it need not be.
+// Names are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken
+// rule on failure. Cost: one pass over the block; no allocation. Thread-safe.
 MARROW_API Status load(Span<const std::byte> block, File& out, DataError* error = nullptr);
 
 }  // namespace marrow

@@ -29,23 +29,25 @@ struct Api {
 
 // Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
 // Errors: bad_argument without a loader; unsupported if it returns null for a function of OpenGL ES 3.0, whose name is
-// put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on success.
+// put in `missing` (static string). Functions of 3.1 stay null where the driver has none. `api` is written only on
+// success.
 //
-// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
-// and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
-// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
+// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. GL objects are then labelled as they are made, for RenderDoc
+// and drivers' tools ("newt: surface"); set ObjectLabel to null to leave them without labels. GetGraphicsResetStatus is
+// there with GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
 MARROW_API Status load_api(Api& api, void* (*load_proc)(const char* name), const char** missing = nullptr);
 
-// Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
-// Then call on_context_lost() for each object that has it, destroy the context, make another, and call
-// on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to lose itself on
-// a reset (EGL_LOSE_CONTEXT_ON_RESET); other contexts never tell, and platforms have ways of their own
-// (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+// Whether the GPU was reset, so that the context is lost with all that is in it. Ask once a frame. If so, call
+// on_context_lost() for each object that has that function, destroy the context, make another, and call
+// on_context_restored(). It can be true only if GetGraphicsResetStatus is there and the context was created to be lost
+// on a reset (EGL_LOSE_CONTEXT_ON_RESET). Other contexts never report one here, and platforms have ways of their own
+// (EGL_CONTEXT_LOST of eglSwapBuffers). GL may report each reset only once.
 MARROW_API bool context_was_reset(const Api& api);
 
-// Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
-// lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
-// debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+// Reports to `watch` every GL error that a call through `api` or a copy of it causes, with the call's name; null ends
+// the reports. The watch must live as long as `api` and its copies. The watch does not hide errors: GetError of `api`
+// still returns them. For debugging: without a watch a call costs one more comparison, with a watch two calls of
+// glGetError.
 MARROW_API void watch_errors(Api& api, ErrorWatch* watch);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
@@ -60,7 +62,8 @@ struct Caps {
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
 MARROW_API Status query_caps(const Api& api, Caps& caps);
 
-// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
+// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: with four influences it needs 192 bytes a
+// vertex, more than attributes hold.
 enum class Deformer : std::uint8_t {
   none,   // vertices skinned elsewhere, in float: position, normal, tangent
   rigid,  // the joint with the largest weight
@@ -69,9 +72,9 @@ enum class Deformer : std::uint8_t {
   psd,  // SSD of what the mesh's pose space has moved, see skin_psd() in skin.h
 };
 
-// Which attributes a mesh has and a program reads.
+// Features that a mesh has or a program reads, as bits: normals.
 inline constexpr std::uint8_t kNormals = 1;
-// A mesh has tangents, a program reads them; here and below as above.
+// Tangents.
 inline constexpr std::uint8_t kTangents = 2;
 // Texture coordinates.
 inline constexpr std::uint8_t kUvs = 4;
@@ -81,29 +84,31 @@ inline constexpr std::uint8_t kColours = 8;
 inline constexpr std::uint8_t kMorphs = 16;
 // In animation space normals and tangents are the deformed surface's own, by as_tangents(): see PrepareOptions.
 inline constexpr std::uint8_t kSurfaceNormals = 32;
-// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+// Only of programs: where each vertex was in the previous frame, for motion vectors.
 inline constexpr std::uint8_t kMotion = 64;
 
-// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
-// kSurfaceNormals is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-inline constexpr std::uint32_t kPositionLocation = 0;   // animation space: 0 … 7 are the coordinates
-inline constexpr std::uint32_t kWeightsLocation = 1;    // and 2
-inline constexpr std::uint32_t kPreviousLocation = 1;   // Deformer::none with kMotion: the position of the frame before
-inline constexpr std::uint32_t kJointsLocation = 8;     // and 9; on Mali-G up to eight here, two in a number
-inline constexpr std::uint32_t kNormalLocation = 10;    // octahedral
-inline constexpr std::uint32_t kTangentLocation = 11;   // octahedral, and the handedness
-inline constexpr std::uint32_t kUvLocation = 12;        // in_uv
-inline constexpr std::uint32_t kColourLocation = 13;    // in_colour
-inline constexpr std::uint32_t kMorphRowLocation = 14;  // row of the morph texture
-inline constexpr std::uint32_t kExampleRowLocation = 15;                            // row of the texture of examples
+// Attribute locations of the skinning text, fixed so that any program draws any mesh. There is one exception: animation
+// space with kSurfaceNormals has other vectors at the locations of normals and tangents, so only programs with
+// kSurfaceNormals draw it.
+inline constexpr std::uint32_t kPositionLocation = 0;     // animation space: 0 … 7 are the coordinates
+inline constexpr std::uint32_t kWeightsLocation = 1;      // and 2
+inline constexpr std::uint32_t kPreviousLocation = 1;     // Deformer::none with kMotion: the previous position
+inline constexpr std::uint32_t kJointsLocation = 8;       // and 9; on Mali-G up to eight here, two in a number
+inline constexpr std::uint32_t kNormalLocation = 10;      // octahedral
+inline constexpr std::uint32_t kTangentLocation = 11;     // octahedral, and the handedness
+inline constexpr std::uint32_t kUvLocation = 12;          // in_uv
+inline constexpr std::uint32_t kColourLocation = 13;      // in_colour
+inline constexpr std::uint32_t kMorphRowLocation = 14;    // row of the morph texture
+inline constexpr std::uint32_t kExampleRowLocation = 15;  // row of the texture of examples
 inline constexpr std::uint32_t kSurfaceLocations[8] = {4, 5, 6, 7, 9, 10, 11, 15};  // four vectors of each tangent
-// Animation space as words, uvec4, two vectors in each: coordinates and tangents on Mali-G and NVIDIA, and with
-// kSurfaceNormals and more than four influences; but of five and six on Adreno and Mali-T tangents alone, from the
-// seventh location on. With kSurfaceNormals and more than four influences a vector in words is x, y, w, z, and y and z
-// are read with the sixteen bits below them behind their point, which saves the parting of words.
+// Animation space as words: each attribute is a uvec4 that holds two vectors. Mali-G and NVIDIA read all coordinates
+// and tangents so. With kSurfaceNormals and more than four influences every GPU does, except Adreno and Mali-T with
+// five or six influences: they read only the tangents so, from the seventh location on. With kSurfaceNormals and more
+// than four influences a vector is stored as x, y, w, z. The shader then takes the whole word as y or z, with the
+// sixteen bits below as a fraction, and need not split it.
 inline constexpr std::uint32_t kWordLocations[12] = {0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15};
 
-// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
+// The most morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 inline constexpr std::uint32_t kMorphTargets = 64;
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
@@ -148,8 +153,8 @@ struct VertexLayout {
 //   8                  28    72                    200                         4
 // clang-format on
 //
-// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
-// holds 8 B for each example and vertex that it moves.
+// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. The example
+// texture holds 8 B for each example and vertex that it moves.
 struct GpuMesh {
   std::uint32_t ssd_array = 0;        // vertex array objects; 0 where not asked for. Rigid uses this one too.
   std::uint32_t as_array = 0;         // of animation space
@@ -183,15 +188,16 @@ struct GpuMesh {
 // What prepare() puts on the GPU.
 struct PrepareOptions {
   bool ssd = true;  // also what rigid draws from
-  bool as = true;   // neither: for vertices skinned on the CPU
+  bool as = true;   // ssd and as both false: for vertices skinned on the CPU
   // From as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features` has
   // kSurfaceNormals. Empty, or of a mesh with morph targets or without normals: normals through the blend.
   Span<const float> as_tangents = {};
-  // With `ssd`: what Deformer::psd draws from, too; nothing more of a mesh without examples.
+  // With `ssd`: also what Deformer::psd draws from. Adds nothing to a mesh without examples.
   bool psd = false;
 };
 
-// Bytes of scratch memory that prepare() wants: the largest of its vertex buffers, with `psd` and all changes.
+// Bytes of scratch memory that prepare() wants: as much as the largest of its vertex buffers. With `psd` the SSD buffer
+// counts together with all changes.
 MARROW_API std::size_t prepare_scratch_bytes(const Mesh& mesh, const PrepareOptions& options = {});
 
 // Uploads a mesh, and writes the bind matrices to build its palettes with:
@@ -219,9 +225,9 @@ enum class Palettes : std::uint8_t {
   crowd,  // CrowdMesh, see gles3_crowd.h: likewise, without work on the CPU; not for Deformer::none, psd or kMorphs
 };
 
-// What a program is compiled for: of the mesh's features those that it is to read. With kMorphs it draws only meshes
-// that have targets; set_morphs() before each. With kMotion it skins twice: by the palettes of this frame, and of the
-// frame before, positions alone. Those, bound for each draw call like the others, are
+// What a program is compiled for. With kMorphs it draws only meshes that have targets; call set_morphs() before each.
+// With kMotion it skins twice: by this frame's palettes and, positions only, by the previous frame's. Bind the previous
+// palettes for each draw call, too:
 //   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by bind_palette()
 //   in a texture         bind_previous_palette(); of crowds bind_crowd() does it
 //   skinned elsewhere    set_previous(), see gles3_skinned.h
@@ -229,8 +235,8 @@ enum class Palettes : std::uint8_t {
 struct ProgramKey {
   Deformer deformer = Deformer::ssd;            // by which vertices are skinned
   std::uint8_t influences = 4;                  // 4 to 8: that of the mesh or more
-  std::uint8_t features = kNormals;             // kNormals | …, that it reads
-  Palettes palettes = Palettes::uniform_block;  // where they are
+  std::uint8_t features = kNormals;             // kNormals | …: the mesh's features that it reads
+  Palettes palettes = Palettes::uniform_block;  // where it finds palettes
 };
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
@@ -241,8 +247,8 @@ struct ProgramKey {
 //     gl_Position = clip_from_model * vec4(v.position, 1.0);
 //   }
 //
-// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-// was built to read it (ProgramKey::features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for crowds.
+// Both texts may test these macros with #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR, MARROW_MOTION: 1
+// if the program was built to read it (ProgramKey::features), else 0. MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:
 //   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
 //                                    model space, normal and tangent of unit length, tangent.w the handedness; what is
@@ -274,8 +280,8 @@ struct Program {
   std::int32_t distances = -1, distance_row = -1, previous_distances = -1;          // of pose spaces
 };
 
-// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with kMotion that of the
-// frame before to the next binding.
+// Compiles and links. The palette block is tied to uniform buffer binding `palette_binding`; with kMotion the previous
+// frame's block is tied to the next binding.
 // Errors: bad_argument (a text missing, influences other than 4 to 8, what crowds cannot); gl_error, with the driver's
 // words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a frame.
 MARROW_API Status create_program(const Api& api, const ProgramKey& key, const ProgramSource& source,
@@ -313,14 +319,14 @@ MARROW_API void bind_palette(const Api& api, const PaletteRing& ring, std::uint3
 // Texels a row of the texture: what GLES 3.0 promises.
 inline constexpr std::uint32_t kPaletteTextureWidth = 2048;
 
-// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
-// frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Three textures take turns, each written
+// every third frame, so that the driver need not wait for a texture that it still draws from, or copy it.
 struct PaletteTexture {
   std::uint32_t textures[3] = {};    // 0: none
   std::uint32_t current = 0;         // which was written last
   std::uint32_t capacity = 0;        // matrices
-  std::uint32_t count = 0;           // that are there
-  std::uint32_t previous_count = 0;  // that were there in the frame before
+  std::uint32_t count = 0;           // matrices in the current texture
+  std::uint32_t previous_count = 0;  // matrices in the previous frame's texture
 };
 
 // Room for `joints` matrices: 48 B each, three times.
@@ -330,31 +336,31 @@ MARROW_API Status create_palette_texture(const Api& api, const Caps& caps, std::
 // Deletes the textures and clears the struct.
 MARROW_API void destroy(const Api& api, PaletteTexture& texture);
 
-// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and build_palette()
-// may write right there. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty); unsupported (more
-// than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0.
+// Once a frame: uploads all palettes, one after the other, those of one mesh's instances together. build_palette() may
+// write straight into such an array. 48 bytes a matrix go up, and nothing else. Errors: bad_argument (empty);
+// unsupported (more than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be
+// 0.
 MARROW_API Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affine> palettes);
 
-// `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
-// `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
-// the texture bound to it. Errors: bad_argument (a program of another kind, a palette that reaches beyond what was
-// uploaded).
+// Lets `program` draw with uploaded palettes: instance i takes the one that begins at matrix first + joints · i. The
+// program must be in use and read palettes from a texture. Leaves `texture_unit` active and the texture bound to it.
+// Errors: bad_argument (a program of another kind, a palette that reaches beyond what was uploaded).
 MARROW_API Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                                std::uint32_t texture_unit, const Program& program);
 
-// The palettes of the frame before, which are there still, for a program with kMotion that draws from bind_palette() of
-// the same arguments. kept: false for characters without a frame before; their palettes of this frame are bound then,
-// and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is bound for a program whose
-// text does not read previous_position. Errors: bad_argument (a program of another kind, a palette that reaches beyond
-// what was uploaded then).
+// Binds the palettes of the previous frame, which are still there, for a program with kMotion. Pass the same arguments
+// as to bind_palette(). kept: false for characters that the previous frame did not have; this frame's palettes are then
+// bound in place of the previous ones, and nothing moves. Leaves `texture_unit` active and the texture bound to it.
+// Nothing is bound for a program whose text does not read previous_position. Errors: bad_argument (a program of another
+// kind, a palette that reaches beyond what was uploaded in that frame).
 MARROW_API Status bind_previous_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first,
                                         std::uint32_t joints, bool kept, std::uint32_t texture_unit,
                                         const Program& program);
 
-// Sets by which weights, one a target, `program`, which must be in use, morphs: as morph() does on the CPU, in
-// animation space through the same blend as normals. Of more than kMorphTargets weights other than 0 those count that
-// move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument (a mesh without
-// targets, a program without kMorphs, too few weights, one that is not finite).
+// Sets the weights, one a target, by which `program` morphs; the program must be in use. It morphs as morph() does on
+// the CPU, in animation space through the same blend as normals. If more than kMorphTargets weights are not 0, the
+// targets that move most count. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: bad_argument
+// (a mesh without targets, a program without kMorphs, too few weights, one that is not finite).
 MARROW_API Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                              std::uint32_t texture_unit, const Program& program);
 
@@ -366,16 +372,16 @@ MARROW_API Status set_previous_morphs(const Api& api, const Mesh& mesh, const Gp
 // examples. 0 without examples.
 MARROW_API std::uint32_t distance_matrices(const Geometry& geometry);
 
-// How far a pose is from the examples, as Deformer::psd reads it: psd_distances() in another order. It goes up with
-// those of other characters as palettes do, by upload_palettes() into a PaletteTexture of its own, on every path.
-// palette: built with the bind matrices of prepare(), or those of the mesh; no matter which. out: distance_matrices().
-// Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
+// How far a pose is from the examples, in the order in which Deformer::psd reads it: otherwise as psd_distances().
+// Upload it as palettes are, together with those of other characters: by upload_palettes() into a PaletteTexture of its
+// own, on every path. palette: built with the bind matrices of prepare() or with the mesh's; the result is the same.
+// out: distance_matrices(). Errors: bad_argument (no examples, a span too short). Cost: that of psd_distances().
 MARROW_API Status pack_distances(const Geometry& geometry, Span<const Affine> palette, Span<Affine> out);
 
-// `program`, which must be in use and of Deformer::psd, deforms by the mesh's examples and by distances that begin at
-// matrix `first` of what was uploaded, its instance i by those GpuMesh::distances · i behind. Leaves `texture_unit` and
-// the next one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind,
-// distances that reach beyond what was uploaded).
+// Lets `program` deform by the mesh's examples and by uploaded distances: instance i takes those that begin at matrix
+// first + GpuMesh::distances · i. The program must be in use and of Deformer::psd. Leaves `texture_unit` and the next
+// one taken, the latter active. Errors: bad_argument (a mesh without examples, a program of another kind, distances
+// that reach beyond what was uploaded).
 MARROW_API Status bind_examples(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances,
                                 std::uint32_t first, std::uint32_t texture_unit, const Program& program);
 
@@ -385,10 +391,10 @@ MARROW_API Status bind_previous_distances(const Api& api, const GpuMesh& mesh, c
                                           std::uint32_t first, bool kept, std::uint32_t texture_unit,
                                           const Program& program);
 
-// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
-// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
-// say: as glTF has it, GL_CULL_FACE is enabled unless Mesh::double_sided, and fronts are GL_CCW, but GL_CW where
-// turns_inside_out(palette), see palette.h. So characters that mirror take a draw call of their own.
+// Draws all triangles of `instances` characters; more than one only with palettes in a texture. `program` must be in
+// use, its palette bound. Leaves the vertex array at 0. The game sets culling. As glTF has it, GL_CULL_FACE is enabled
+// unless Mesh::double_sided, and fronts are GL_CCW, or GL_CW where turns_inside_out(palette), see palette.h. So
+// characters that mirror need a draw call of their own.
 // Errors: bad_argument if the mesh was not prepared for this deformer.
 MARROW_API Status draw(const Api& api, const GpuMesh& mesh, Deformer deformer, const Program& program,
                        std::uint32_t instances = 1);

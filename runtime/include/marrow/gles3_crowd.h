@@ -11,10 +11,10 @@
 //   on the CPU         crowd_joint: where a joint of an instance is, by the arithmetic of the GPU
 //   context lost       on_context_lost; with the new context load_api, query_caps, then on_context_restored
 //
-// Back faces are culled as draw() of gles3.h says: by each mesh's double_sided. Which way fronts are wound is the same
-// for all instances of a draw call, so those whose world_from_model mirrors, see turns_inside_out() in palette.h,
-// stand behind the others in the crowd, and each of the two ranges is bound and drawn with its own glFrontFace. Where
-// the character itself is mirrored, which turns_inside_out(palette) tells, both are the other way round.
+// Back faces are culled as draw() of gles3.h says: by each mesh's double_sided. All instances of a draw call share one
+// winding of fronts. So keep instances whose world_from_model mirrors (turns_inside_out() in palette.h) behind the
+// others in the crowd, and bind and draw each of the two ranges with its own glFrontFace. If the character itself is
+// mirrored, as turns_inside_out(palette) tells, swap the two settings.
 //
 // The conventions are those of gles3.h. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 #pragma once
@@ -31,7 +31,8 @@ struct CrowdSource {
   bool loops = true;  // its last pose is followed by its first; otherwise it stays in the last
 };
 
-// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+// Where a clip's frames are: steps + 1 of them, at even steps of time. In a clip that loops, the last frame is the
+// first again.
 struct CrowdClip {
   float duration_s = 0;           // of the clip
   std::uint32_t first_frame = 0;  // of the crowd's frames
@@ -47,43 +48,44 @@ struct CrowdFrames {
   std::uint32_t frame_count = 0;                 // of all clips
 };
 
-// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
+// The most frames of a crowd: as many as fit the smallest textures for meshes with one joint.
 inline constexpr std::uint32_t kMaxCrowdFrames = 1u << 20;
 
-// How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
-// enough for most motion. out: at least as many as sources.
+// How many frames it takes to bake clips at `rate_hz`, or a little more, as each clip gets a whole number of steps. 30
+// a second are enough for most motion. out: at least as many as sources.
 // Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
 // unsupported (more than 65535 steps of a clip, or kMaxCrowdFrames). Written only on success.
 MARROW_API Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out,
                              std::uint32_t& frame_count);
 
-// Samples them. scratch: at least skeleton.soa_size(); matrices: at least frame_count × joint_count, the caller's to
-// keep, as are the clips, which must be those that plan_crowd() wrote for these sources; 48 B a joint and frame.
+// Samples the sources into frames. scratch: at least skeleton.soa_size(). clips: those that plan_crowd() wrote for
+// these sources. matrices: at least frame_count × joint_count, 48 B a joint and frame. The caller keeps clips and
+// matrices.
 // Errors: bad_argument (a span too short, a clip of another skeleton, clips that are not a plan).
 MARROW_API Status bake_crowd(const Skeleton& skeleton, Span<const CrowdSource> sources, Span<const CrowdClip> clips,
                              Span<SoaTransform> scratch, Span<Affine> matrices, CrowdFrames& out);
 
-// At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+// A clip on the crowd's clock: at start_s the clip is at phase_s; at any other time `speed` says where.
 struct CrowdPlay {
   std::uint32_t clip = kNoClip;  // of CrowdFrames::clips
-  float phase_s = 0;             // of a clip that does not loop within 0 … duration_s, else the nearer end
+  float phase_s = 0;             // of a clip that does not loop, clamped to 0 … duration_s
   float speed = 1;               // seconds of the clip a second; may be negative
   double start_s = 0;            // seconds
 };
 
-// One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+// One character of a crowd. It is exact up to 36 hours from each of its times; set it again by then, with later times.
 struct CrowdInstance {
   Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};  // where it stands
   CrowdPlay a = {};                                                        // must have a clip
   CrowdPlay b = {};                                                        // kNoClip: a alone
-  double blend_start_s = 0;                                                // until then a alone
-  float blend_s = 0;                                                       // and b alone so much later
+  double blend_start_s = 0;                                                // until this time a alone
+  float blend_s = 0;                                                       // length of the blend; after it b alone
   float colour[4] = {1, 1, 1, 1};  // marrow_instance_colour() in the vertex shader
 };
 
-// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
-// is linear in the drawing too.
+// Where a joint of an instance is: linear between two neighbouring frames and between two clips. The palettes that are
+// drawn are blended the same way, so what is put at the joint stays on the surface. Helper entries of a palette are
+// blended linearly between frames and clips, too.
 // Errors: bad_argument (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // world_from_model beyond 1e12).
 MARROW_API Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
@@ -93,17 +95,18 @@ MARROW_API Status crowd_joint(const CrowdFrames& frames, const CrowdInstance& in
 MARROW_API Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
                              Span<Affine> model_from_joint);
 
-// What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+// How many palettes of `joints` matrices a texture of the caps' size holds. It limits the frames of a mesh, and the
+// instances.
 MARROW_API std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
 
-// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
-// (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the instances' palettes at this moment (RGBA32UI,
+// the bits of floats, since GLES 3.0 cannot render to floats). A texel is a row of a matrix, a line 2048 texels.
 struct CrowdMesh {
   GpuMesh gpu = {};                   // what draw() takes
   std::uint32_t frames_texture = 0;   // palettes of all frames
   std::uint32_t blended_texture = 0;  // palettes of the instances
   std::uint32_t framebuffer = 0;      // around the blended texture
-  // With motion alone: as they were in the frame before. begin_frame() has the two take turns.
+  // Only with motion: the instances' palettes in the previous frame. begin_frame() swaps the two textures.
   std::uint32_t previous_texture = 0;
   std::uint32_t previous_framebuffer = 0;  // around the previous texture
   std::uint32_t joints = 0;                // matrices of a palette
@@ -132,8 +135,8 @@ MARROW_API std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& 
 // crowd_palettes_that_fit()); gl_error (nothing is left allocated). `out` is written only on success. Leaves changed
 // what prepare() does, the active unit's 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
 // the vertices, and 48 B a matrix and frame, go up, once.
-// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-// kMotion have MarrowVertex::previous_position from them.
+// motion: keeps the previous frame's palettes as well, 48 B a joint and instance. Programs of roles that read kMotion
+// get MarrowVertex::previous_position from them.
 MARROW_API Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
                                     const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory,
                                     CrowdMesh& out, bool motion = false);
@@ -161,51 +164,53 @@ MARROW_API Status create_crowd(const Api& api, const Caps& caps, std::uint32_t c
 // Deletes the texture and clears the struct; the memory is the caller's again.
 MARROW_API void destroy(const Api& api, Crowd& crowd);
 
-// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
-// they are kept, and there once it is restored. Errors: bad_argument (a gap before `first`, frames other than those of
-// the instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is
-// changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an
-// instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+// Sets the instances from `first` on: it replaces existing ones, or adds more right behind them. While the context is
+// lost they are kept, and restored with it. Errors: bad_argument (a gap before `first`, frames other than those of the
+// instances before, an instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is changed
+// then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance,
+// in at most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
 MARROW_API Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                                 Span<const CrowdInstance> instances);
 
 // The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
 MARROW_API Status create_crowd_program(const Api& api, Program& out, Span<char> log = {});
 
-// The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
-// compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
-// features: what programs are to read of what the mesh has. Errors: bad_argument (Deformer::none, no role);
-// unsupported (a full set); gl_error, with the driver's words in programs.log.
+// Makes a set hold the program for blend_crowd() and, for a kind of mesh, each role's program that reads palettes of
+// crowds; what it lacks is compiled. The set restores them after the context is lost. deformer: one that the mesh was
+// prepared for. features: those of the mesh's that programs are to read. Errors: bad_argument (Deformer::none, no
+// role); unsupported (a full set); gl_error, with the driver's words in programs.log.
 MARROW_API Status create_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                                         std::uint8_t features, ProgramSet& programs);
-// What was built with the same arguments, never null.
+// The program that was built with the same arguments, never null.
 MARROW_API const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
                                            const ProgramSet& programs, std::uint32_t role);
 MARROW_API const Program& blending_program_of(const ProgramSet& programs);
 
-// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
-// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off and no
-// colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture, `texture_unit`
-// and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind, instances that
-// are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances than the mesh
-// has capacity for); gl_error (the context is lost).
+// Writes the palettes of `count` instances from `first` on, at time_s of the crowd's clock, placed in the scene. It
+// draws one triangle, a fragment a row of a matrix. Call it once a frame, however often the instances are drawn then.
+// `program`, from create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must
+// be off and no colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture,
+// `texture_unit` and the one behind it bound and the latter active. Errors: bad_argument (a program of another kind,
+// instances that are not there, frames other than the mesh's, a time that is not finite); unsupported (more instances
+// than the mesh has capacity for); gl_error (the context is lost).
 MARROW_API Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                               std::uint32_t count, double time_s, std::uint32_t texture_unit, const Program& program);
 
-// With motion: once a frame, before blend_crowd(). What was blended is now the frame before. No call to GL.
+// With motion: call it once a frame, before blend_crowd(). The palettes that were blended last become the previous
+// frame's. No call to GL.
 MARROW_API void begin_frame(CrowdMesh& mesh);
 
-// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
-// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
-// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
-// Otherwise as blend_crowd(). Errors: as there; bad_argument too of a mesh without motion.
+// With motion: writes the previous frame's palettes of some instances anew. Use it for instances that were not blended
+// in that frame, or that have since been set to play or stand elsewhere at once. Their palettes are computed from the
+// instances as they are set now, at time_s. With the previous frame's time they move as their clips do; with this
+// frame's time they stand still. Other instances keep their palettes. Otherwise as blend_crowd(). Errors: as there;
+// bad_argument also for a mesh without motion.
 MARROW_API Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                                        std::uint32_t count, double time_s, std::uint32_t texture_unit,
                                        const Program& program);
 
-// The next draw() with `count` instances draws those from `first` on, as they were blended. `program`, which must be in
-// use, reads palettes of crowds. Binds two texture units as blend_crowd() does, with kMotion the one behind them, too.
+// Lets the next draw() with `count` instances draw those from `first` on, as they were blended. `program` must be in
+// use and read palettes of crowds. Binds two texture units as blend_crowd() does, and with kMotion the next one, too.
 // Errors: as there.
 MARROW_API Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
                              std::uint32_t count, std::uint32_t texture_unit, const Program& program);

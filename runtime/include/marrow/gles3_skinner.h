@@ -1,4 +1,4 @@
-// Skin on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
+// Skin on the GPU, in one piece: draws one mesh as many characters, on the path that suits the device.
 //
 //   once a context   load_api, query_caps; a ProgramSet with the game's own texts, one a role (colour, shadow, …)
 //   once a mesh      create_skinner
@@ -38,7 +38,7 @@ struct ProgramSetEntry {
   ProgramSetEntry() = default;
 
   ProgramKey key = {};     // what it was built for
-  std::uint32_t role = 0;  // kMostRoles + Preskin: pre-skinning; and 2: blending of crowds
+  std::uint32_t role = 0;  // from kMostRoles on: kMostRoles + Preskin, pre-skinning; kMostRoles + 2, blending of crowds
   Program program = {};    // as it was built
 };
 
@@ -47,8 +47,8 @@ struct ProgramSet {
   // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};
   std::uint32_t role_count = 1;  // of `roles`, that are used
-  // Of what a mesh has, what each role's texts read: a shadow's none, or kUvs where it has holes. kMotion: whether they
-  // read previous_position of skinners and crowds that keep it.
+  // For each role, which features of a mesh its texts read: for a shadow none, or kUvs where it has holes. kMotion:
+  // whether they read previous_position, of skinners and crowds that keep it.
   std::uint8_t role_features[kMostRoles] = {255, 255, 255, 255};
   std::uint32_t palette_binding = 0;            // uniform buffer binding of the palettes
   Span<char> log = {};                          // what the driver says of a text that does not compile
@@ -66,8 +66,8 @@ struct SkinnerMotion {
   Span<SkinnedMesh> skinned = {};    // of paths that skin once a frame
   Span<float> weights = {};          // of morph targets
   Span<float> sent_weights = {};     // of the last update()
-  Span<std::uint8_t> still = {};     // a character each: 1 if it had no update() before its last
-  Span<std::uint8_t> reset = {};     // 1 if the next update() is to be its first
+  Span<std::uint8_t> still = {};     // one a character: 1 if its last update() counts as its first
+  Span<std::uint8_t> reset = {};     // one a character: 1 if its next update() counts as its first
 };
 
 // How a mesh is skinned, and for how many characters.
@@ -75,19 +75,19 @@ struct SkinnerOptions {
   SkinningPath path = SkinningPath::ubo;  // choose() in gles3_self_test.h names the best
   Deformer deformer = Deformer::ssd;      // rigid, ssd, as or psd, which is ssd for a mesh without examples
   std::uint32_t instances = 1;            // characters, at most
-  // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
-  // A pose space takes the fourth and fifth, with `motion` the sixth.
+  // The unit of palettes in a texture. Morph targets take the next unit; with `motion` the previous palettes take the
+  // third. A pose space takes the fourth and fifth, with `motion` also the sixth.
   std::uint32_t texture_unit = 0;
-  std::uint8_t features = 255;  // what programs are to read of what the mesh has and their role reads
+  std::uint8_t features = 255;  // the mesh's features that programs read, if their role reads them, too
   // From as_tangents() of this mesh, in the caller's memory for as long as the skinner; see PrepareOptions.
   Span<const float> as_tangents = {};
-  // For motion vectors: keeps what the update() before left on the GPU, and programs of roles that read kMotion have
-  // MarrowVertex::previous_position from it. The uniform buffer binding behind ProgramSet::palette_binding is taken,
-  // too. Nothing more goes up; what it costs: docs/performance.md, "Motion vectors".
+  // For motion vectors: keeps on the GPU what the last update() left there. Programs of roles that read kMotion get
+  // MarrowVertex::previous_position from it. It also takes the uniform buffer binding after
+  // ProgramSet::palette_binding. Nothing more is uploaded; for the cost see docs/performance.md, "Motion vectors".
   bool motion = false;
 };
 
-// A mesh as many characters. Filled in by create_skinner(), to be read only.
+// A mesh that is drawn as many characters. Filled in by create_skinner(), to be read only.
 struct Skinner {
   Mesh mesh = {};                        // as it was given
   SkinnerOptions options = {};           // as they were given
@@ -95,7 +95,7 @@ struct Skinner {
   PaletteRing ring = {};                 // path ubo, feedback and compute
   PaletteTexture texture = {};           // path texture
   PaletteTexture distance_texture = {};  // of pose spaces
-  std::uint32_t updated = 0;             // characters that the last update() brought up
+  std::uint32_t updated = 0;             // how many characters the last update() prepared
   bool lost = false;                     // between on_context_lost() and on_context_restored()
 
   // In the caller's memory.
@@ -127,21 +127,20 @@ MARROW_API Status create_skinner(const Api& api, const Caps& caps, const Mesh& m
 // Deletes the GL objects and clears the struct; the memory is the caller's again.
 MARROW_API void destroy(const Api& api, Skinner& skinner);
 
-// Character `instance` takes this pose at the next update(). weights: one a morph target. Calls no GL: may run on
-// another thread than the context's, different instances on different threads.
+// Sets the pose that character `instance` has from the next update() on. weights: one a morph target. Calls no GL, so
+// it may run on another thread than the context's, for different instances on different threads.
 // Errors: bad_argument (no such instance, a span too short, a skinner that was destroyed).
 MARROW_API Status pose(Skinner& skinner, std::uint32_t instance, Span<const Affine> model_from_joint,
                        Span<const float> weights = {});
 
-// Of a skinner with options.motion: to the next update() the character has no frame before, so its vertices do not
-// move: for one that appears, or is put elsewhere at once. Characters that the update() before left out have none
-// anyway. May be called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was
-// destroyed).
+// With options.motion: at the next update() the character counts as new, so its vertices do not move. For a character
+// that appears, or jumps to another place. A character that the last update() left out counts as new anyway. May be
+// called where pose() may. Errors: bad_argument (no such instance, a skinner without motion or that was destroyed).
 MARROW_API Status reset_motion(Skinner& skinner, std::uint32_t instance);
 
-// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
-// vertices.
+// Once a frame, after posing: uploads the palettes of characters 0 … count - 1, or skins them. Only 48 bytes a joint
+// are uploaded; with a pose space also 16 for every four examples, the bind pose counting as one; on path cpu the
+// vertices instead.
 // Errors: bad_argument (more than there are, a weight that is not finite, a skinner that was destroyed); gl_error (the
 // context is lost).
 MARROW_API Status update(const Api& api, Skinner& skinner, const ProgramSet& programs, std::uint32_t count);

@@ -1,14 +1,14 @@
-// Inverse kinematics in closed form, for poses after local_to_model(): a limb of two bones reaches a point, or a joint
-// or a chain of joints looks at one.
+// Inverse kinematics in closed form, for poses after local_to_model(). A limb of two bones reaches a point; a joint, or
+// a chain of joints, looks at a point.
 //
 // Each comes in two forms. A kernel (two_bone, aim) takes model matrices and gives turns, to be multiplied onto the
 // joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes a Pose,
 // changes its local rotations, and updates the model matrices of all that hangs below. Both take the same struct.
 //
-// "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
-// Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does not turn rigidly:
-// kernels and aims are then approximate, solve_two_bone() is not. The same call gives the same bits on every processor.
-// Thread-safe on different outputs; no allocation.
+// Every vector says its space: model space is that of model_from_joint, local space is the joint's own. Directions may
+// be of any length. Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does
+// not turn rigidly: kernels and aims are then approximate, solve_two_bone() is not. The same call gives the same bits
+// on every processor. Thread-safe on different outputs; no allocation.
 #pragma once
 
 #include "marrow/api.h"
@@ -21,17 +21,17 @@ namespace marrow {
 struct alignas(16) TwoBone {
   float target[3] = {0, 0, 0};  // where the end joint is to be; model space, metres
   float weight = 1;             // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
-  // The direction from the start joint in which the middle joint is to point; model space. Zero: it stays on the side
-  // that it has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
-  // pole counts less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb
-  // swings round and does not jump.
+  // The direction from the start joint in which the middle joint is to point; model space. Zero: the middle joint stays
+  // on its side in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
+  // pole counts less and less, and a side 37° away from the pole's is mixed in. So when the target passes over the
+  // pole, the limb swings round and does not jump.
   float pole[3] = {0, 0, 0};
   float twist_rad = 0;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
-  // bends, and turns round a limb that the pose has bent the wrong way. Zero: the limb bends as in the pose, and a
-  // straight one towards the pole.
+  // bends, and corrects a limb that the pose has bent the wrong way. Zero: the limb bends as in the pose, and a
+  // straight limb bends towards the pole.
   float bend_axis[3] = {0, 0, 0};
-  // 0 … 1: from this share of its length on the limb straightens ever more slowly, so that the middle joint does not
+  // 0 … 1: beyond this share of its length the limb straightens ever more slowly, so that the middle joint does not
   // snap when the target goes out of reach. 1: targets are reached exactly up to full length. 0.97 is a usual choice.
   float soft = 1;
   float max_stretch = 1;  // ≥ 1: for a target out of reach, the bones become longer by up to this factor
@@ -42,7 +42,7 @@ struct alignas(16) TwoBoneTurns {
   float start[4] = {0, 0, 0, 1};  // of the start joint
   float mid[4] = {0, 0, 0, 1};    // of the middle joint
   float stretch = 1;              // the factor on the translations of all joints from below start down to end
-  // At weight 1 the end comes to within 1e-4 of the limb's length of the target.
+  // Whether, at weight 1, the end joint comes within 1e-4 of the limb's length of the target.
   bool reached = false;
 };
 
@@ -56,16 +56,17 @@ struct TwoBoneJoints {
 // Method: half-angles by the law of cosines from (s - x)(s + x) and (x - m)(x + m), with s and m the sum and difference
 // of the bones' lengths, x the distance to the target; then the shortest arc to the target and a turn about it, in one
 // quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes infinite. A target at the
-// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
-// the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
-// whole call does so. Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are
-// not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, the
+// caller must change signs in its turn: of x where exactly one of the scale's y and z is negative, of y where exactly
+// one of z and x is, of z where exactly one of x and y is. solve_two_bone() does so. Errors: bad_argument, and nothing
+// is written, for a matrix that is not there, numbers that are not finite (or too large to be squared), a weight or
+// soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
 // the target is more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
 
-// Solves four limbs at once, with the same bits, at 60 % of the instructions each. Fewer limbs: fill up with copies.
-// Errors: as above; if one goal is bad, none is solved.
+// Solves four limbs at once, with the same bits, at 60 % of the instructions each. With fewer than four limbs, fill the
+// rest with copies. Errors: as above; if one goal is bad, none is solved.
 MARROW_API Status two_bone_x4(const TwoBoneJoints (&joints)[4], const TwoBone (&goals)[4], TwoBoneTurns (&out)[4]);
 
 // Joints of a skeleton; other joints may lie between them.
@@ -97,8 +98,8 @@ struct alignas(16) Aim {
 // What aim() gives.
 struct alignas(16) AimTurn {
   float turn[4] = {0, 0, 0, 1};  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
-  // At weight 1 the ray from the offset along forward goes through the target. It cannot if the target is nearer to the
-  // joint than the ray ever gets, or than the offset, or if forward has no length.
+  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: the
+  // target is nearer to the joint than the ray ever gets; it is nearer than the offset; or forward has no length.
   bool reached = false;
 };
 
@@ -115,8 +116,9 @@ MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 MARROW_API Status solve_aim(const Pose& pose, std::uint32_t joint, const Aim& goal, bool* reached = nullptr);
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
-// skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
-// falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
+// skeleton. The last joint looks: forward, up and offset are in its space, and it makes the rest of the turn that the
+// others leave. falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last joint
+// alone.
 // Errors: as above, and bad_argument if `joints` is empty or not a chain, or falloff not in 0 … 1.
 MARROW_API Status solve_look_at(const Pose& pose, Span<const std::uint32_t> joints, const Aim& goal, float falloff,
                                 bool* reached = nullptr);

@@ -19,7 +19,7 @@ struct IkGoal {
   float position[3] = {};            // model space, metres
   float rotation[4] = {0, 0, 0, 1};  // of the joint's axes, in model space: a unit quaternion x, y, z, w
   float position_weight = 1;         // 0 … 100
-  float rotation_weight = 0;         // metres a radian: an error of one radian counts as one of so many metres
+  float rotation_weight = 0;         // metres a radian: an error of one radian counts as this many metres
 };
 
 // What solve_ik() is to do with a pose.
@@ -33,26 +33,26 @@ struct IkProblem {
   // first joint to the goal until its joints face this point. pole_weight is 0 … 1. FABRIK and CCD only.
   float pole[3] = {};     // model space, metres
   float pole_weight = 0;  // 0: no pole
-  // How far joints[0] moves as easily as a joint turns by a radian, in metres: the pelvis of a full body. 0: it stays.
-  // Jacobian methods only.
+  // Lets joints[0] move, such as the pelvis of a full body: moving it by this many metres is as easy as turning a joint
+  // by a radian. 0: it stays. Jacobian methods only.
   float root_travel_m = 0;
 };
 
 // How solve_ik() solves.
 struct IkOptions {
   IkMethod method = IkMethod::damped_least_squares;  // see docs/ik/solvers.md
-  // The most poses to start from: the given one, and while the goals are not reached, others with joints turned at
-  // random by `seed`. For sets of limits in which one start ends in a corner. Goals out of reach then cost as many
-  // times as much, and the result may jump as goals move.
+  // The most poses to start from. The first is the given one; while the goals are not reached, others follow, with
+  // joints turned at random by `seed`. For sets of limits in which a single start gets stuck in a corner. A goal out of
+  // reach uses all starts and costs that many times as much; the result may jump as goals move.
   std::uint8_t starts = 1;
   std::uint16_t max_iterations = 16;  // in each start
   float tolerance_m = 1e-4f;          // iteration ends at an error (see IkReport) of no more than this
   float damping = 1;                  // for the Jacobian methods: more is calmer and slower
   std::uint32_t seed = 0;             // for `starts` and solve_ik_genetic: the same seed gives the same result
   float weight = 1;                   // 0 … 1: 0 changes no bit; between, rotations are blended
-  // For FABRIK and CCD with one goal: if the goal is out of reach, the bones from the first joint that turns to the
-  // goal's become longer, or shorter if it is too near, by up to this factor. 1: bones keep their lengths. Changes the
-  // local translations of joints on the way.
+  // For FABRIK and CCD with one goal. If the goal is out of reach, the bones from the first joint that turns to the
+  // goal's joint become longer by up to this factor; if it is too near, shorter. 1: bones keep their lengths. Changes
+  // the local translations of joints on the way.
   float stretch = 1;
 };
 
@@ -85,9 +85,9 @@ MARROW_API std::size_t ik_scratch_bytes(const Skeleton& skeleton, const IkProble
 MARROW_API Status solve_ik(const Pose& pose, const IkProblem& problem, const IkOptions& options,
                            Span<std::byte> scratch, IkReport* report = nullptr);
 
-// solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others. Scratch
-// memory as by ik_scratch_bytes(), which links little. Errors: as solve_ik, and bad_argument if options.method is one
-// of the others.
+// solve_ik_chain has only FABRIK and CCD, solve_ik_body only the Jacobian methods, so that a game does not link the
+// others. Both take scratch memory of ik_scratch_bytes(), which links little. Errors: as solve_ik, and bad_argument if
+// options.method is one of the others.
 MARROW_API Status solve_ik_chain(const Pose& pose, const IkProblem& problem, const IkOptions& options,
                                  Span<std::byte> scratch, IkReport* report = nullptr);
 MARROW_API Status solve_ik_body(const Pose& pose, const IkProblem& problem, const IkOptions& options,
@@ -96,11 +96,11 @@ MARROW_API Status solve_ik_body(const Pose& pose, const IkProblem& problem, cons
 // solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame, and
 // the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
 //
-// A memetic algorithm: poses compete by their error; the better ones are crossed and changed at random, and the best
+// A memetic algorithm: poses compete by their error. The better ones are crossed and changed at random, and the best
 // improve by cyclic coordinate descent. options.max_iterations counts generations, options.seed starts the random
-// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel. Each
-// pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
-// Cost: tens of microseconds a generation, see docs/ik.md.
+// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel.
+// Every pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The
+// same bits everywhere. Cost: tens of microseconds a generation, see docs/ik.md.
 MARROW_API std::size_t ik_genetic_scratch_bytes(const Skeleton& skeleton, const IkProblem& problem);
 MARROW_API Status solve_ik_genetic(const Pose& pose, const IkProblem& problem, const IkOptions& options,
                                    Span<std::byte> scratch, IkReport* report = nullptr);

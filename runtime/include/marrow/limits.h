@@ -6,7 +6,7 @@
 
 namespace marrow {
 
-// Rotations outside by no more than this keep their bits.
+// Rotations that exceed a limit by no more than this keep their bits.
 inline constexpr float kLimitTolerance_rad = 1e-5f;
 // The widest swing of a cone: 170°.
 inline constexpr float kWidestSwing_rad = 2.9670597f;
@@ -18,8 +18,8 @@ struct LimitDescription {
   float zero[4] = {0, 0, 0, 1};      // the local rotation at which all angles are 0: most often the joint's rest
   float axis[3] = {1, 0, 0};         // the limit's x in the joint's axes: a hinge's axis, a cone's middle
   float across[3] = {0, 1, 0};       // the limit's y; made perpendicular to x
-  // Hinge: the first is the angle. Cone: the first is the twist; the second and third are swings about y and z, whose
-  // `least` is the negative of `most`. Euler: the three angles.
+  // Hinge: [0] is the angle. Cone: [0] is the twist; [1] and [2] are swings about y and z, for which least_rad must be
+  // -most_rad. Euler: the three angles.
   float least_rad[3] = {0, 0, 0};
   float most_rad[3] = {0, 0, 0};  // as least_rad
   RateLimit rate = {0, 0};        // 0: none
@@ -40,14 +40,16 @@ MARROW_API Status make_limit(const LimitDescription& description, std::uint16_t 
 // A rotation that is inside, or outside by no more than kLimitTolerance_rad, keeps its bits, so a second call changes
 // nothing. The result is inside within the same tolerance.
 //
-// For a hinge the result is the nearest rotation; for a cone the nearest swing, with the nearest twist for that swing;
-// for a euler limit one round of exact searches along each angle from the clamped angles. docs/ik/limits.md says how
-// near that is. Clamping is discontinuous half way round, where both ends of the range are equally far. So the last
-// quarter before that point eases through the middle of the range. For a turn about an axis that point is the angle
-// opposite the middle; for a swing it is 180°, where the twist is lost; for euler angles it is ±90° of the second,
-// where the first and the third are one. Distances are measured as tangents of a quarter of the angle. A range of all
-// angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second angle may be ±90°
-// jumps there, by no more than twice what the rotation is outside.
+// The result depends on the kind. Hinge: the nearest rotation. Cone: the nearest swing, with the nearest twist for that
+// swing. Euler: the clamped angles, improved by one round of exact searches along each angle; docs/ik/limits.md says
+// how near that is.
+//
+// Clamping is discontinuous half way round, where both ends of the range are equally far. So over the last quarter
+// before that point the result eases through the middle of the range. For a turn about an axis that point is the angle
+// opposite the middle. For a swing it is 180°, where the twist is undefined. For euler angles it is ±90° of the second
+// angle, where the first and the third turn about the same axis. Distances are measured as tangents of a quarter of the
+// angle. A range of all angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second
+// angle may be ±90° jumps there, by no more than twice the angle by which the rotation is outside.
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
@@ -65,8 +67,8 @@ MARROW_API Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> l
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
 MARROW_API const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
-// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower, and one with
-// numbers that no call leaves, begins anew: the next call puts it on its target, at rest.
+// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower begins anew, and
+// so does one with numbers that no call could have left: the next call puts it on its target, at rest.
 struct RotationFollower {
   float rotation[4] = {};  // x y z w
   float target[4] = {};    // of the last call
@@ -83,8 +85,8 @@ struct PointFollower {
   std::uint32_t mode = 0;  // follow_point()'s own
 };
 
-// Moves `state` on by dt_s towards a target that went straight from its place in the last call to `target`. The result
-// is state.rotation or state.point.
+// Moves `state` on by dt_s. The target is taken to move in a straight line during that time, from the last call's
+// target to `target`. The result is state.rotation or state.point.
 //
 // A follower on its target stays on it, to the bit, as long as the target keeps within the limits. Otherwise it takes
 // the quickest way that the limits allow, and brakes in time: it does not overshoot a target at rest, unless it was too
@@ -107,9 +109,9 @@ MARROW_API Status follow_rotation(RotationFollower& state, const float (&target)
                                   const RateLimit& limit);
 MARROW_API Status follow_point(PointFollower& state, const float (&target)[3], float dt_s, const RateLimit& limit);
 
-// Does follow_rotation() for the joints whose limit has a rate: the pose's rotations are the targets, and become what
-// follows them. All others keep their bits. To stay inside the limits, call limit_pose() before, for the targets, and
-// after, since the way there may lead outside.
+// Does follow_rotation() for each joint whose limit has a rate: the pose's rotation is the target, and is replaced by
+// the follower's. All other joints keep their bits. To stay inside the limits, call limit_pose() before, for the
+// targets, and again after, since the way to a target may lead outside.
 // states: one a limit. Errors: bad_argument if there are too few, a joint is not in the pose, or dt_s is below 0 or not
 // finite; nothing is written. A rotation that is not finite stays as it is.
 MARROW_API Status follow_pose(Span<const JointLimit> limits, Span<RotationFollower> states, float dt_s,

@@ -14,8 +14,8 @@ struct Pose {
   Span<Affine> model_from_joint = {};  // at least skeleton.joint_count
 };
 
-// model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
-// above the skeleton and never moves, so the matrices are in the source's own space.
+// model_from_joint = model_from_root · Π parent_from_joint, from the root down. model_from_root is the fixed transform
+// that the source has above the skeleton, so the matrices are in the source's own space.
 //
 // local: at least skeleton.soa_size(); out: at least skeleton.joint_count; they do not overlap.
 // Errors: bad_argument if a span is too short.
@@ -23,20 +23,20 @@ struct Pose {
 // on AArch64. Thread-safe on different outputs.
 MARROW_API Status local_to_model(const Skeleton& skeleton, Span<const SoaTransform> local, Span<Affine> out);
 
-// The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
-// whatever the count, parents are among them. The others' matrices are left as they are.
+// A level of detail: the same for the first `joint_count` joints only, to the same bits. Joints are breadth-first, so
+// the parents of these joints are among them. All other matrices are left as they are.
 //
 // local: at least soa_count(joint_count); out: at least joint_count. Errors: bad_argument also if there are fewer
 // joints.
 MARROW_API Status local_to_model_first(const Skeleton& skeleton, Span<const SoaTransform> local,
                                        std::uint32_t joint_count, Span<Affine> out);
 
-// The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
-// kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+// The same for `joint` and its descendants only, after a change of their local transforms, say by inverse kinematics.
+// `out` holds the matrices of the whole skeleton; all others keep their bits.
 //
 // local: at least skeleton.soa_size(); out: at least skeleton.joint_count. Errors: bad_argument also if there is no
-// such joint. Cost: what local_to_model does for these joints, groups that a generation of them cuts as whole ones, and
-// one comparison for each other joint from `joint` to the last generation.
+// such joint. Cost: that of local_to_model for these joints, where a group of four that a generation covers only in
+// part costs as much as a whole one; and one comparison for each other joint from `joint` to the last generation.
 MARROW_API Status local_to_model_below(const Skeleton& skeleton, Span<const SoaTransform> local, std::uint32_t joint,
                                        Span<Affine> out);
 

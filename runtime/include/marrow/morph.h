@@ -20,7 +20,7 @@ namespace marrow {
 MARROW_API Status find_weight_channels(const File& file, const Mesh& mesh, const File& clips, const Clip& clip,
                                        Span<std::uint32_t> out);
 
-// The weights of a moment: of each target its channel's value, or its default without. channels: from
+// The weights at one moment: each target gets its channel's value, or its default if it has no channel. channels: from
 // find_weight_channels(); values: from sample_channels() of the same clip; empty spans: all defaults.
 // out: at least mesh.targets.size. Errors: bad_argument (`out` or `channels` too short, a channel outside the values).
 MARROW_API Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> channels, Span<const float> values,
@@ -28,11 +28,11 @@ MARROW_API Status morph_weights(const Mesh& mesh, Span<const std::uint32_t> chan
 
 // An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 struct MorphedGeometry {
-  Geometry geometry = {};  // as the bind geometry, but that skin, normals and tangents are the instance's own
-  Geometry bind = {};      // as the file has it
-  const std::uint32_t* offsets = nullptr;  // a block's first float in the skin; one more for the end
-  std::uint32_t* moved = nullptr;          // a bit a block: differs from the bind pose
-  std::uint32_t* changed = nullptr;        // a bit a block: written since morph_coordinates()
+  Geometry geometry = {};                  // the bind geometry, with the instance's own skin, normals and tangents
+  Geometry bind = {};                      // as the file has it
+  const std::uint32_t* offsets = nullptr;  // for each block its first float in the skin; one more for the end
+  std::uint32_t* moved = nullptr;          // a bit for each block: it differs from the bind pose
+  std::uint32_t* changed = nullptr;        // a bit for each block: written since morph_coordinates()
   std::uint32_t* attributes = nullptr;     // one, kMorphsPositions | …: what differs in the blocks moved
 };
 
@@ -45,17 +45,18 @@ MARROW_API Status make_morphed(const Geometry& geometry, Span<std::byte> memory,
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: bad_argument (too few weights, or one that is not finite: nothing is written).
-// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
-// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
-// however many targets move it, 8, 20 or 29 to undo and normalise.
+// Cost: in proportion to the vertices (blocks of four) that targets with a weight other than 0 move, now or in the last
+// call. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and
+// once, however many targets move it, 8, 20 or 29 to undo and normalise.
 MARROW_API Status morph(Span<const float> weights, MorphedGeometry& morphed);
 
 // Brings animation-space coordinates up to date with the last morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ, where
 // Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through; as_coordinates() of
 // the morphed geometry is the same where no residual changes a weight.
 //
-// coordinates: as_coordinates() of the bind geometry, given to every call since. Errors: bad_argument (too short).
-// Cost: 60 instructions a vertex with four influences and a residual, of those written by morph() since the last call.
+// coordinates: as_coordinates() of the bind geometry; pass the same floats to every call. Errors: bad_argument (too
+// short). Cost: 60 instructions a vertex with four influences and a residual, for vertices that morph() has written
+// since the last call.
 MARROW_API Status morph_coordinates(MorphedGeometry& morphed, Span<float> coordinates);
 
 }  // namespace marrow

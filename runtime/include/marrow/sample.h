@@ -14,16 +14,17 @@ struct SampleOptions {
   Span<const std::uint32_t> joints = {};
 };
 
-// What an instance that plays a clip keeps between two calls of sample_cached(). A new one keeps nothing yet. All
-// but `memory` is sample_cached()'s own.
+// What an instance that plays a clip keeps between two calls of sample_cached(). A new cache is empty. All members but
+// `memory` belong to sample_cached().
 struct SampleCache {
-  // The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
-  // With less than sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
+  // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
+  // unpacking. If it is smaller than sample_cache_bytes() of a clip, or empty, only what does not move in the clip is
+  // kept.
   Span<std::byte> memory = {};
   const SoaTransform* out = nullptr;  // where the last call wrote
   std::uint64_t clip = 0;             // which clip
-  std::uint32_t frame = 0xFFFFFFFF;   // that is unpacked; 0xFFFFFFFF: none
-  bool room = false;                  // for this clip's frames
+  std::uint32_t frame = 0xFFFFFFFF;   // the frame that is unpacked; 0xFFFFFFFF: none
+  bool room = false;                  // whether `memory` has room for this clip's frames
 };
 
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
@@ -38,26 +39,26 @@ struct SampleCache {
 MARROW_API Status sample(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                          const SampleOptions& options = {});
 
-// Bytes of SampleCache::memory for this clip: 160 for each four joints that turn, move or change their size, once for
-// each of the three.
+// Bytes of SampleCache::memory for this clip: 160 for each group of four joints in which some rotation changes, and the
+// same again for translations and for scales.
 MARROW_API std::size_t sample_cache_bytes(const Clip& clip);
 
-// sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before with
-// this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a clip
-// of a File by Clip::id, one that is made by hand by where its tracks lie.
+// sample() of all joints for an instance that plays on: writes the same bits, but skips what the last call with this
+// cache has already done. The cache notices a changed clip, skeleton or `out` and starts anew. It knows a File's clip
+// by Clip::id, a clip made by hand by the addresses of its tracks.
 //
-// out: as of sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
-// what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let blend()
-// read it. cache: one for each `out`; put a new one of the same memory in its place if others wrote to `out`. Errors:
-// as sample(), and bad_argument if the cache's memory is not on a boundary of 16 bytes; then it forgets nothing. Cost:
-// in the worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
+// out: as in sample(). Nobody else may write to it while the cache is in use, not even to joints that move: what rests
+// between two frames is not written again. To change the pose afterwards, copy it or let blend() read it. cache: one
+// for each `out`. If others wrote to `out`, replace it by a new cache with the same memory. Errors: as sample(), and
+// bad_argument if the cache's memory is not on a boundary of 16 bytes; the cache then stays as it is. Cost: in the
+// worst case that of sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about half.
 MARROW_API Status sample_cached(const Skeleton& skeleton, const Clip& clip, float time_s, Span<SoaTransform> out,
                                 SampleCache& cache);
 
-// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
-// that sample() would give of an ordinary clip, for add(). Laid on the reference with weight 1 it gives that pose,
-// within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the rest
-// pose in them.
+// Evaluates a clip cooked as additive (`marrow cook --additive`). out: the change for add(), from the clip's reference
+// pose to the pose that sample() would give of an ordinary clip. Added to the reference with weight 1 it gives that
+// pose, within the cooker's --clip-error. A joint that the clip leaves alone does not change if the reference has it in
+// its rest pose.
 //
 // out: at least skeleton.soa_size() elements, caller's memory. Errors: as sample(), and bad_argument if the clip is not
 // additive. Cost: sample() and make_additive(). Stateless; thread-safe on different outputs.
@@ -66,10 +67,10 @@ MARROW_API Status sample_additive(const Skeleton& skeleton, const Clip& clip, fl
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
-// out: at least clip.channels.size floats. Which channel is which: File::find_channel; numbers that the clip does not
-// drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
-// changes. Errors: bad_argument if `out` is too short or time_s is not
-// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+// out: at least clip.channels.size floats. File::find_channel says which channel is which. A number that the clip does
+// not drive has no channel and keeps the value that the game gives it. Channels of an additive clip are values, too,
+// not changes. Errors: bad_argument if `out` is too short or time_s is not a number. Cost: a binary search a distinct
+// key-time list and a few operations a channel.
 MARROW_API Status sample_channels(const Clip& clip, float time_s, Span<float> out);
 
 }  // namespace marrow

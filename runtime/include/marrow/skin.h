@@ -11,15 +11,15 @@
 
 namespace marrow {
 
-// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+// How normals and tangents of the bind pose are deformed. M is the 3×3 part of the vertex's blended matrix.
 enum class NormalTransform : std::uint8_t {
   // Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
   // can be inverted, mirrored or unevenly scaled ones too.
   inverse_transpose,
-  // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
-  // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
-  // normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
-  // (docs/benchmarks.md). Tangents are inverse_transpose's up to length.
+  // Both through M, not normalised: half the time, for shaders that normalise anyway. Directions are right where M is a
+  // rotation, a mirror or an even scale; a blend of rotations is not quite one of these. On real clips normals stray by
+  // 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27 (docs/benchmarks.md). Tangents are
+  // those of inverse_transpose, except for their length.
   blended_matrix,
 };
 
@@ -27,9 +27,9 @@ enum class NormalTransform : std::uint8_t {
 struct SkinOutput {
   Span<float> positions = {};  // 3 a slot; required
   Span<float> normals = {};    // 3 a slot; leave empty to skip
-  // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
-  // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
-  // normals. Leave empty to skip.
+  // 4 a slot: xyz, then the handedness, which changes sign where the blend mirrors. (With blended_matrix, SSD and
+  // animation space ask the run's last joint instead of the blend: the two differ only at a vertex between mirrored and
+  // unmirrored joints.) Needs normals. Leave empty to skip.
   Span<float> tangents = {};
   NormalTransform normal_transform = NormalTransform::inverse_transpose;  // of tangents, too
 };
@@ -37,8 +37,8 @@ struct SkinOutput {
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
 // palette: mesh.palette_size() entries. Errors, here and below: bad_argument if a span is too short, if the geometry
-// follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh without,
-// or if the geometry's floats do not stand on 16-byte boundaries.
+// follows more entries than the mesh has (then it is another mesh's), if normals or tangents are asked of a mesh
+// without them, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 MARROW_API Status skin_rigid(const Mesh& mesh, Span<const Affine> palette, const SkinOutput& out);
 
@@ -77,14 +77,17 @@ MARROW_API std::size_t as_tangent_scratch_bytes(Span<const AsPart> parts);
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
 //   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
 //   Σ_j (τ_j)_w = 0
-// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
-// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
-// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. An entry
-// that a neighbour follows and the vertex does not counts as the sum of the vertex's own that blends the same joints at
-// the same shares, or comes closest; joints that none of those blends count as that which the neighbour follows most.
+// They are derivatives along two directions, means over the triangles weighed by area. In the bind pose, unless
+// residuals change that, they are perpendicular unit vectors: t₀ × t₁ is the mesh's normal, and t₀ points along its
+// tangent if it has one. The part of a derivative that the triangles do not explain goes through the blend; that is all
+// of it if they have no area.
 //
-// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
-// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+// A neighbour may follow an entry that the vertex does not. That entry counts as a sum of the vertex's own entries: the
+// sum that blends the same joints at the same shares, or comes closest. A joint that none of the vertex's entries
+// blends counts as the vertex's joint that the neighbour follows most.
+//
+// parts: the meshes that make up a surface, such as the primitives of one mesh of the source. Slots in one place, with
+// the same weights and normals less than 25° apart, are one vertex, whichever part they are in; so seams do not show.
 // scratch: as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: bad_argument if a mesh has
 // no normals or a span is too short. Done once, not a frame: some 11 000 instructions a vertex, beside helpers 23 000.
 MARROW_API Status as_tangents(Span<const AsPart> parts, Span<std::byte> scratch);
@@ -107,10 +110,11 @@ MARROW_API Status skin_as(const Mesh& mesh, Span<const float> coordinates, Span<
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
 //   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + Geometry::mwe_residual, ∘ element by element
-// Elements mean something in one frame only; R is that of the palette entry Geometry::mwe_root: the rotation next to
-// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
-// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
-// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+// Weights of single elements depend on the frame in which matrices are given. That frame, R, is taken from the palette
+// entry Geometry::mwe_root: the rotation that Gram-Schmidt makes of its matrix's first two columns, and its
+// translation. So the result moves with the character. Normals and tangents go through the 3×3 part of the blend, R Σ_j
+// Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is zero. With blended_matrix this blend decides whether tangents are
+// mirrored.
 //
 // Errors: also bad_argument for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through the
 // blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so with
@@ -121,9 +125,9 @@ MARROW_API Status skin_mwe(const Mesh& mesh, Span<const Affine> palette, const S
 // examples.
 MARROW_API std::size_t psd_distance_count(const Geometry& geometry);
 
-// How far a pose is from the examples, joint by joint: what skin_psd() weighs a vertex. Of palette entry j and example
-// k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its parent's,
-// rotations as in skin_mwe(); 0 for an entry without a parent.
+// How far a pose is from the examples, joint by joint; skin_psd() takes the mean for each vertex by its weights. For
+// palette entry j and example k it is D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of
+// M_j relative to its parent's, rotations as in skin_mwe(); 0 for an entry without a parent.
 // out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
 // bad_argument if a span is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
@@ -133,7 +137,7 @@ MARROW_API Status psd_distances(const Geometry& geometry, Span<const Affine> pal
 // weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
 //   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: Geometry::pose_space
 //   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
-// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's.
+// The factor 1 - φ_bind makes the deltas vanish in the bind pose. Normals and tangents go through the blend, as in SSD.
 // distances: from psd_distances() of this geometry and palette. Errors: also bad_argument if they are too few. A
 // geometry without examples is SSD's.
 // Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a

@@ -11,7 +11,7 @@
 namespace marrow {
 
 inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // a frame is cut into equal steps no longer than this
-inline constexpr int kMaxSpringSteps = 8;             // the time of a frame beyond so many steps is dropped
+inline constexpr int kMaxSpringSteps = 8;             // the most steps of a frame; time beyond them is dropped
 inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are added up until they are this long
 
 // Settings and motion of four bones, and of one chain: plain bytes in the caller's memory. Defined in
@@ -56,10 +56,10 @@ struct SpringFrame {
   // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
   Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float gravity[3] = {0, -9.81f, 0};          // m/s², world
-  float wind[3] = {0, 0, 0};                  // m/s, world; acts by `drag`
+  float wind[3] = {0, 0, 0};                  // m/s, world; acts through SpringJoint::drag
   Span<const SpringCollider> colliders = {};  // at most kMaxSpringColliders
-  float teleport_m = 1.0f;  // a chain whose first joint moves further than this in a frame is moved rigidly
-  bool teleported = false;  // all chains are moved rigidly in this frame
+  float teleport_m = 1.0f;  // if a chain's first joint moves further in a frame, the chain moves rigidly
+  bool teleported = false;  // true: all chains move rigidly in this frame
   float weight = 1.0f;      // 0 … 1, times each joint's
 };
 
@@ -71,19 +71,19 @@ struct SpringFrame {
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
 // without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
 // the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
-// chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-// harder than SpringJoint::most_pull, if that is set: under a greater load the bone yields. The pull ω² t grows with
-// the sine of the angle: for small angles as a linear spring's, and to nothing at half a turn. A bone feels the bones
-// above it; they do not feel it. So of equal bones in a chain a lower one swings 1 / (2 ζ) as far at the common
-// frequency, less than the upper one if ζ is above ½. The joint turns by the shortest arc that takes the bone there. A
-// chain below a joint of another chain is carried along, but does not feel that one's swing.
+// chain's first joint, from a parabola through its last three places. SpringJoint::most_pull, if set, limits how hard
+// the first two terms together turn the bone: under a greater load it yields. The pull ω² t grows with the sine of the
+// angle. So it is a linear spring's at small angles, and nothing at half a turn. A bone feels the bones above it; they
+// do not feel it. So in a chain of equal bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as the
+// one above: less if ζ is above ½. The joint turns by the shortest arc that takes the bone to its direction. A chain
+// below a joint of another chain is carried along, but does not feel that chain's swing.
 //
-// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
-// before and half after. Drift and kicks are so strong that small swings have the exact frequency and decay at any
-// step: so a path depends on the frame rate only as that samples the animation. The energy |u|²/2 - F·d is limited to
-// the work done, so it never grows without input. What hangs on a bone turns by the rotation nearest to its parent's
-// that takes the animated direction to the simulated one: a projection (P. Davenport's matrix; see G. Wahba, SIAM
-// Review 7(3), 1965), and one product of matrix and vector a joint.
+// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), with half of the damping
+// before and half after. Drift and kicks are scaled so that small swings have the exact frequency and decay at any
+// step. So the frame rate changes a path only through how it samples the animation. The energy |u|²/2 - F·d may grow by
+// no more than the work done, so it never grows without input. What hangs on a bone turns by a rotation that takes the
+// animated direction to the simulated one; of all such rotations by the one nearest to its parent's: a projection (P.
+// Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), and one product of matrix and vector a joint.
 //
 // Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
 // stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.
