@@ -17,12 +17,14 @@
 #include "marrow/limits.h"
 #include "marrow/local_to_model.h"
 #include "marrow/math.h"
+#include "marrow/mesh.h"
 #include "marrow/morph.h"
 #include "marrow/outfit.h"
 #include "marrow/palette.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
 #include "marrow/sample.h"
+#include "marrow/skeleton.h"
 #include "marrow/skin.h"
 #include "marrow/springs.h"
 #include "marrow/status.h"
@@ -370,6 +372,21 @@ bool mrw_is_valid(const mrw_joint_limit* limit) {
   return marrow::is_valid(of<JointLimit>(limit));
 }
 
+size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton), 0);
+  return of<Skeleton>(skeleton).soa_size();
+}
+
+uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh) {
+  MRW_NEEDS(leads_to<Mesh>(mesh), 0);
+  return of<Mesh>(mesh).palette_size();
+}
+
+bool mrw_bounds_is_empty(const mrw_bounds* bounds) {
+  MRW_NEEDS(leads_to<Bounds>(bounds), false);
+  return of<Bounds>(bounds).is_empty();
+}
+
 mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error) {
   MRW_NEEDS(is_list<std::byte>(block, block_bytes) && leads_to<File>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(marrow::load(span<const std::byte>(block, block_bytes), to<File>(out), static_cast<DataError*>(static_cast<void*>(error))));
@@ -533,21 +550,6 @@ const char* mrw_file_text(const mrw_file* file, uint32_t name) {
 uint32_t mrw_property_text(const mrw_property* property) {
   MRW_NEEDS(leads_to<Property>(property), 0);
   return of<Property>(property).text;
-}
-
-size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton) {
-  MRW_NEEDS(leads_to<Skeleton>(skeleton), 0);
-  return of<Skeleton>(skeleton).soa_size();
-}
-
-uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh) {
-  MRW_NEEDS(leads_to<Mesh>(mesh), 0);
-  return of<Mesh>(mesh).palette_size();
-}
-
-bool mrw_bounds_is_empty(const mrw_bounds* bounds) {
-  MRW_NEEDS(leads_to<Bounds>(bounds), false);
-  return of<Bounds>(bounds).is_empty();
 }
 
 uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton) {

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xfe7fd489u
+#define MRW_ABI 0x0a49b7fau
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -110,8 +110,8 @@ mrw_status mrw_block_in(void* memory, size_t memory_bytes, mrw_block* out) MRW_N
 // ---- Part unpack ----------------------------------------------------------------------------------------------------
 // Unpack: what a game ships → what mrw_load() reads.
 //
-// A packed file holds its meshes and coded clips compressed. Unpacking it yields a cooked file as `marrow cook
-// --mesh-codec none` would have written it, but for what quantisation took. The codecs are libraries of their own, so
+// A packed file holds its meshes and coded clips compressed. Unpacking yields the cooked file that `marrow cook
+// --mesh-codec none` would have written, except for what quantisation lost. The codecs are libraries of their own, so
 // that a game links only the one it ships with: mrw_draco_decoder() (smallest), mrw_meshopt_decoder() (fastest).
 
 typedef struct mrw_bytes mrw_bytes;
@@ -138,26 +138,25 @@ struct mrw_unpack_sizes {
   uint32_t memory_bytes;  // what mrw_unpack() wants: the file and, behind it, room to work in
 };
 
-// Whether these are the first bytes of a packed file. Anything else is for mrw_load() to judge.
+// Whether these are the first bytes of a packed file. If not, hand them to mrw_load().
 bool mrw_is_packed(const void* bytes, size_t byte_count);
 
-// How much memory unpacking takes: what the records need by their counts, and MRW_BAD_DATA if the header claims
-// anything else, or a clip or bounds more than their bytes can hold. A mesh's counts are the file's claim, which a
-// codec's few bytes may bear out, so whoever reads files of strangers should set a limit. Errors: MRW_BAD_MAGIC,
-// MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_TRUNCATED, MRW_BAD_DATA. Cost: the checksum.
+// How much memory unpacking takes, computed from the counts in the records. MRW_BAD_DATA if the header claims any other
+// size, or if a clip or bounds claim more than their bytes can hold. A mesh's counts are only the file's claim: with
+// some codecs few bytes may truly hold many vertices. So set a limit of your own for files of strangers. Errors:
+// MRW_BAD_MAGIC, MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_TRUNCATED, MRW_BAD_DATA. Cost: the checksum.
 // May be null: error.
 mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
     mrw_data_error* error) MRW_NODISCARD;
 
-// Unpacks into `memory` (16-byte aligned, at least memory_bytes) and makes `file` its front part, which is for
-// mrw_load() to check, the decoded counts, indices and joints with it. What lies behind `file` is free again.
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes). `file` becomes the front part of memory, which
+// mrw_load() must still check, decoded counts, indices and joints included. What lies behind `file` is free again.
 //
 // packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as
 // mrw_find_unpack_sizes(); MRW_BAD_DATA; MRW_UNSUPPORTED if a mesh's codec is not among `decoders` (mrw_data_error.rule
-// names it); MRW_OUT_OF_MEMORY, by Draco; MRW_BAD_ARGUMENT. On failure
-// `file` is unchanged and memory holds garbage. Vertices come out grouped and ordered for skinning, triangles in the
-// order of the codec. Thread-safe on different outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes,
-// nothing else does.
+// names it); MRW_OUT_OF_MEMORY, by Draco; MRW_BAD_ARGUMENT. On failure `file` is unchanged and memory holds garbage.
+// Vertices come out grouped and ordered for skinning, triangles in the order of the codec. Thread-safe on different
+// outputs. Cost: docs/benchmarks.md; Draco allocates while it decodes, nothing else does.
 // May be null: error.
 mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders, size_t decoder_count,
     void* memory, size_t memory_bytes, mrw_bytes* file, mrw_data_error* error) MRW_NODISCARD;
@@ -168,8 +167,8 @@ mrw_status mrw_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_de
 //   every frame   mrw_unpack_step(), while there is time and mrw_unpacking.file is empty
 //   then          mrw_load() of mrw_unpacking.file
 //
-// A plain struct; a new one has nothing begun. The packed bytes, the decoders and the memory stay as they are until
-// the last step. Stopping half way is forgetting it: nothing is to be freed.
+// A plain struct; a new one has not begun. Keep the packed bytes, the decoders and the memory as they are until the
+// last step. To stop half way, just forget the struct: there is nothing to free.
 typedef struct mrw_unpacking mrw_unpacking;
 struct MRW_ALIGN(8) mrw_unpacking {
   const void* file;  // empty until the last step is done; then as of mrw_unpack()
@@ -186,14 +185,14 @@ void mrw_unpacking_init(mrw_unpacking* out);
 mrw_status mrw_begin_unpack(const void* packed, size_t packed_bytes, const mrw_mesh_decoder* decoders,
     size_t decoder_count, void* memory, size_t memory_bytes, mrw_unpacking* out, mrw_data_error* error) MRW_NODISCARD;
 
-// Goes on with one record, or with one of a mesh's stages: decoding, where animation space has a residual smoothing it
-// and decoding that, ordering and writing; then with the file's checksum. A step stops when it has done so much, a few
-// milliseconds whatever the file holds, and the next one goes on there; but for what a codec's library does in one
-// call. meshoptimizer's decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them.
-// Draco's decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
+// Does one step: a record, or one stage of a mesh (decode; smooth and decode the residual of animation space, if there
+// is one; order; write). After the records it does the file's checksum. A step ends early once it has done a few
+// milliseconds' work, and the next step goes on there. Only a single call of a codec's library cannot be cut. A call of
+// meshoptimizer decodes a mesh's triangles, or one property of its vertices: 20 ms at a million of them. A call of
+// Draco decodes all of a mesh: about a microsecond a vertex, 20 ms at 20 000. Cost: docs/threads.md.
 //
-// Errors: as mrw_unpack(); nothing is in work afterwards. MRW_BAD_ARGUMENT: nothing is in work. May run on any thread,
-// on one at a time.
+// Errors: as mrw_unpack(), and unpacking has then ended; MRW_BAD_ARGUMENT if none had begun. May run on any thread, on
+// one at a time.
 // May be null: error.
 mrw_status mrw_unpack_step(mrw_unpacking* unpacking, mrw_data_error* error) MRW_NODISCARD;
 
@@ -285,19 +284,19 @@ mrw_status mrw_direction_in_joint(const mrw_affine* model_from_joint, const floa
     float out[3]) MRW_NODISCARD;
 
 // ---- Part example_space ---------------------------------------------------------------------------------------------
-// Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
+// Shape by example, the stage before morph: numbers that a game or a clip sets → weights of morph targets.
 //
 //   once a load    mrw_file_example_space, mrw_find_example_channels
 //   every frame    mrw_sample_channels → parameters → mrw_evaluate_examples → weights of each of the space's meshes →
 //                  mrw_morph(), or mrw_character_mesh.weights between mrw_pose_character() and mrw_finish_character()
 //
-// An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// An artist places shapes at points of a space, such as "angry" at (1, 0). Each shape is a morph target, or the mesh as
+// it is. Between those points all shapes are interpolated at once. The cooker solves for the coefficients here
 // (docs/deformers.md).
 
 // What a space has at most.
 #define MRW_MAX_EXAMPLE_PARAMETERS 8u
-#define MRW_MAX_EXAMPLES 64u  // and targets
+#define MRW_MAX_EXAMPLES 64u  // also the most targets
 
 // An axis of the space.
 typedef struct mrw_example_parameter mrw_example_parameter;
@@ -313,7 +312,7 @@ struct mrw_example_space {
   uint32_t example_count;  // at most MRW_MAX_EXAMPLES
   const mrw_example_parameter* parameters;  // at most MRW_MAX_EXAMPLE_PARAMETERS
   size_t parameter_count;
-  const uint32_t* targets;  // that it weighs, ascending, at most MRW_MAX_EXAMPLES; the same of each mesh
+  const uint32_t* targets;  // of each mesh the targets that it weighs, ascending, at most MRW_MAX_EXAMPLES
   size_t target_count;
   const uint32_t* meshes;  // of the file, ascending
   size_t mesh_count;
@@ -321,46 +320,29 @@ struct mrw_example_space {
   size_t linear_count;
   const float* radial;  // a row an example
   size_t radial_count;
-  const float* places;  // an example: its parameters
+  const float* places;  // for each example its parameters
   size_t place_count;
-  const float* inverse_widths;  // an example; above 0
+  const float* inverse_widths;  // one an example; above 0
   size_t inverse_width_count;
 };
 
-// ---- Part file ------------------------------------------------------------------------------------------------------
-// Load: one validated block of memory, seen as skeletons, clips and meshes.
+// ---- Part skeleton --------------------------------------------------------------------------------------------------
+// The joints of a character as a file has them, with their limits and springs.
 
-// Limits that every valid file keeps; sizes of caller's memory can be bounded by them.
+// Limits that every valid file keeps, so that a caller can bound its memory by them.
 #define MRW_MAX_JOINTS 32767u
-
-// The most palette entries that a vertex follows.
-#define MRW_MAX_INFLUENCES 8u
 
 // No joint: in mrw_skeleton.parents a root.
 #define MRW_NO_JOINT 0xFFFFu
 
-// No clip: a skeleton rests.
-#define MRW_NO_CLIP 0xFFFFFFFFu
-
-// In mrw_geometry.source_slots: a vertex of no triangle.
-#define MRW_NO_SLOT 0xFFFFFFFFu
-
-// The most examples of an mrw_pose_space.
-#define MRW_MAX_POSE_EXAMPLES 32u
-
-// In mrw_mesh.material_index: no more than what stands in the mrw_mesh.
-#define MRW_NO_MATERIAL 0xFFFFFFFFu
-
-// In place of an image: none.
-#define MRW_NO_IMAGE 0xFFFFFFFFu
-
-// What shape the rotations within an mrw_joint_limit have.
+// The shape of an mrw_joint_limit: which rotations it allows.
 typedef uint8_t mrw_limit_kind;
 enum {
   MRW_LIMIT_KIND_NONE = 0,  // turns freely; for joints that have a rate limit alone
   MRW_LIMIT_KIND_HINGE = 1,  // about one axis, between two angles: knees, elbows, fingers
   MRW_LIMIT_KIND_CONE = 2,  // swing inside an elliptic cone, twist between two angles: necks, shoulders, hips
-  MRW_LIMIT_KIND_EULER = 3,  // three angles about three axes, each between two: rigs whose limits came so
+  // three angles about three axes, each within its own range: for rigs with Euler-angle limits
+  MRW_LIMIT_KIND_EULER = 3,
 };
 
 // The order of the product, first letter first: xyz is Rx · Ry · Rz. Applied to a vector, z comes first.
@@ -373,6 +355,134 @@ enum {
   MRW_AXIS_ORDER_ZXY = 4,
   MRW_AXIS_ORDER_ZYX = 5,
 };
+
+// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
+// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
+// mrw_make_angle_range() in part limits.
+typedef struct mrw_angle_range mrw_angle_range;
+struct mrw_angle_range {
+  float middle;  // -1 … 1: -180° … 180°
+  float half_width;  // 0 … 1; 1: any angle
+};
+
+// The highest speed and acceleration; 0: no limit. In radians for rotations, in metres for points.
+typedef struct mrw_rate_limit mrw_rate_limit;
+struct mrw_rate_limit {
+  float speed;  // rad/s or m/s
+  float acceleration;  // rad/s² or m/s²
+};
+void mrw_rate_limit_init(mrw_rate_limit* out);
+
+// How far and how fast a joint may turn, as it lies in a cooked file; make one with mrw_make_limit(), see part limits.
+//
+// The limit has axes of its own, fixed to the joint. At the joint's zero rotation they coincide with axes fixed to the
+// parent. In them a local rotation q (parent_from_joint) is
+//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
+// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
+//
+// hinge: t is a turn about x, by an angle in angles[0].
+// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns by θ about a
+//   unit axis in the y-z plane. The point (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes
+//   angles[1].half_width and angles[2].half_width. So angles[1] holds the widest swing about y alone, angles[2] the
+//   widest about z alone. Below 90° this is within 2.3° of an ellipse in the angles themselves.
+// euler: t is the product of three turns about x, y and z in the order `order`; angles[0] is the first factor's. The
+//   second angle is within ±90°, so that each rotation has one set of angles (at ±90° many).
+//
+// At a swing of 180° the twist is undefined: the smallest step leads to any twist. See mrw_clamp_rotation().
+typedef struct mrw_joint_limit mrw_joint_limit;
+struct mrw_joint_limit {
+  uint16_t joint;  // of the skeleton
+  mrw_limit_kind kind;  // which of the shapes above
+  mrw_axis_order order;  // of euler; else xyz
+  float limit_from_parent[4];  // unit quaternion
+  float joint_from_limit[4];  // unit quaternion
+  mrw_angle_range angles[3];  // of a cone the middles of the second and third are 0; of a hinge both are 0
+  mrw_rate_limit rate;  // of the local rotation, see mrw_follow_pose()
+};
+void mrw_joint_limit_init(mrw_joint_limit* out);
+
+#define MRW_MAX_SPRING_COLLIDERS 64u  // as many as mrw_spring_chain.colliders has bits
+
+// A joint that swings. Its bone goes from the joint to the next joint of its chain. See part springs.
+typedef struct mrw_spring_joint mrw_spring_joint;
+struct mrw_spring_joint {
+  uint16_t joint;  // of the skeleton
+  uint16_t most_pull;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
+  float frequency_hz;  // 0 … 15: of small swings about the animated direction, undamped and without gravity
+  float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
+  float gravity;  // -10 … 10, times mrw_spring_frame.gravity
+  float drag;  // 0 … 50 1/s: how strongly air slows the bone's end, and wind carries it
+  float radius_m;  // ≥ 0: of a sphere about the bone's end, which stays out of colliders; world
+  float weight;  // 0 … 1: how much of the swing is shown; the swing itself goes on at 0, too
+};
+void mrw_spring_joint_init(mrw_spring_joint* out);
+
+// A chain of joints, each a descendant of the one before it. A joint belongs to at most one chain.
+typedef struct mrw_spring_chain mrw_spring_chain;
+struct mrw_spring_chain {
+  const mrw_spring_joint* joints;  // from the chain's root to its end
+  size_t joint_count;
+  float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
+  uint64_t colliders;  // bit i, lowest first: the chain stays out of mrw_spring_frame.colliders[i]
+};
+void mrw_spring_chain_init(mrw_spring_chain* out);
+
+// A capsule that moves with a joint; a sphere where both ends are one point. Its radius is scaled by the largest of the
+// scales along the joint's axes.
+typedef struct mrw_spring_collider mrw_spring_collider;
+struct mrw_spring_collider {
+  uint16_t joint;  // the joint that it moves with
+  uint16_t reserved;
+  float from[3];  // in the joint's space
+  float to[3];  // in the joint's space
+  float radius_m;  // in the joint's space
+};
+void mrw_spring_collider_init(mrw_spring_collider* out);
+
+typedef struct mrw_spring_collider_list mrw_spring_collider_list;
+struct mrw_spring_collider_list {
+  const mrw_spring_collider* data;
+  size_t size;
+};
+
+// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
+// comes before its children and the roots come first.
+typedef struct mrw_skeleton mrw_skeleton;
+struct mrw_skeleton {
+  const char* name;  // as the source calls it; never null
+  uint32_t joint_count;  // 1 … MRW_MAX_JOINTS
+  uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
+  const mrw_affine* model_from_root;  // root_count; the transform above each root, which never changes
+  const mrw_soa_transform* rest;  // mrw_soa_count(joint_count); the pose of joints that a clip leaves alone
+  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
+  const uint32_t* names;  // joint_count; see mrw_file_text
+  const mrw_joint_limit* limits;  // the asset's own limits, ascending by joint
+  size_t limit_count;
+};
+
+// The skeleton that clips of a clip pack were made for; a pack holds references instead of skeletons. See part
+// clip_pack.
+typedef struct mrw_skeleton_reference mrw_skeleton_reference;
+struct mrw_skeleton_reference {
+  const char* name;  // the skeleton's
+  uint32_t joint_count;  // the skeleton's
+  uint64_t hash;  // mrw_skeleton_hash() of the skeleton
+  const uint32_t* names;  // joint_count; see mrw_file_text
+  const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
+  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
+};
+
+// Whether a limit keeps these rules. Limits from mrw_make_limit() and mrw_load() do.
+bool mrw_is_valid(const mrw_joint_limit* limit);
+
+// How many groups of four joints a local pose has.
+size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
+
+// ---- Part clip ------------------------------------------------------------------------------------------------------
+// A clip as a file has it: what moves, and numbers beside it.
+
+// No clip: a skeleton rests.
+#define MRW_NO_CLIP 0xFFFFFFFFu
 
 // Which part of a local transform an mrw_track drives.
 typedef uint8_t mrw_track_path;
@@ -390,10 +500,86 @@ enum {
   MRW_INTERPOLATION_CUBIC_SPLINE = 2,
 };
 
-// Which attributes a morph target changes.
-#define MRW_MORPHS_POSITIONS 1u
-#define MRW_MORPHS_NORMALS 2u
-#define MRW_MORPHS_TANGENTS 4u
+// One channel of a clip stored without loss: the source's own keys at the source's own times.
+typedef struct mrw_track mrw_track;
+struct mrw_track {
+  uint16_t joint;  // of the skeleton
+  mrw_track_path path;  // what of the joint it drives
+  mrw_interpolation interpolation;  // between its keys
+  uint32_t key_count;  // ≥ 1
+  uint32_t first_time;  // into mrw_clip.times_s; tracks with the same keys share them
+  uint32_t first_value;  // Into mrw_clip.values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
+};
+
+// For a group of four joints: which sub-tracks (a joint's rotation, translation or scale) move in a clip, and which
+// hold one value that is not the rest pose's. Bits 0-3 are rotations, 4-7 translations, 8-11 scales; the lowest bit is
+// the first joint.
+typedef struct mrw_group_masks mrw_group_masks;
+struct mrw_group_masks {
+  uint16_t moving;  // sub-tracks that change over the clip
+  uint16_t constant;  // sub-tracks that hold one value, not the rest pose's
+};
+
+// A number over time, such as a morph target's weight or a property of the game; it moves no joint. Stored without
+// loss, except that keys on a straight line between others may have been left out (docs/cooking/clips.md).
+typedef struct mrw_channel mrw_channel;
+struct mrw_channel {
+  uint32_t name;  // see mrw_file_text
+  float rest;  // the number where no clip drives it
+  uint32_t key_count;  // ≥ 1
+  uint32_t first_time;  // as in mrw_track
+  uint32_t first_value;  // into mrw_clip.values; one float a key, three for cubic_spline (in, value, out)
+  mrw_interpolation interpolation;  // between its keys
+  uint8_t reserved[3];
+};
+
+// No channel.
+#define MRW_NO_CHANNEL 0xFFFFFFFFu
+
+// Tracks compressed within a stated error (docs/format.md): poses at even steps of time, or at times of their own. They
+// are divided into segments of packed integers, relative to the rest pose. What does not move is stored once.
+typedef struct mrw_coded_tracks mrw_coded_tracks;
+struct mrw_coded_tracks {
+  uint32_t frame_count;  // 0: the clip has no coded tracks; else ≥ 2
+  uint32_t track_count;  // sub-tracks that move
+  uint32_t constant_count;  // sub-tracks that hold one value, not the rest pose's
+  uint32_t segment_intervals;  // time steps in a segment; the last may have fewer
+  float start_s;  // of frame 0
+  float frames_per_s;  // the mean rate where steps are uneven
+  const float* times_s;  // frame_count, ascending; null: even steps
+  const mrw_group_masks* masks;  // one a group of four joints
+  const uint32_t* segment_offsets;  // bytes into payload
+  const void* constants;  // their values
+  const void* payload;  // segments of packed integers
+};
+
+// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
+typedef struct mrw_clip mrw_clip;
+struct mrw_clip {
+  const char* name;  // as the source calls it; never null
+  uint32_t skeleton;  // which skeleton of the file; in a clip pack, which reference
+  uint32_t joint_count;  // of that skeleton
+  float duration_s;  // time of the last key; ≥ 0
+  bool additive;  // for mrw_sample_additive(), not for mrw_sample()
+  const mrw_soa_transform* reference;  // additive: the pose that changes are relative to; null: the rest pose
+  mrw_coded_tracks coded;  // what is compressed
+  const mrw_track* tracks;  // what is stored without loss
+  size_t track_count;
+  const mrw_channel* channels;  // numbers that it drives
+  size_t channel_count;
+  const float* times_s;  // key times of tracks and channels, seconds
+  const float* values;  // keys of tracks and channels
+  uint64_t id;  // of its bytes and its place in the file, from mrw_file_clip(); 0: made by hand
+};
+
+// ---- Part material --------------------------------------------------------------------------------------------------
+// Materials and pictures as a file has them. The runtime draws with neither: a game does.
+
+// In mrw_mesh.material_index: the source says no more of the material than the mrw_mesh itself holds.
+#define MRW_NO_MATERIAL 0xFFFFFFFFu
+
+// No image.
+#define MRW_NO_IMAGE 0xFFFFFFFFu
 
 // How a material's alpha is meant, as in glTF 2.0.
 typedef uint8_t mrw_alpha_mode;
@@ -403,7 +589,7 @@ enum {
   MRW_ALPHA_MODE_BLEND = 2,
 };
 
-// What of a material an image gives.
+// Which property of a material an image supplies.
 typedef uint8_t mrw_texture_role;
 enum {
   MRW_TEXTURE_ROLE_BASE_COLOUR = 0,
@@ -454,199 +640,58 @@ enum {
   MRW_IMAGE_FORMAT_DDS = 5,
 };
 
-// What an mrw_property is.
-typedef uint8_t mrw_property_type;
-enum {
-  MRW_PROPERTY_TYPE_NUMBER = 0,
-  MRW_PROPERTY_TYPE_BOOLEAN = 1,
-  MRW_PROPERTY_TYPE_TEXT = 2,
+// An image in a role; its channels are as in glTF 2.0, section 3.9. Base colour, emissive and specular-glossiness
+// images are sRGB (the last except for alpha), all others linear. UV (0, 0) is the image's upper left corner.
+typedef struct mrw_texture mrw_texture;
+struct mrw_texture {
+  uint16_t image;  // which image of the file
+  mrw_texture_role role;  // none twice in a material
+  mrw_wrap wrap_u;  // along u and v
+  mrw_wrap wrap_v;  // along u and v
+  mrw_mag_filter mag;  // as the source asks
+  mrw_min_filter min;  // as the source asks
+  uint8_t reserved;
 };
 
-// Angles from middle - half_width to middle + half_width, both as the tangent of a quarter of the angle, so that a
-// clamp needs no trigonometry: half an angle has the sine 2 t / (1 + t²) and the cosine (1 - t²) / (1 + t²). See
-// mrw_make_angle_range() in part limits.
-typedef struct mrw_angle_range mrw_angle_range;
-struct mrw_angle_range {
-  float middle;  // -1 … 1: -180° … 180°
-  float half_width;  // 0 … 1; 1: any angle
-};
-
-// The most per second, and per second per second; 0: no limit. Of rotations in radians, of points in metres.
-typedef struct mrw_rate_limit mrw_rate_limit;
-struct mrw_rate_limit {
-  float speed;  // rad/s or m/s
-  float acceleration;  // rad/s² or m/s²
-};
-void mrw_rate_limit_init(mrw_rate_limit* out);
-
-// How far and how fast a joint may turn, as it lies in a cooked file; make one with mrw_make_limit(), see part limits.
-//
-// The limit's own axes are fixed to the joint, and coincide with those of the parent's side at the joint's zero
-// rotation. A local rotation q (parent_from_joint) is seen in them as
-//   t = limit_from_parent · q · joint_from_limit,   limit_from_parent = (zero · joint_from_limit)⁻¹
-// so that t is the identity where q = zero. Angles are positive by the right hand: about x from y to z.
-//
-// hinge: t is a turn about x, by an angle in angles[0].
-// cone: t = swing · twist, the twist, about x, first. The twist is an angle in angles[0]. The swing turns about an axis
-//   in the y-z plane by θ, and (y, z) = tan(θ / 4) · axis lies in the ellipse with the half axes angles[1].half_width
-//   and angles[2].half_width: about y alone it reaches the angle of the first, about z alone that of the second. Below
-//   90° this is within 2.3° of an ellipse in the angles themselves.
-// euler: t is the product of three turns about x, y and z in the order `order`, angles[0] that of the first factor. The
-//   second is within ±90°, where there is one set of angles for each rotation (at ±90° many).
-//
-// A swing of 180° has no twist: all twists are one step away. See mrw_clamp_rotation().
-typedef struct mrw_joint_limit mrw_joint_limit;
-struct mrw_joint_limit {
-  uint16_t joint;  // of the skeleton
-  mrw_limit_kind kind;  // which of the shapes above
-  mrw_axis_order order;  // of euler; else xyz
-  float limit_from_parent[4];  // unit quaternion
-  float joint_from_limit[4];  // unit quaternion
-  mrw_angle_range angles[3];  // of a cone the middles of the second and third are 0; of a hinge both are 0
-  mrw_rate_limit rate;  // of the local rotation, see mrw_follow_pose()
-};
-void mrw_joint_limit_init(mrw_joint_limit* out);
-
-#define MRW_MAX_SPRING_COLLIDERS 64u  // as many as mrw_spring_chain.colliders has bits
-
-// A joint that swings, by the bone that goes from it to the next joint of its chain. See part springs.
-typedef struct mrw_spring_joint mrw_spring_joint;
-struct mrw_spring_joint {
-  uint16_t joint;  // of the skeleton
-  uint16_t most_pull;  // 1/s², torque over inertia: the spring turns its bone no harder; 0: without a limit
-  float frequency_hz;  // 0 … 15: of small swings about the animated direction, without damping and gravity
-  float damping_ratio;  // 0 … 1.5: 0 swings for ever, 1 comes to rest soonest without passing
-  float gravity;  // -10 … 10, times mrw_spring_frame.gravity
-  float drag;  // 0 … 50 1/s: by which the air slows the bone's end, and the wind carries it
-  float radius_m;  // ≥ 0, of the sphere about the bone's end that stays out of colliders; world
-  float weight;  // 0 … 1, of what is shown; the motion itself goes on
-};
-void mrw_spring_joint_init(mrw_spring_joint* out);
-
-// Joints each of which is somewhere below the one before it. A joint belongs to one chain at most.
-typedef struct mrw_spring_chain mrw_spring_chain;
-struct mrw_spring_chain {
-  const mrw_spring_joint* joints;  // from the chain's root to its end
-  size_t joint_count;
-  float tip[3];  // end of the last joint's bone, in that joint's space; 0: that joint only ends the chain
-  uint64_t colliders;  // bit i, lowest first: it stays out of mrw_spring_frame.colliders[i]
-};
-void mrw_spring_chain_init(mrw_spring_chain* out);
-
-// A capsule, or a sphere where both ends are one point, that moves with a joint. Its radius is scaled as the joint's
-// space is where that is most.
-typedef struct mrw_spring_collider mrw_spring_collider;
-struct mrw_spring_collider {
-  uint16_t joint;  // it moves with
-  uint16_t reserved;
-  float from[3];  // in the joint's space
-  float to[3];  // in the joint's space
-  float radius_m;  // in the joint's space
-};
-void mrw_spring_collider_init(mrw_spring_collider* out);
-
-typedef struct mrw_spring_collider_list mrw_spring_collider_list;
-struct mrw_spring_collider_list {
-  const mrw_spring_collider* data;
-  size_t size;
-};
-
-// The joints of one character or prop, which its meshes and clips share: a forest in breadth-first order, so a parent
-// comes before its children and the roots come first.
-typedef struct mrw_skeleton mrw_skeleton;
-struct mrw_skeleton {
+// What a material has beyond the members of mrw_mesh.
+typedef struct mrw_material mrw_material;
+struct mrw_material {
   const char* name;  // as the source calls it; never null
-  uint32_t joint_count;  // 1 … MRW_MAX_JOINTS
-  uint32_t root_count;  // joints 0 … root_count-1 have no parent joint
-  const mrw_affine* model_from_root;  // root_count; what stands above each root and never moves
-  const mrw_soa_transform* rest;  // mrw_soa_count(joint_count); the pose of joints that a clip leaves alone
-  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
-  const uint32_t* names;  // joint_count; see mrw_file_text
-  const mrw_joint_limit* limits;  // ascending by joint; those that the asset came with
-  size_t limit_count;
+  mrw_alpha_mode alpha;  // opaque: alpha is not looked at
+  float alpha_cutoff;  // mask: what is less opaque is not drawn
+  bool unlit;  // KHR_materials_unlit: the base colour is what is seen
+  float emissive[3];  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
+  const mrw_texture* textures;  // one a role
+  size_t texture_count;
 };
 
-// In a clip pack, instead of a skeleton: which one its clips were made for. See part clip_pack.
-typedef struct mrw_skeleton_reference mrw_skeleton_reference;
-struct mrw_skeleton_reference {
-  const char* name;  // the skeleton's
-  uint32_t joint_count;  // the skeleton's
-  uint64_t hash;  // mrw_skeleton_hash() of the skeleton
-  const uint32_t* names;  // joint_count; see mrw_file_text
-  const uint32_t* rest_hashes;  // joint_count; of each joint's rest pose
-  const uint16_t* parents;  // joint_count; MRW_NO_JOINT for roots
-};
-
-// One channel of a clip stored without loss: the source's own keys at the source's own times.
-typedef struct mrw_track mrw_track;
-struct mrw_track {
-  uint16_t joint;  // of the skeleton
-  mrw_track_path path;  // what of the joint it drives
-  mrw_interpolation interpolation;  // between its keys
-  uint32_t key_count;  // ≥ 1
-  uint32_t first_time;  // into mrw_clip.times_s; tracks with the same keys share them
-  uint32_t first_value;  // Into mrw_clip.values; 3 or 4 floats a key, thrice that for cubic_spline (in, value, out).
-};
-
-// Which sub-tracks (rotation, translation or scale of a joint) of a group of four joints move in a clip, and which
-// stay, but not as in the rest pose. Bits 0-3 rotation, 4-7 translation, 8-11 scale; lowest bit first joint.
-typedef struct mrw_group_masks mrw_group_masks;
-struct mrw_group_masks {
-  uint16_t moving;  // what changes over the clip
-  uint16_t constant;  // what stays, but not as at rest
-};
-
-// A number over time, such as a morph target's weight or a property of the game: it moves no joint. Without loss, but
-// that keys on a straight line between others may have been left out (docs/cooking/clips.md).
-typedef struct mrw_channel mrw_channel;
-struct mrw_channel {
-  uint32_t name;  // see mrw_file_text
-  float rest;  // the number where no clip drives it
-  uint32_t key_count;  // ≥ 1
-  uint32_t first_time;  // as in mrw_track
-  uint32_t first_value;  // into mrw_clip.values; one float a key, three for cubic_spline (in, value, out)
-  mrw_interpolation interpolation;  // between its keys
-  uint8_t reserved[3];
-};
-
-// In place of a channel: none.
-#define MRW_NO_CHANNEL 0xFFFFFFFFu
-
-// Tracks compressed within a stated error: poses at even steps of time, or at times of their own, in segments, as
-// packed integers relative to the rest pose (docs/format.md). What does not move stands once.
-typedef struct mrw_coded_tracks mrw_coded_tracks;
-struct mrw_coded_tracks {
-  uint32_t frame_count;  // 0: the clip has no coded tracks; else ≥ 2
-  uint32_t track_count;  // sub-tracks that move
-  uint32_t constant_count;  // sub-tracks that stay, but not as at rest
-  uint32_t segment_intervals;  // steps of time a segment; the last may have fewer
-  float start_s;  // of frame 0
-  float frames_per_s;  // of uneven ones the mean
-  const float* times_s;  // frame_count, ascending; null: even steps
-  const mrw_group_masks* masks;  // one a group of four joints
-  const uint32_t* segment_offsets;  // bytes into payload
-  const void* constants;  // their values
-  const void* payload;  // segments of packed integers
-};
-
-// An animation of one skeleton, and of numbers. Joints without a track keep their rest pose.
-typedef struct mrw_clip mrw_clip;
-struct mrw_clip {
+// A picture, by reference or as the source's own bytes. Marrow does not check the bytes; whoever decodes them must.
+typedef struct mrw_image mrw_image;
+struct mrw_image {
   const char* name;  // as the source calls it; never null
-  uint32_t skeleton;  // which skeleton of the file; in a clip pack, which reference
-  uint32_t joint_count;  // of that skeleton
-  float duration_s;  // time of the last key; ≥ 0
-  bool additive;  // for mrw_sample_additive(), not for mrw_sample()
-  const mrw_soa_transform* reference;  // additive: the pose that changes are taken from; null: the rest pose
-  mrw_coded_tracks coded;  // what is compressed
-  const mrw_track* tracks;  // what is stored without loss
-  size_t track_count;
-  const mrw_channel* channels;  // numbers that it drives
-  size_t channel_count;
-  const float* times_s;  // key times of tracks and channels, seconds
-  const float* values;  // keys of tracks and channels
-  uint64_t id;  // of its bytes and its place in the file, from mrw_file_clip(); 0: made by hand
+  const char* uri;  // relative to the source file and percent-encoded, as it stood there; empty if it had none
+  mrw_image_format format;  // unknown: neither its bytes nor its URI tell which
+  const void* bytes;  // empty: by reference
+  size_t byte_count;
+  uint32_t fallback;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
 };
+
+// ---- Part mesh ------------------------------------------------------------------------------------------------------
+// Vertices, triangles and what they hang on, as a file has them.
+
+// The most palette entries that a vertex follows.
+#define MRW_MAX_INFLUENCES 8u
+
+// In mrw_geometry.source_slots: a vertex of no triangle.
+#define MRW_NO_SLOT 0xFFFFFFFFu
+
+// The most examples of an mrw_pose_space.
+#define MRW_MAX_POSE_EXAMPLES 32u
+
+// Which attributes a morph target changes.
+#define MRW_MORPHS_POSITIONS 1u
+#define MRW_MORPHS_NORMALS 2u
+#define MRW_MORPHS_TANGENTS 4u
 
 // Consecutive vertices that depend on the same joints. Each run starts a new block of four vertices; the slots that
 // fill up its last block repeat its last vertex.
@@ -656,8 +701,9 @@ struct mrw_run {
   uint32_t influences;  // 1 … MRW_MAX_INFLUENCES
 };
 
-// What a morph target adds to the vertices of the blocks that it moves, the others it leaves alone. For each of its
-// blocks and attributes, in this order, a record of twelve integers: dx[4] dy[4] dz[4]; times a step each is a change.
+// What a morph target adds to the vertices of the blocks that it moves; other blocks it leaves alone. Each block has a
+// record for each attribute, in the order of MorphAttributes: twelve integers dx[4] dy[4] dz[4]. An integer times the
+// attribute's step is the change.
 typedef struct mrw_morph_target mrw_morph_target;
 struct mrw_morph_target {
   uint32_t first_block;  // into mrw_geometry.target_blocks
@@ -665,22 +711,22 @@ struct mrw_morph_target {
   uint32_t first_record;  // into mrw_geometry.target_records
   uint32_t attributes;  // MRW_MORPHS_POSITIONS | …; 0 if it moves nothing
   float position_step;  // metres, mesh space
-  float normal_step;  // a unit of its records of normals
-  float tangent_step;  // a unit of its records of tangents
+  float normal_step;  // the change that 1 in a record of normals means
+  float tangent_step;  // the change that 1 in a record of tangents means
   uint32_t reserved;
 };
 
-// What pose-space deformation adds to vertices of the bind pose, see mrw_skin_psd() in part skin: example poses, and
-// for each the deltas of some blocks.
+// Example poses for pose-space deformation, and for each example the deltas of the blocks that it moves. They are added
+// to the bind pose, see mrw_skin_psd() in part skin.
 typedef struct mrw_pose_space mrw_pose_space;
 struct mrw_pose_space {
-  float sigma;  // width of the Gaussian, a share of 1: sin of half an angle
+  float sigma;  // width of the Gaussian, as the sine of half an angle
   const mrw_morph_target* examples;  // positions alone; empty: none
   size_t example_count;
   const void* blocks;  // as mrw_geometry.target_blocks
   const int16_t* records;  // as mrw_geometry.target_records
-  const int16_t* rotations;  // for each example and palette entry x y z w, up to a positive factor
-  const uint16_t* parents;  // a palette entry: the one that its rotation is relative to, or MRW_NO_JOINT
+  const int16_t* rotations;  // for each example and palette entry a quaternion x y z w, of any length
+  const uint16_t* parents;  // the entry that each entry's rotation is relative to, or MRW_NO_JOINT
 };
 
 // Triangles and bind-pose vertices. Vertices live in *slots*: blocks of four, laid out for the skinning kernels
@@ -701,11 +747,11 @@ struct mrw_geometry {
   const float* tangents;  // a block: x[4] y[4] z[4] sign[4]; unit; null if absent
   const float* as_residual;  // a block: k times dx[4] dy[4] dz[4] dw[4]; null: the lift, all zero
   const float* mwe_residual;  // a block: k times three rows x[4] y[4] z[4] t[4]; null if absent
-  uint32_t mwe_root;  // palette entry whose frame they are meant in
+  uint32_t mwe_root;  // palette entry in whose frame mwe_residual is meant
   const float* uvs;  // a slot: u v; null if absent
   const uint8_t* colours;  // a slot: r g b a, linear; null if absent
-  // The slot of each vertex of the source, if cooked with --keep-vertex-order; MRW_NO_SLOT: no triangle uses it, of
-  // this part of a primitive in parts.
+  // The slot of each source vertex, if cooked with --keep-vertex-order. MRW_NO_SLOT: no triangle of this mesh uses the
+  // vertex; of a primitive that was split into parts, no triangle of this part.
   const uint32_t* source_slots;
   size_t source_slot_count;
   const mrw_morph_target* targets;  // morph targets, as many as mrw_mesh_target of a mesh
@@ -721,68 +767,9 @@ struct mrw_geometry {
 typedef struct mrw_mesh_target mrw_mesh_target;
 struct mrw_mesh_target {
   uint32_t name;  // see mrw_file_text; may be empty
-  // Name of the channel that clips drive its weight by, see mrw_find_weight_channels() in part morph.
+  // Name of the channel by which clips drive its weight; see mrw_find_weight_channels() in part morph.
   uint32_t channel;
-  float weight;  // where no clip does
-};
-
-// An image in a role, channels as glTF 2.0 section 3.9 has them. Base colour, emissive and specular-glossiness images
-// are sRGB (of the last all but alpha), others linear; (0, 0) of the UVs is the image's upper left corner.
-typedef struct mrw_texture mrw_texture;
-struct mrw_texture {
-  uint16_t image;  // which image of the file
-  mrw_texture_role role;  // none twice in a material
-  mrw_wrap wrap_u;  // along u and v
-  mrw_wrap wrap_v;  // along u and v
-  mrw_mag_filter mag;  // as the source asks
-  mrw_min_filter min;  // as the source asks
-  uint8_t reserved;
-};
-
-// A material as far as mrw_mesh does not say it.
-typedef struct mrw_material mrw_material;
-struct mrw_material {
-  const char* name;  // as the source calls it; never null
-  mrw_alpha_mode alpha;  // opaque: alpha is not looked at
-  float alpha_cutoff;  // mask: what is less opaque is not drawn
-  bool unlit;  // KHR_materials_unlit: the base colour is what is seen
-  float emissive[3];  // linear RGB ≥ 0, may be above 1: factor times strength, and times its texture
-  const mrw_texture* textures;  // one a role
-  size_t texture_count;
-};
-
-// A picture by reference, or as the source's own bytes. They are not checked: whoever decodes them must.
-typedef struct mrw_image mrw_image;
-struct mrw_image {
-  const char* name;  // as the source calls it; never null
-  const char* uri;  // relative to the source file and percent-encoded, as it stood there; empty if it had none
-  mrw_image_format format;  // unknown: by its bytes or its URI none of the others
-  const void* bytes;  // empty: by reference
-  size_t byte_count;
-  uint32_t fallback;  // of WebP, KTX2 and DDS: which PNG or JPEG image shows the same
-};
-
-// A number, a truth or a text that an artist gave a node.
-typedef struct mrw_property mrw_property;
-struct mrw_property {
-  uint32_t name;  // see mrw_file_text; of nested ones the path, as in "door/hinges/0"
-  mrw_property_type type;  // which of the two members below holds it
-  uint8_t reserved[3];
-  // finite; of a boolean 1 or 0
-  // see mrw_file_text
-  double number;
-};
-
-// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in model space is
-// model_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
-typedef struct mrw_node mrw_node;
-struct mrw_node {
-  const char* name;  // as the source calls it; never empty
-  uint32_t skeleton;  // which skeleton of the file
-  uint16_t joint;  // the nearest joint at or above it
-  const mrw_affine* joint_from_node;  // never changes
-  const mrw_property* properties;  // the `extras` of the source
-  size_t property_count;
+  float weight;  // its weight where no clip drives it
 };
 
 // A palette entry that blends those of two joints, for vertices that follow both: see mrw_build_palette().
@@ -801,7 +788,7 @@ struct mrw_mesh_lod {
   float error_m;  // the farthest that a vertex of the full mesh is from it, in the clips it was made with
 };
 
-// A box, and a sphere about the box's centre, about the same vertices. Model space, metres.
+// A box and a sphere about the box's centre; both contain the same vertices. Model space, metres.
 typedef struct mrw_bounds mrw_bounds;
 struct mrw_bounds {
   float box_min[3];  // least corner
@@ -809,12 +796,18 @@ struct mrw_bounds {
   float radius_m;  // below 0: empty, or not known
 };
 
+// How many matrices mrw_build_palette() writes.
+uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
+
+// Whether it contains nothing, or is not known.
+bool mrw_bounds_is_empty(const mrw_bounds* bounds);
+
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 typedef struct mrw_mesh mrw_mesh;
 struct mrw_mesh {
   const char* name;  // as the source calls it; never null
   const char* material;  // the material's name; never null
-  uint32_t material_index;  // which material of the file, if it has more than what stands here
+  uint32_t material_index;  // which material of the file, if that has more than this mrw_mesh
   uint32_t skeleton;  // which skeleton of the file
   uint32_t geometry_index;  // meshes with the same number share their geometry
   uint32_t joint_count;  // palette entries that are joints
@@ -822,8 +815,8 @@ struct mrw_mesh {
   const mrw_affine* inverse_bind;  // joint_count; joint_from_mesh in the bind pose
   float base_colour[4];  // linear RGBA
   bool double_sided;  // backs are drawn, too
-  // One primitive of the source with the mesh before it, for which one palette was too small. Nothing but the source's
-  // vertex order needs to know: see mrw_geometry.source_slots.
+  // Another part of the same source primitive as the mesh before it: one palette was too small for the whole. Only the
+  // source's vertex order depends on this, see mrw_geometry.source_slots.
   bool is_next_part;
   const mrw_helper* helpers;  // palette entries behind those of the joints
   size_t helper_count;
@@ -836,8 +829,39 @@ struct mrw_mesh {
   mrw_geometry geometry;  // of the level asked for
 };
 
-// Whether a limit keeps these rules, as those of mrw_make_limit() and mrw_load() do.
-bool mrw_is_valid(const mrw_joint_limit* limit);
+// ---- Part file ------------------------------------------------------------------------------------------------------
+// Load: one validated block of memory, seen as skeletons, clips and meshes.
+
+// What an mrw_property is.
+typedef uint8_t mrw_property_type;
+enum {
+  MRW_PROPERTY_TYPE_NUMBER = 0,
+  MRW_PROPERTY_TYPE_BOOLEAN = 1,
+  MRW_PROPERTY_TYPE_TEXT = 2,
+};
+
+// A number, boolean or text that an artist attached to a node.
+typedef struct mrw_property mrw_property;
+struct mrw_property {
+  uint32_t name;  // see mrw_file_text; a nested property has its path, as in "door/hinges/0"
+  mrw_property_type type;  // which of the two members below holds it
+  uint8_t reserved[3];
+  // finite; a boolean is 1 or 0
+  // see mrw_file_text
+  double number;
+};
+
+// A node of the source that is kept although it may be no joint: a socket, a locator. Its place in model space is
+// model_from_joint[joint] · joint_from_node, or joint_from_node alone without a joint.
+typedef struct mrw_node mrw_node;
+struct mrw_node {
+  const char* name;  // as the source calls it; never empty
+  uint32_t skeleton;  // which skeleton of the file
+  uint16_t joint;  // the nearest joint at or above it
+  const mrw_affine* joint_from_node;  // never changes
+  const mrw_property* properties;  // the `extras` of the source
+  size_t property_count;
+};
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 typedef struct mrw_file mrw_file;
@@ -851,12 +875,12 @@ void mrw_file_init(mrw_file* out);
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.
 //
-// The block must be 16-byte aligned (MRW_BAD_ARGUMENT otherwise; part block helps) and may come from anywhere: nothing
-// is read outside it, whatever it holds, and after `ok` nothing that it holds can make another stage read or write out
-// of bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations units, so that the product of
-// what is above a root, a joint and an inverse bind is finite; those of long chains of huge scales need not be. Names
-// are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and the broken rule on
-// failure. Cost: one pass over the block; no allocation. Thread-safe.
+// The block must be 16-byte aligned (MRW_BAD_ARGUMENT otherwise; part block helps) and may come from anywhere. Nothing
+// is read outside it, whatever it holds. After `ok`, nothing that it holds can make another stage read or write out of
+// bounds. Numbers of matrices, translations and scales are at most 1e12, and rotations are unit quaternions. So the
+// product of a root's model_from_root, one joint and an inverse bind is finite; along a long chain of huge scales it
+// need not be. Names are at most 2047 bytes. `out` is written only on success. `error`, if not null, gets the place and
+// the broken rule on failure. Cost: one pass over the block; no allocation. Thread-safe.
 // May be null: error.
 mrw_status mrw_load(const void* block, size_t block_bytes, mrw_file* out, mrw_data_error* error) MRW_NODISCARD;
 
@@ -869,43 +893,46 @@ uint32_t mrw_file_material_count(const mrw_file* file);
 uint32_t mrw_file_image_count(const mrw_file* file);
 uint32_t mrw_file_node_count(const mrw_file* file);
 
-// An index that is not below the count gives what is empty. Cost: a few loads.
+// An index at or above the count returns an empty object. Cost: a few loads.
 mrw_status mrw_file_skeleton(const mrw_file* file, uint32_t index, mrw_skeleton* out) MRW_NODISCARD;
 mrw_status mrw_file_reference(const mrw_file* file, uint32_t index, mrw_skeleton_reference* out) MRW_NODISCARD;
 mrw_status mrw_file_clip(const mrw_file* file, uint32_t index, mrw_clip* out) MRW_NODISCARD;
 
-// level: of detail, 0 in full; beyond the mesh's last it is its last. All levels share one palette.
+// level: of detail; 0 is the full mesh, and a level beyond the mesh's last returns the last. All levels share one
+// palette.
 mrw_status mrw_file_mesh(const mrw_file* file, uint32_t index, uint32_t level, mrw_mesh* out) MRW_NODISCARD;
 
-// An index that is not below the count gives what is empty. Cost: a few loads.
+// An index at or above the count returns an empty object. Cost: a few loads.
 mrw_status mrw_file_material(const mrw_file* file, uint32_t index, mrw_material* out) MRW_NODISCARD;
 mrw_status mrw_file_image(const mrw_file* file, uint32_t index, mrw_image* out) MRW_NODISCARD;
 mrw_status mrw_file_node(const mrw_file* file, uint32_t index, mrw_node* out) MRW_NODISCARD;
 
-// About all that the mesh's vertices do while the clip plays from its rest pose, at every level of detail, by every
-// deformer that it was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
-// Codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices. A clip
-// pack has none: mrw_palette_bounds() in part bounds. Cost: a look at every clip and mesh; once a load.
+// Contains the mesh's vertices while the clip plays from the rest pose: at every level of detail, by every deformer
+// that the mesh was cooked for. Empty if the clip does not move the mesh's skeleton, and in files without bounds.
+// Stored as codes of 8 bits, rounded outwards: a face may be 1/64 of the box's farthest coordinate beyond the vertices.
+// For clips of a clip pack there are none; see mrw_palette_bounds() in part bounds. Cost: a look at every clip and
+// mesh; once a load.
 mrw_status mrw_file_bounds(const mrw_file* file, uint32_t clip, uint32_t mesh, mrw_bounds* out) MRW_NODISCARD;
 
-// Spring bones that the asset came with, of one of the skeletons: chains for mrw_make_springs(), and mrw_spring_frame's
-// colliders. Their settings are the asset's; a game may change a copy. Cost: a look at every section of springs.
+// The asset's spring bones for one of the skeletons: chains for mrw_make_springs(), and colliders for mrw_spring_frame.
+// A game may copy them and change their settings. Cost: a look at every section of springs.
 uint32_t mrw_file_spring_count(const mrw_file* file, uint32_t skeleton);
 mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t index,
     mrw_spring_chain* out) MRW_NODISCARD;
 mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
     mrw_spring_collider_list* out) MRW_NODISCARD;
 
-// Spaces of example shapes, see part example_space. mrw_load() knows where they stand, mrw_file_example_space() looks
-// at all that one holds; lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index;
-// MRW_BAD_DATA or MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success.
-// Cost: one pass; once a load.
+// Spaces of example shapes, see part example_space. mrw_load() only locates them; mrw_file_example_space() checks all
+// that one holds. lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index; MRW_BAD_DATA or
+// MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass;
+// once a load.
 uint32_t mrw_file_example_space_count(const mrw_file* file);
 
-// Spaces of example shapes, see part example_space. mrw_load() knows where they stand, mrw_file_example_space() looks
-// at all that one holds; lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index;
-// MRW_BAD_DATA or MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success.
-// Cost: one pass; once a load. May be null: error.
+// Spaces of example shapes, see part example_space. mrw_load() only locates them; mrw_file_example_space() checks all
+// that one holds. lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index; MRW_BAD_DATA or
+// MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass;
+// once a load.
+// May be null: error.
 mrw_status mrw_file_example_space(const mrw_file* file, uint32_t index, mrw_example_space* out,
     mrw_data_error* error) MRW_NODISCARD;
 
@@ -917,12 +944,12 @@ uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name);
 // frame.
 uint32_t mrw_file_find_joint(const mrw_file* file, const mrw_skeleton* skeleton, const char* name);
 
-// Index of the first mesh with this name, or mrw_file_mesh_count(). A mesh of several materials is one a material, all
-// of the same name.
+// Index of the first mesh with this name, or mrw_file_mesh_count(). A source mesh with several materials is one
+// mrw_mesh for each, all of the same name.
 uint32_t mrw_file_find_mesh(const mrw_file* file, const char* name);
 
-// Index of the first clip with this name, or mrw_file_clip_count(); the second of those that move one skeleton. An
-// animation of several skeletons is a clip each, with the same name and duration.
+// Index of the first clip with this name, or mrw_file_clip_count(). With `skeleton` only clips that move that skeleton
+// are searched. An animation of several skeletons is one clip for each, all with the same name and duration.
 uint32_t mrw_file_find_clip(const mrw_file* file, const char* name);
 uint32_t mrw_file_find_clip_of(const mrw_file* file, const char* name, uint32_t skeleton);
 
@@ -936,19 +963,10 @@ uint32_t mrw_file_find_node(const mrw_file* file, const char* name);
 // The property of `node`, a node of this file, with this name; null if there is none.
 const mrw_property* mrw_file_node_property(const mrw_file* file, const mrw_node* node, const char* name);
 
-// A name by its number (mrw_skeleton.names, mrw_channel.name, mrw_property.name); empty for what is none. UTF-8,
+// The name with this number (mrw_skeleton.names, mrw_channel.name, mrw_property.name); empty if there is none. UTF-8,
 // zero-terminated, never null.
 const char* mrw_file_text(const mrw_file* file, uint32_t name);
 uint32_t mrw_property_text(const mrw_property* property);
-
-// How many groups of four joints a local pose has.
-size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
-
-// How many matrices mrw_build_palette() writes.
-uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
-
-// Whether nothing is known or in it.
-bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 
 // ---- Part clip_pack -------------------------------------------------------------------------------------------------
 // Clips apart from their character: does a clip pack fit a skeleton, and if not, which joints are in the way.
@@ -957,68 +975,69 @@ bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 typedef uint8_t mrw_misfit;
 enum {
   MRW_MISFIT_MISSING = 0,  // the skeleton has no joint of this name
-  MRW_MISFIT_OTHER_PARENT = 1,  // it has, below another joint
-  MRW_MISFIT_OTHER_REST = 2,  // it has, with another rest pose, which coded tracks are relative to
-  MRW_MISFIT_EXTRA = 3,  // a joint of the skeleton that the clips were made without
-  MRW_MISFIT_OTHER_PLACE = 4,  // all joints are there, this one at another place in the order
+  MRW_MISFIT_OTHER_PARENT = 1,  // it has one, below another joint
+  MRW_MISFIT_OTHER_REST = 2,  // it has one with another rest pose, which coded tracks are relative to
+  MRW_MISFIT_EXTRA = 3,  // the skeleton has a joint that the clips were made without
+  MRW_MISFIT_OTHER_PLACE = 4,  // all joints are there, but this one has another number
 };
 
 // A joint that is in the way.
 typedef struct mrw_joint_misfit mrw_joint_misfit;
 struct mrw_joint_misfit {
   mrw_misfit how;  // what is wrong with it
-  uint32_t joint;  // of the pack's reference; `extra`: of the skeleton
+  uint32_t joint;  // index in the pack's reference; for `extra` in the skeleton
 };
 
 // A 64-bit hash of a skeleton's joints in their order: names, parents, rest poses bit for bit (docs/format.md, SREF).
-// Of a skeleton that is not there it is the hash of no joints. Cost: one pass over the skeleton.
+// An index without a skeleton gives the hash of no joints. Cost: one pass over the skeleton.
 uint64_t mrw_skeleton_hash(const mrw_file* file, uint32_t skeleton);
 
-// Whether the clips that a pack has for one of its references may move a skeleton of another file. After `ok`,
-// mrw_sample() does for every clip of the pack whose mrw_clip.skeleton is `reference` what it would do for the
-// skeleton's own. Once a load, not a frame. (Sampling an unfit clip is safe: joints out of range are refused, and
-// within it the pose is nonsense.)
+// Whether a pack's clips for one of its references can move a skeleton of another file. After `ok`, mrw_sample() treats
+// every clip of the pack whose mrw_clip.skeleton is `reference` like the skeleton's own clips. Once a load, not a
+// frame. (Sampling a clip that does not fit is safe: joints out of range are refused; otherwise the pose is nonsense.)
 //
-// misfits: gets the first ones, as many as it holds; misfit_count, if not null, how many there are. Both may be left
-// out. What stands above the roots may differ: it does not concern clips.
-// Errors: MRW_MISMATCH if the skeletons are not the same; MRW_BAD_ARGUMENT if an index is out of range. Cost: one pass
-// over the skeleton if it fits; else a search by name a joint. No allocation. Thread-safe.
+// misfits: gets as many of the first misfits as it holds. misfit_count, if not null, gets their total number. Both may
+// be left out. The transforms above the roots may differ: they do not concern clips. Errors: MRW_MISMATCH if the
+// skeletons are not the same; MRW_BAD_ARGUMENT if an index is out of range. Cost: one pass over the skeleton if it
+// fits; else a search by name a joint. No allocation. Thread-safe.
 // May be null: misfits_there.
 mrw_status mrw_bind_clips(const mrw_file* pack, uint32_t reference, const mrw_file* character, uint32_t skeleton,
     mrw_joint_misfit* misfits, size_t misfit_count, size_t* misfits_there) MRW_NODISCARD;
 
 // ---- Part outfit ----------------------------------------------------------------------------------------------------
-// Hair, clothes and what a hand holds, in files of their own: their joints stand where the body's stand.
+// Hair, clothes and things held in a hand, in files of their own: their joints follow the body's.
 //
-// `marrow cook hair.glb --skeleton body.mrw` gives an outfit the body's whole skeleton, and among it the joints that
-// only the outfit has: of each parent behind its children of the body. So an outfit may be posed, may have springs,
-// clips and masks as anything else, and where it has no joints of its own, its joints are the body's, number by number.
+// `marrow cook hair.glb --skeleton body.mrw` gives an outfit the body's whole skeleton plus the joints that only the
+// outfit has. Under each parent the outfit's own joints come after the body's. So an outfit may be posed, and may have
+// springs, clips and masks as anything else. An outfit without joints of its own has the body's joints, number by
+// number.
 //
 // mrw_make_outfit() and mrw_character_follow_body() of part character do what is here for whole characters.
 
 // Whether an outfit fits a body, and which joint of the body each of its joints is.
 //
-// body_joints: at least the outfit's joint_count; gets the number of the body's joint, ascending, or MRW_NO_JOINT for
-// what only the outfit has. It fits if all joints of the body are there, in their order and each below the same parent,
-// and if each joint of its own hangs on another joint. Rest poses may differ, as may what stands above the roots: the
-// same clothes fit a taller body. Where all joints are the body's own, body_joints[j] is j.
+// body_joints: at least the outfit's joint_count. For each joint of the outfit it gets the body joint's number,
+// ascending, or MRW_NO_JOINT for a joint that only the outfit has. The outfit fits if it has all joints of the body, in
+// their order and each below the same parent, and if every joint of its own has a parent. Rest poses may differ, as may
+// the transforms above the roots: the same clothes fit a taller body. If all joints are the body's, body_joints[j] is
+// j.
 //
-// misfits: as of mrw_bind_clips(), where `joint` is of the outfit and `extra` one that the outfit lacks, of the body;
-// `missing`: a root that the body lacks.
-// Errors: MRW_MISMATCH if it does not fit, where body_joints holds nothing of use; MRW_BAD_ARGUMENT if an index is out
-// of range or a list too short. Cost: a comparison of names a joint if it fits; else a search by name. No allocation.
-// Thread-safe.
+// misfits: as in mrw_bind_clips(). `joint` is one of the outfit; for `extra` it is one of the body that the outfit
+// lacks; for `missing` it is a root that the body lacks. Errors: MRW_MISMATCH if it does not fit, and body_joints then
+// holds nothing of use; MRW_BAD_ARGUMENT if an index is out of range or a list too short. Cost: a comparison of names a
+// joint if it fits; else a search by name. No allocation. Thread-safe.
 // May be null: misfits_there.
 mrw_status mrw_bind_outfit(const mrw_file* outfit, uint32_t skeleton, const mrw_file* body, uint32_t body_skeleton,
     uint16_t* body_joints, size_t body_joint_count, mrw_joint_misfit* misfits, size_t misfit_count,
     size_t* misfits_there) MRW_NODISCARD;
 
-// The outfit's model-space joints in the body's pose: joints of the body are copied, the outfit's own stand at `local`
-// below their parents. Poses are the same bits as if mrw_local_to_model() had posed them all.
+// The outfit's model-space joints in the body's pose. The body's joints are copied; the outfit's own joints are placed
+// by `local` below their parents. The result has the same bits as if mrw_local_to_model() had posed all of them.
 //
-// skeleton: the outfit's. body_joints: as mrw_bind_outfit() gives it. local: at least mrw_skeleton_soa_size(skeleton),
-// of which joints of the body are not read. model_from_joint: at least skeleton.joint_count; does not overlap the
-// body's. Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range, or a root none of the body's.
+// skeleton: the outfit's. body_joints: from mrw_bind_outfit(). local: at least mrw_skeleton_soa_size(skeleton);
+// elements of the body's joints are not read. model_from_joint: at least skeleton.joint_count; does not overlap the
+// body's.
+// Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range, or a root is not one of the body's.
 // Cost: 48 bytes are copied a joint of the body; the others cost what mrw_local_to_model() does. Where body_joints[j]
 // is always j, mrw_build_palette() and mrw_gles3_pose() may as well take the body's joints themselves, without a copy.
 // Thread-safe on different outputs.
@@ -1037,40 +1056,40 @@ enum {
   MRW_PLAY_MODE_PING_PONG = 2,  // time turns round
 };
 
-// The state of a playing clip: plain numbers that may be set, copied and stored at will. A clip that is to run
-// backwards once begins with time_s = its duration.
+// The state of a playing clip: plain numbers that may be set, copied and stored at will. To play a clip backwards once,
+// start with time_s = its duration and a speed below 0.
 typedef struct mrw_playback mrw_playback;
 struct mrw_playback {
   double time_s;  // in the clip
   float speed;  // seconds of the clip a second; 0 pauses, below 0 runs backwards
   mrw_play_mode mode;  // what happens at the ends
   bool returning;  // ping_pong: on the way back, so time runs against speed
-  // Of the last mrw_advance(). loop: how often time went from the clip's end to its start, less how often the other way
-  // round; ping_pong: how often time turned; once: 0. Stops at ±2147483647.
+  // Turns in the last mrw_advance(). loop: how often time went from the clip's end to its start, minus how often from
+  // start to end. ping_pong: how often time turned. once: 0. Stops at ±2147483647.
   int32_t turns;
 };
 void mrw_playback_init(mrw_playback* out);
 
-// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Whatever lies beyond an end counts,
-// however many times over: a loop loses no time and shows none twice, and so does a turn. Afterwards time_s is in
-// 0 … duration_s, and below duration_s in a loop; an end that is reached exactly is passed or turned at only when time
-// moves on. Events at a clip's times are due where time_s was before, where it is now, and `turns` say. A time_s
-// outside the clip counts as one that has just run there; a duration of 0 makes it 0, without a turn.
+// Moves `playback` on by dt_s seconds times its speed, in a clip of `duration_s`. Time beyond an end is carried over,
+// however many times it passes: neither a loop nor a turn loses time or shows any twice. Afterwards time_s is in 0 …
+// duration_s, and in a loop below duration_s. A time exactly at an end passes it, or turns there, only when time moves
+// on. To find the events that are due, compare time_s before and after, and read `turns`. A time_s outside the clip is
+// treated as if time had just run there. In a clip of duration 0, time_s becomes 0, without a turn.
 //
 // Errors: MRW_BAD_ARGUMENT if time_s, speed, dt_s or duration_s is not finite, or duration_s is below 0; nothing is
 // changed.
 //
-// Error: dt_s · speed is exact; to add it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|) before and
-// 2⁻⁵³ duration_s more where a loop passes its start backwards; finding the place of a time beyond an end is exact. So
-// after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the logarithm of the
-// turns where there are many. The same bits everywhere; thread-safe on different playbacks.
+// Rounding: dt_s · speed is exact. Adding it to the time rounds once, by at most 2⁻⁵³ (time_s + |dt_s · speed|), with
+// time_s as it was before, and by 2⁻⁵³ duration_s more where a loop passes its start backwards. Wrapping a time beyond
+// an end is exact. So after 10⁷ steps of a clip of 10 s time is off by less than 2·10⁻⁸ s. Cost: a few operations; the
+// logarithm of the turns where there are many. The same bits everywhere; thread-safe on different playbacks.
 mrw_status mrw_advance(mrw_playback* playback, float duration_s, float dt_s) MRW_NODISCARD;
 
 // The time to sample: time_s as a float, which never goes beyond the clip.
 float mrw_clip_time(const mrw_playback* playback);
 
-// Whether a clip that plays once has reached the end towards which it runs; it stays true then. A clip at speed 0 runs
-// towards none.
+// Whether a clip that plays once has reached the end that it runs towards; it stays true while time runs on. At speed 0
+// it runs towards no end.
 bool mrw_finished(const mrw_playback* playback, float duration_s);
 
 // ---- Part sample ----------------------------------------------------------------------------------------------------
@@ -1100,42 +1119,43 @@ void mrw_sample_options_init(mrw_sample_options* out);
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
 
-// What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new one keeps nothing yet. All
-// but `memory` is mrw_sample_cached()'s own.
+// What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new cache is empty. All members
+// but `memory` belong to mrw_sample_cached().
 typedef struct mrw_sample_cache mrw_sample_cache;
 struct mrw_sample_cache {
-  // The caller's, 16-byte aligned: two unpacked frames of the clip, so that times between them are not unpacked again.
-  // With less than mrw_sample_cache_bytes() of a clip, or none, only what does not move is kept of it.
+  // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
+  // unpacking. If it is smaller than mrw_sample_cache_bytes() of a clip, or empty, only what does not move in the clip
+  // is kept.
   void* memory;
   size_t memory_bytes;
   const mrw_soa_transform* out;  // where the last call wrote
   uint64_t clip;  // which clip
-  uint32_t frame;  // that is unpacked; 0xFFFFFFFF: none
-  bool room;  // for this clip's frames
+  uint32_t frame;  // the frame that is unpacked; 0xFFFFFFFF: none
+  bool room;  // whether `memory` has room for this clip's frames
 };
 void mrw_sample_cache_init(mrw_sample_cache* out);
 
-// Bytes of mrw_sample_cache.memory for this clip: 160 for each four joints that turn, move or change their size, once
-// for each of the three.
+// Bytes of mrw_sample_cache.memory for this clip: 160 for each group of four joints in which some rotation changes, and
+// the same again for translations and for scales.
 size_t mrw_sample_cache_bytes(const mrw_clip* clip);
 
-// mrw_sample() of all joints for an instance that plays on: writes the same bits, and leaves out what the call before
-// with this cache did already. That another clip, skeleton or `out` was given than in that call is found by itself: a
-// clip of an mrw_file by mrw_clip.id, one that is made by hand by where its tracks lie.
+// mrw_sample() of all joints for an instance that plays on: writes the same bits, but skips what the last call with
+// this cache has already done. The cache notices a changed clip, skeleton or `out` and starts anew. It knows an
+// mrw_file's clip by mrw_clip.id, a clip made by hand by the addresses of its tracks.
 //
-// out: as of mrw_sample(), and nobody else writes to it as long as the cache is in use, not to joints that move either:
-// what rests between two frames is not written again. For a pose that is changed afterwards copy it, or let mrw_blend()
-// read it. cache: one for each `out`; put a new one of the same memory in its place if others wrote to `out`. Errors:
-// as mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; then it forgets
-// nothing. Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz
-// about half.
+// out: as in mrw_sample(). Nobody else may write to it while the cache is in use, not even to joints that move: what
+// rests between two frames is not written again. To change the pose afterwards, copy it or let mrw_blend() read it.
+// cache: one for each `out`. If others wrote to `out`, replace it by a new cache with the same memory. Errors: as
+// mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; the cache then stays as it
+// is. Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about
+// half.
 mrw_status mrw_sample_cached(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, mrw_sample_cache* cache) MRW_NODISCARD;
 
-// Evaluates a clip cooked as additive (`marrow cook --additive`): out = what turns its reference pose into the pose
-// that mrw_sample() would give of an ordinary clip, for mrw_add(). Laid on the reference with weight 1 it gives that
-// pose, within the cooker's --clip-error; joints that the clip leaves alone do not change, where the reference is the
-// rest pose in them.
+// Evaluates a clip cooked as additive (`marrow cook --additive`). out: the change for mrw_add(), from the clip's
+// reference pose to the pose that mrw_sample() would give of an ordinary clip. Added to the reference with weight 1 it
+// gives that pose, within the cooker's --clip-error. A joint that the clip leaves alone does not change if the
+// reference has it in its rest pose.
 //
 // out: at least mrw_skeleton_soa_size(skeleton) elements, caller's memory. Errors: as mrw_sample(), and
 // MRW_BAD_ARGUMENT if the clip is not additive. Cost: mrw_sample() and mrw_make_additive(). Stateless; thread-safe on
@@ -1145,15 +1165,15 @@ mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* cli
 
 // Evaluates the clip's channels at `time_s` as above: out[i] is the value of clip.channels[i].
 //
-// out: at least clip.channel_count floats. Which channel is which: mrw_file_find_channel; numbers that the clip does
-// not drive have no channel, and keep what the game gives them. An additive clip's channels are values all the same, no
-// changes. Errors: MRW_BAD_ARGUMENT if `out` is too short or time_s is not
-// a number. Cost: a binary search a distinct key-time list and a few operations a channel.
+// out: at least clip.channel_count floats. mrw_file_find_channel says which channel is which. A number that the clip
+// does not drive has no channel and keeps the value that the game gives it. Channels of an additive clip are values,
+// too, not changes. Errors: MRW_BAD_ARGUMENT if `out` is too short or time_s is not a number. Cost: a binary search a
+// distinct key-time list and a few operations a channel.
 mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // ---- Part curve -----------------------------------------------------------------------------------------------------
-// Curves through keys, easings and patches: a time, or any other parameter, → numbers; beside the road of data, for
-// user channels and procedural motion.
+// Curves through keys, easings and patches: a time, or any other parameter, → numbers. For user channels and
+// procedural motion; outside the pipeline of poses and meshes.
 //
 // Everything is plain functions over the caller's memory; nothing is kept, nothing is allocated, all is thread-safe on
 // different outputs. Results are the same bits on every processor.
@@ -1213,9 +1233,9 @@ enum {
 typedef struct mrw_curve mrw_curve;
 struct mrw_curve {
   mrw_curve_kind kind;  // what lies between keys
-  // Values are unit quaternions x, y, z, w; components is 4. Every key and control point is taken with the sign that is
-  // nearer to the one before it, and what comes out is normalised; its sign is open, as q and -q are the same rotation.
-  // A blend that has no direction gives the earlier key's.
+  // Values are unit quaternions x, y, z, w; components is 4. Each key and control point is taken with the sign that is
+  // nearer to the one before it. The result is normalised and may have either sign, as q and -q are the same rotation.
+  // Where a blend has no direction, the result is the earlier key.
   bool rotation;
   uint32_t components;  // floats a value: 1 … 4
   const float* times_s;  // one a key, strictly increasing; seconds, or whatever the curve runs over
@@ -1225,7 +1245,7 @@ struct mrw_curve {
 };
 void mrw_curve_init(mrw_curve* out);
 
-// Arc length: where on a path to be for its speed to be even.
+// Arc length: at which time to evaluate a curve to move along it at an even speed.
 //
 // The table holds the length of the path up to each of `steps` equal parts of every key interval.
 typedef struct mrw_arc_length mrw_arc_length;
@@ -1250,23 +1270,25 @@ void mrw_cubic_bezier_ease_init(mrw_cubic_bezier_ease* out);
 // How many floats `key_count` keys of `components` hold.
 size_t mrw_curve_value_count(mrw_curve_kind kind, uint32_t components, size_t key_count);
 
-// Whether a curve keeps the rules above: call it once for keys that come from outside. Errors: MRW_BAD_ARGUMENT if
-// `kind` is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing; MRW_BAD_DATA if
-// times do not increase strictly, a number is not finite, a value or control point beyond 1e18, or a tangent over the
-// longest interval, or a rotation key's squared length is off 1 by more than 1e-3. Cost: once over the keys.
+// Whether a curve keeps the rules above; call it once for keys that come from outside. Errors: MRW_BAD_ARGUMENT if
+// `kind` is unknown, there is no key, components is not 1 … 4 (4 for rotations) or values are missing. MRW_BAD_DATA if
+// times do not increase strictly, a number is not finite, a value or control point is beyond 1e18, a tangent times the
+// longest interval is beyond 1e18, or a rotation key's squared length differs from 1 by more than 1e-3. Cost: once over
+// the keys.
 mrw_status mrw_check_curve(const mrw_curve* curve) MRW_NODISCARD;
 
 // The value at `time_s`, clamped to the first and last key; one key is a constant.
 //
 // out: at least curve.components floats. Errors: MRW_BAD_ARGUMENT as in mrw_check_curve(), if `out` is too short, or
-// time_s is not a number. Keys that mrw_check_curve() refuses with MRW_BAD_DATA are safe but give garbage; of others
-// values are finite. At a key's time the value is exactly the key's (rotations: but for normalisation and sign). Cost:
-// a binary search and some dozen operations.
+// time_s is not a number. Keys that mrw_check_curve() refuses with MRW_BAD_DATA are safe but give garbage; all other
+// keys give finite values. At a key's time the value is exactly the key's (a rotation's except for normalisation and
+// sign). Cost: a binary search and some dozen operations.
 mrw_status mrw_evaluate_curve(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
-// The derivative of mrw_evaluate_curve() by time, a second. At an inner key: of what follows; before the first and
-// after the last key: 0. Arguments, errors and cost as there; also MRW_UNSUPPORTED for rotations, and
-// MRW_BAD_DATA, with nothing written, if it is not finite, as keys are so far apart in so little time.
+// The derivative of mrw_evaluate_curve() by time, per second. At an inner key it is that of the interval after the key;
+// before the first and after the last key it is 0. Arguments, errors and cost as in mrw_evaluate_curve(). Also
+// MRW_UNSUPPORTED for rotations; and MRW_BAD_DATA, with nothing written, if the result is not finite because keys are
+// so far apart in so little time.
 mrw_status mrw_curve_velocity(const mrw_curve* curve, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // Cubic splines: tangents at the keys such that the second derivative is continuous too, for any key intervals.
@@ -1293,8 +1315,8 @@ mrw_status mrw_clamped_spline(const mrw_curve* keys, const float* first_velocity
 mrw_status mrw_bezier(const float* points, size_t point_count, uint32_t components, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
-// The same for unit quaternions, each taken with the sign nearer to the one before; normalised. MRW_BAD_DATA also if
-// the result has no direction, or is too long to be squared.
+// The same for unit quaternions; each is taken with the sign nearer to the one before it, and the result is normalised.
+// MRW_BAD_DATA also if the result has no direction, or is too long to be squared.
 mrw_status mrw_bezier_rotation(const float* quaternions, size_t quaternion_count, float u, float* scratch,
     size_t scratch_count, float* out, size_t out_count) MRW_NODISCARD;
 
@@ -1346,7 +1368,7 @@ mrw_status mrw_ease_by_curve(const mrw_cubic_bezier_ease* curve, float u, float*
 // The largest weight of a layer; results stay far from the limits of float.
 #define MRW_MAX_BLEND_WEIGHT 1e6f
 
-// Below this sum of weights a joint is filled up with its rest pose.
+// Where a joint's weights sum to less than this, its rest pose makes up the difference.
 #define MRW_REST_THRESHOLD 0.1f
 
 // A pose and how much of it.
@@ -1376,11 +1398,11 @@ void mrw_additive_layer_init(mrw_additive_layer* out);
 // out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
 // as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
 //
-// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it, so the result
-// is that of the shorter arcs for two layers and does not cancel for any number; its sign is arbitrary. Where Σ w is
-// below `threshold`, the rest pose joins in with the weight that is missing, so no layers at all give the rest pose. A
-// single layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are those
-// below 1e-12 of the sum or of `threshold`. Finite for poses with translations and scales up to 1e15.
+// Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it. So two layers
+// blend along the shorter arc, and no number of layers cancels out; the result's sign is arbitrary. Where Σ w is below
+// `threshold`, the rest pose is added with the missing weight; so without layers the result is the rest pose. A single
+// layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are layers below
+// 1e-12 of the sum or of `threshold`. The result is finite for poses with translations and scales up to 1e15.
 //
 // layers: any number; out: at least mrw_skeleton_soa_size(skeleton), and may be the pose of a layer. threshold: 1e-6 …
 // MRW_MAX_BLEND_WEIGHT.
@@ -1405,10 +1427,9 @@ mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* laye
 mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
     size_t mask_count) MRW_NODISCARD;
 
-// out = what turns `reference` into `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
-// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. Clips cooked as additive hold
-// their reference and yield changes by themselves: mrw_sample_additive(). Errors: MRW_BAD_ARGUMENT if a list is too
-// short.
+// out: the change from `reference` to `pose`: differences of translations, pose · reference⁻¹ of rotations, ratios of
+// scales (1 where the reference is less than 1e-20). Rotations must be unit quaternions. For clips cooked as additive
+// call mrw_sample_additive() instead: they hold their reference. Errors: MRW_BAD_ARGUMENT if a list is too short.
 mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transform* pose, size_t pose_count,
     const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
     size_t out_count) MRW_NODISCARD;
@@ -1454,23 +1475,23 @@ void mrw_inertia_init(mrw_inertia* out);
 // What was shown in the last two frames, and what the new clip would show.
 typedef struct mrw_inertial_start mrw_inertial_start;
 struct mrw_inertial_start {
-  const mrw_soa_transform* before;  // shown one frame earlier
+  const mrw_soa_transform* before;  // the pose shown one frame before `now`
   size_t before_count;
-  const mrw_soa_transform* now;  // shown last
+  const mrw_soa_transform* now;  // the pose shown last
   size_t now_count;
   const mrw_soa_transform* target;  // the new clip at the time of `now`
   size_t target_count;
-  const mrw_soa_transform* target_was;  // the new clip one frame earlier; empty: taken to stand still
+  const mrw_soa_transform* target_was;  // the new clip one frame earlier; empty: as if it stood still
   size_t target_was_count;
-  float frame_s;  // between the two, > 0; less than 1e-6 counts as that
+  float frame_s;  // time from `before` to `now`, > 0; less than 1e-6 counts as 1e-6
 };
 void mrw_inertial_start_init(mrw_inertial_start* out);
 
-// The new clip's weight, `time_s` after the fade began: exactly 0 at or before 0 and for what is not a number, exactly
-// 1 from duration_s on (at once if that is not above 0).
+// The new clip's weight, `time_s` after the fade began. It is exactly 0 at times ≤ 0 and if time_s is not a number, and
+// exactly 1 from duration_s on. If duration_s is not above 0, it is 1 at every time above 0.
 float mrw_fade_weight(mrw_fade shape, float time_s, float duration_s);
 
-// mrw_blend() of two poses: from at weight 0, to at weight 1, both bit for bit.
+// mrw_blend() of two poses: weight 0 gives `from`, weight 1 gives `to`, both bit for bit.
 // from, to, out: at least mrw_skeleton_soa_size(skeleton); out may be either of the poses.
 // Errors: MRW_BAD_ARGUMENT if a list is too short or the weight not in 0 … 1.
 mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform* from, size_t from_count,
@@ -1479,21 +1500,21 @@ mrw_status mrw_cross_fade(const mrw_skeleton* skeleton, const mrw_soa_transform*
 // Captures the offset and its velocity; from then on only the new clip is sampled, and mrw_apply_inertia() gives what
 // is shown.
 //
-// Inertialisation: D. Bollo, GDC 2018. Each component is the quintic with the offset's value and velocity at the start,
-// and value, velocity, acceleration and jerk 0 at the end, in the factored form above. A component on its way to zero
-// that would pass it before duration_s ends sooner, 5 start / -velocity after the beginning, so no offset
-// changes its sign. Other than there, x, y and z are not reduced to a length on a fixed axis, so the whole velocity
-// is carried over and not only its part along the offset. The growth of a turn is limited so that it stays below a
-// whole one; a turn of more than a quarter in one frame is not carried over faithfully.
+// Inertialisation: D. Bollo, GDC 2018. Each component is a quintic: at the start it has the offset's value and
+// velocity; at the end its value, velocity, acceleration and jerk are 0. It is in the factored form above. A component
+// whose velocity would take it past zero before duration_s ends sooner, 5 start / -velocity after the beginning; so no
+// offset changes its sign. Unlike Bollo's, x, y and z fade separately, not as a length along a fixed axis: the whole
+// velocity is carried over, not only its part along the offset. A growing turn is limited to less than a whole turn. A
+// turn of more than a quarter in one frame is not carried over faithfully.
 // Rotations must be unit quaternions, translations and scales at most 1e15: then all is finite, here and below. To
-// begin anew in the middle of a transition, pass the poses that were shown. Errors: MRW_BAD_ARGUMENT if a list is too
-// short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
+// begin a new transition in the middle of another, pass the poses that were shown. Errors: MRW_BAD_ARGUMENT if a list
+// is too short, or frame_s or duration_s is not above 0 and finite, or duration_s is above 1e6. Cost: two logarithms of
 // quaternions a joint, four joints at a time; no allocation.
 mrw_status mrw_begin_inertia(const mrw_skeleton* skeleton, const mrw_inertial_start* start, float duration_s,
     mrw_inertia* inertia) MRW_NODISCARD;
 
-// pose: in, the new clip's pose `time_s` after the beginning; out, what is to be shown. From duration_s on, and before
-// any mrw_begin_inertia(), the pose keeps its bits. Times below 0 count as 0.
+// pose: in, the new clip's pose `time_s` after the beginning; out, the pose to show. From duration_s on, and without an
+// mrw_begin_inertia() before, the pose keeps its bits. Times below 0 count as 0.
 // Errors: MRW_BAD_ARGUMENT if a list is too short or time_s not a number.
 // Cost: nine quintics and one exponential a joint, four joints at a time.
 mrw_status mrw_apply_inertia(const mrw_skeleton* skeleton, const mrw_inertia* inertia, float time_s,
@@ -1514,8 +1535,8 @@ struct mrw_pose {
 };
 void mrw_pose_init(mrw_pose* out);
 
-// model_from_joint = model_from_root · Π parent_from_joint, from the root down; model_from_root is what the source has
-// above the skeleton and never moves, so the matrices are in the source's own space.
+// model_from_joint = model_from_root · Π parent_from_joint, from the root down. model_from_root is the fixed transform
+// that the source has above the skeleton, so the matrices are in the source's own space.
 //
 // local: at least mrw_skeleton_soa_size(skeleton); out: at least skeleton.joint_count; they do not overlap.
 // Errors: MRW_BAD_ARGUMENT if a list is too short.
@@ -1524,27 +1545,28 @@ void mrw_pose_init(mrw_pose* out);
 mrw_status mrw_local_to_model(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
-// The same for the first `joint_count` joints only, to the same bits: a level of detail. Joints are breadth-first, so
-// whatever the count, parents are among them. The others' matrices are left as they are.
+// A level of detail: the same for the first `joint_count` joints only, to the same bits. Joints are breadth-first, so
+// the parents of these joints are among them. All other matrices are left as they are.
 //
 // local: at least mrw_soa_count(joint_count); out: at least joint_count. Errors: MRW_BAD_ARGUMENT also if there are
 // fewer joints.
 mrw_status mrw_local_to_model_first(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint_count, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
-// The same for `joint` and all that hangs below it only, after a change of their local transforms: by inverse
-// kinematics, say. `out` holds the matrices of the whole skeleton; all others keep their bits.
+// The same for `joint` and its descendants only, after a change of their local transforms, say by inverse kinematics.
+// `out` holds the matrices of the whole skeleton; all others keep their bits.
 //
 // local: at least mrw_skeleton_soa_size(skeleton); out: at least skeleton.joint_count. Errors: MRW_BAD_ARGUMENT also if
-// there is no such joint. Cost: what mrw_local_to_model does for these joints, groups that a generation of them cuts as
-// whole ones, and one comparison for each other joint from `joint` to the last generation.
+// there is no such joint. Cost: that of mrw_local_to_model for these joints, where a group of four that a generation
+// covers only in part costs as much as a whole one; and one comparison for each other joint from `joint` to the last
+// generation.
 mrw_status mrw_local_to_model_below(const mrw_skeleton* skeleton, const mrw_soa_transform* local, size_t local_count,
     uint32_t joint, mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
 // ---- Part limits ----------------------------------------------------------------------------------------------------
 // Joint limits: how far a joint may turn against its parent, and the nearest rotation within that.
 
-// Rotations outside by no more than this keep their bits.
+// Rotations that exceed a limit by no more than this keep their bits.
 #define MRW_LIMIT_TOLERANCE_RAD 1e-5f
 
 // The widest swing of a cone: 170°.
@@ -1558,16 +1580,16 @@ struct mrw_limit_description {
   float zero[4];  // the local rotation at which all angles are 0: most often the joint's rest
   float axis[3];  // the limit's x in the joint's axes: a hinge's axis, a cone's middle
   float across[3];  // the limit's y; made perpendicular to x
-  // Hinge: the first is the angle. Cone: the first is the twist; the second and third are swings about y and z, whose
-  // `least` is the negative of `most`. Euler: the three angles.
+  // Hinge: [0] is the angle. Cone: [0] is the twist; [1] and [2] are swings about y and z, for which least_rad must be
+  // -most_rad. Euler: the three angles.
   float least_rad[3];
   float most_rad[3];  // as least_rad
   mrw_rate_limit rate;  // 0: none
 };
 void mrw_limit_description_init(mrw_limit_description* out);
 
-// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower, and one with
-// numbers that no call leaves, begins anew: the next call puts it on its target, at rest.
+// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower begins anew, and
+// so does one with numbers that no call could have left: the next call puts it on its target, at rest.
 typedef struct mrw_rotation_follower mrw_rotation_follower;
 struct mrw_rotation_follower {
   float rotation[4];  // x y z w
@@ -1604,14 +1626,16 @@ mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joi
 // A rotation that is inside, or outside by no more than MRW_LIMIT_TOLERANCE_RAD, keeps its bits, so a second call
 // changes nothing. The result is inside within the same tolerance.
 //
-// For a hinge the result is the nearest rotation; for a cone the nearest swing, with the nearest twist for that swing;
-// for a euler limit one round of exact searches along each angle from the clamped angles. docs/ik/limits.md says how
-// near that is. Clamping is discontinuous half way round, where both ends of the range are equally far. So the last
-// quarter before that point eases through the middle of the range. For a turn about an axis that point is the angle
-// opposite the middle; for a swing it is 180°, where the twist is lost; for euler angles it is ±90° of the second,
-// where the first and the third are one. Distances are measured as tangents of a quarter of the angle. A range of all
-// angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second angle may be ±90°
-// jumps there, by no more than twice what the rotation is outside.
+// The result depends on the kind. Hinge: the nearest rotation. Cone: the nearest swing, with the nearest twist for that
+// swing. Euler: the clamped angles, improved by one round of exact searches along each angle; docs/ik/limits.md says
+// how near that is.
+//
+// Clamping is discontinuous half way round, where both ends of the range are equally far. So over the last quarter
+// before that point the result eases through the middle of the range. For a turn about an axis that point is the angle
+// opposite the middle. For a swing it is 180°, where the twist is undefined. For euler angles it is ±90° of the second
+// angle, where the first and the third turn about the same axis. Distances are measured as tangents of a quarter of the
+// angle. A range of all angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second
+// angle may be ±90° jumps there, by no more than twice the angle by which the rotation is outside.
 //
 // Errors: MRW_BAD_ARGUMENT if the rotation has no length or is not finite; nothing is written.
 // Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
@@ -1630,8 +1654,8 @@ mrw_status mrw_limit_pose(const mrw_joint_limit* limits, size_t limit_count, mrw
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in an mrw_skeleton. Cost: a binary search.
 const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limit_count, uint32_t joint);
 
-// Moves `state` on by dt_s towards a target that went straight from its place in the last call to `target`. The result
-// is state.rotation or state.point.
+// Moves `state` on by dt_s. The target is taken to move in a straight line during that time, from the last call's
+// target to `target`. The result is state.rotation or state.point.
 //
 // A follower on its target stays on it, to the bit, as long as the target keeps within the limits. Otherwise it takes
 // the quickest way that the limits allow, and brakes in time: it does not overshoot a target at rest, unless it was too
@@ -1655,44 +1679,44 @@ mrw_status mrw_follow_rotation(mrw_rotation_follower* state, const float target[
 mrw_status mrw_follow_point(mrw_point_follower* state, const float target[3], float dt_s,
     const mrw_rate_limit* limit) MRW_NODISCARD;
 
-// Does mrw_follow_rotation() for the joints whose limit has a rate: the pose's rotations are the targets, and become
-// what follows them. All others keep their bits. To stay inside the limits, call mrw_limit_pose() before, for the
-// targets, and after, since the way there may lead outside.
+// Does mrw_follow_rotation() for each joint whose limit has a rate: the pose's rotation is the target, and is replaced
+// by the follower's. All other joints keep their bits. To stay inside the limits, call mrw_limit_pose() before, for the
+// targets, and again after, since the way to a target may lead outside.
 // states: one a limit. Errors: MRW_BAD_ARGUMENT if there are too few, a joint is not in the pose, or dt_s is below 0 or
 // not finite; nothing is written. A rotation that is not finite stays as it is.
 mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mrw_rotation_follower* states,
     size_t state_count, float dt_s, mrw_soa_transform* local, size_t local_count) MRW_NODISCARD;
 
 // ---- Part ik --------------------------------------------------------------------------------------------------------
-// Inverse kinematics in closed form, for poses after mrw_local_to_model(): a limb of two bones reaches a point, or a
-// joint or a chain of joints looks at one.
+// Inverse kinematics in closed form, for poses after mrw_local_to_model(). A limb of two bones reaches a point; a
+// joint, or a chain of joints, looks at a point.
 //
 // Each comes in two forms. A kernel (mrw_turn_two_bone, aim) takes model matrices and gives turns, to be multiplied
 // onto the joints' local rotations from the right (local · turn); it knows no skeleton. A whole call (solve_...) takes
 // an mrw_pose, changes its local rotations, and updates the model matrices of all that hangs below. Both take the same
 // struct.
 //
-// "Scene" vectors are in the space of model_from_joint, "local" ones in the joint's own; they may be of any length.
-// Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does not turn rigidly:
-// kernels and aims are then approximate, mrw_solve_two_bone() is not. The same call gives the same bits on every
-// processor. Thread-safe on different outputs; no allocation.
+// Every vector says its space: model space is that of model_from_joint, local space is the joint's own. Directions may
+// be of any length. Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does
+// not turn rigidly: kernels and aims are then approximate, mrw_solve_two_bone() is not. The same call gives the same
+// bits on every processor. Thread-safe on different outputs; no allocation.
 
 // The goal of a limb, whose joints are start, middle and end: hip, knee and ankle, say.
 typedef struct mrw_two_bone mrw_two_bone;
 struct MRW_ALIGN(16) mrw_two_bone {
   float target[3];  // where the end joint is to be; model space, metres
   float weight;  // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
-  // The direction from the start joint in which the middle joint is to point; model space. Zero: it stays on the side
-  // that it has in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
-  // pole counts less and less, and a side 37° from that one is mixed in: when the target passes over the pole, the limb
-  // swings round and does not jump.
+  // The direction from the start joint in which the middle joint is to point; model space. Zero: the middle joint stays
+  // on its side in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
+  // pole counts less and less, and a side 37° away from the pole's is mixed in. So when the target passes over the
+  // pole, the limb swings round and does not jump.
   float pole[3];
   float twist_rad;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
-  // bends, and turns round a limb that the pose has bent the wrong way. Zero: the limb bends as in the pose, and a
-  // straight one towards the pole.
+  // bends, and corrects a limb that the pose has bent the wrong way. Zero: the limb bends as in the pose, and a
+  // straight limb bends towards the pole.
   float bend_axis[3];
-  // 0 … 1: from this share of its length on the limb straightens ever more slowly, so that the middle joint does not
+  // 0 … 1: beyond this share of its length the limb straightens ever more slowly, so that the middle joint does not
   // snap when the target goes out of reach. 1: targets are reached exactly up to full length. 0.97 is a usual choice.
   float soft;
   float max_stretch;  // ≥ 1: for a target out of reach, the bones become longer by up to this factor
@@ -1705,7 +1729,7 @@ struct MRW_ALIGN(16) mrw_two_bone_turns {
   float start[4];  // of the start joint
   float mid[4];  // of the middle joint
   float stretch;  // the factor on the translations of all joints from below start down to end
-  bool reached;  // At weight 1 the end comes to within 1e-4 of the limb's length of the target.
+  bool reached;  // Whether, at weight 1, the end joint comes within 1e-4 of the limb's length of the target.
 };
 
 // The model matrices of a limb's joints, none null. mid is start's child or further below, end mid's.
@@ -1746,25 +1770,26 @@ void mrw_aim_init(mrw_aim* out);
 typedef struct mrw_aim_turn mrw_aim_turn;
 struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
-  // At weight 1 the ray from the offset along forward goes through the target. It cannot if the target is nearer to the
-  // joint than the ray ever gets, or than the offset, or if forward has no length.
+  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: the
+  // target is nearer to the joint than the ray ever gets; it is nearer than the offset; or forward has no length.
   bool reached;
 };
 
 // Method: half-angles by the law of cosines from (s - x)(s + x) and (x - m)(x + m), with s and m the sum and difference
 // of the bones' lengths, x the distance to the target; then the shortest arc to the target and a turn about it, in one
 // quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes infinite. A target at the
-// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, change
-// the sign of its turn's x where just one of the scale's y and z is negative, of y by z and x, of z by x and y; the
-// whole call does so. Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that
-// are not finite (or too large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, the
+// caller must change signs in its turn: of x where exactly one of the scale's y and z is negative, of y where exactly
+// one of z and x is, of z where exactly one of x and y is. mrw_solve_two_bone() does so. Errors: MRW_BAD_ARGUMENT, and
+// nothing is written, for a matrix that is not there, numbers that are not finite (or too large to be squared), a
+// weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
 // the target is more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
     mrw_two_bone_turns* out) MRW_NODISCARD;
 
-// Solves four limbs at once, with the same bits, at 60 % of the instructions each. Fewer limbs: fill up with copies.
-// Errors: as above; if one goal is bad, none is solved.
+// Solves four limbs at once, with the same bits, at 60 % of the instructions each. With fewer than four limbs, fill the
+// rest with copies. Errors: as above; if one goal is bad, none is solved.
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
@@ -1791,8 +1816,9 @@ mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_tu
 mrw_status mrw_solve_aim(const mrw_pose* pose, uint32_t joint, const mrw_aim* goal, bool* reached) MRW_NODISCARD;
 
 // Aims a chain of joints that share the turn, such as spine, neck and head. joints: each below the one before it in the
-// skeleton. The last one looks: forward, up and offset are its own, and it turns by what the others leave.
-// falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last alone.
+// skeleton. The last joint looks: forward, up and offset are in its space, and it makes the rest of the turn that the
+// others leave. falloff: each joint's share of the turn, relative to the next joint's; 1: all alike, 0: the last joint
+// alone.
 // Errors: as above, and MRW_BAD_ARGUMENT if `joints` is empty or not a chain, or falloff not in 0 … 1.
 // May be null: reached.
 mrw_status mrw_solve_look_at(const mrw_pose* pose, const uint32_t* joints, size_t joint_count, const mrw_aim* goal,
@@ -1828,7 +1854,7 @@ struct mrw_ik_goal {
   float position[3];  // model space, metres
   float rotation[4];  // of the joint's axes, in model space: a unit quaternion x, y, z, w
   float position_weight;  // 0 … 100
-  float rotation_weight;  // metres a radian: an error of one radian counts as one of so many metres
+  float rotation_weight;  // metres a radian: an error of one radian counts as this many metres
 };
 void mrw_ik_goal_init(mrw_ik_goal* out);
 
@@ -1849,8 +1875,8 @@ struct mrw_ik_problem {
   // model space, metres
   float pole[3];
   float pole_weight;  // 0: no pole
-  // How far joints[0] moves as easily as a joint turns by a radian, in metres: the pelvis of a full body. 0: it stays.
-  // Jacobian methods only.
+  // Lets joints[0] move, such as the pelvis of a full body: moving it by this many metres is as easy as turning a joint
+  // by a radian. 0: it stays. Jacobian methods only.
   float root_travel_m;
 };
 void mrw_ik_problem_init(mrw_ik_problem* out);
@@ -1859,18 +1885,18 @@ void mrw_ik_problem_init(mrw_ik_problem* out);
 typedef struct mrw_ik_options mrw_ik_options;
 struct mrw_ik_options {
   mrw_ik_method method;  // see docs/ik/solvers.md
-  // The most poses to start from: the given one, and while the goals are not reached, others with joints turned at
-  // random by `seed`. For sets of limits in which one start ends in a corner. Goals out of reach then cost as many
-  // times as much, and the result may jump as goals move.
+  // The most poses to start from. The first is the given one; while the goals are not reached, others follow, with
+  // joints turned at random by `seed`. For sets of limits in which a single start gets stuck in a corner. A goal out of
+  // reach uses all starts and costs that many times as much; the result may jump as goals move.
   uint8_t starts;
   uint16_t max_iterations;  // in each start
   float tolerance_m;  // iteration ends at an error (see mrw_ik_report) of no more than this
   float damping;  // for the Jacobian methods: more is calmer and slower
   uint32_t seed;  // for `starts` and mrw_solve_ik_genetic: the same seed gives the same result
   float weight;  // 0 … 1: 0 changes no bit; between, rotations are blended
-  // For FABRIK and CCD with one goal: if the goal is out of reach, the bones from the first joint that turns to the
-  // goal's become longer, or shorter if it is too near, by up to this factor. 1: bones keep their lengths. Changes the
-  // local translations of joints on the way.
+  // For FABRIK and CCD with one goal. If the goal is out of reach, the bones from the first joint that turns to the
+  // goal's joint become longer by up to this factor; if it is too near, shorter. 1: bones keep their lengths. Changes
+  // the local translations of joints on the way.
   float stretch;
 };
 void mrw_ik_options_init(mrw_ik_options* out);
@@ -1900,9 +1926,9 @@ size_t mrw_ik_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* 
 mrw_status mrw_solve_ik(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
     void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
-// mrw_solve_ik with FABRIK and CCD alone, and with the Jacobian methods alone: so a game does not link the others.
-// Scratch memory as by mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, and MRW_BAD_ARGUMENT if
-// options.method is one of the others.
+// mrw_solve_ik_chain has only FABRIK and CCD, mrw_solve_ik_body only the Jacobian methods, so that a game does not link
+// the others. Both take scratch memory of mrw_ik_scratch_bytes(), which links little. Errors: as mrw_solve_ik, and
+// MRW_BAD_ARGUMENT if options.method is one of the others.
 // May be null: options, report.
 mrw_status mrw_solve_ik_chain(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
     void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
@@ -1912,30 +1938,31 @@ mrw_status mrw_solve_ik_body(const mrw_pose* pose, const mrw_ik_problem* problem
 // mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
 // and the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
 //
-// A memetic algorithm: poses compete by their error; the better ones are crossed and changed at random, and the best
+// A memetic algorithm: poses compete by their error. The better ones are crossed and changed at random, and the best
 // improve by cyclic coordinate descent. options.max_iterations counts generations, options.seed starts the random
-// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel. Each
-// pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
-// Cost: tens of microseconds a generation, see docs/ik.md.
+// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel.
+// Every pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The
+// same bits everywhere. Cost: tens of microseconds a generation, see docs/ik.md.
 size_t mrw_ik_genetic_scratch_bytes(const mrw_skeleton* skeleton, const mrw_ik_problem* problem);
 
 // mrw_solve_ik by evolution, for sets of limits in which the other methods end in a corner. Too slow for every frame,
 // and the result jumps as goals move. A function of its own, so that a game that does not call it does not link it.
 //
-// A memetic algorithm: poses compete by their error; the better ones are crossed and changed at random, and the best
+// A memetic algorithm: poses compete by their error. The better ones are crossed and changed at random, and the best
 // improve by cyclic coordinate descent. options.max_iterations counts generations, options.seed starts the random
-// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel. Each
-// pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The same bits everywhere.
-// Cost: tens of microseconds a generation, see docs/ik.md.
+// numbers. options.method, starts, damping and stretch are ignored, and so are the problem's pole and root travel.
+// Every pose keeps to the limits. Joints of stiffness 1 stay; in crossing, all others turn alike. The
+// same bits everywhere. Cost: tens of microseconds a generation, see docs/ik.md.
 // May be null: options, report.
 mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* problem, const mrw_ik_options* options,
     void* scratch, size_t scratch_bytes, mrw_ik_report* report) MRW_NODISCARD;
 
 // ---- Part feet ------------------------------------------------------------------------------------------------------
-// Feet on the ground, for poses after mrw_local_to_model(): soles stand on what rays hit, planted feet stay, the pelvis
-// gives way.
+// Feet on the ground, for poses after mrw_local_to_model(). Soles stand where the game's rays hit, planted feet stay in
+// place, and the pelvis moves so that the legs reach.
 
-// A leg. Other joints may lie between the three, and keep their angles: a hind leg of three bones is hip, knee and paw.
+// A leg. Other joints may lie between the three, and keep their local rotations: of a hind leg of three bones name hip,
+// knee and paw.
 typedef struct mrw_foot mrw_foot;
 struct mrw_foot {
   uint32_t hip;  // joints of the skeleton
@@ -1952,42 +1979,42 @@ typedef struct mrw_feet mrw_feet;
 struct mrw_feet {
   const mrw_foot* feet;  // two or more
   size_t foot_count;
-  uint32_t pelvis;  // moves up and down with all that hangs on it, hips included; MRW_NO_JOINT: none does
+  uint32_t pelvis;  // moves up and down with all below it, hips included; MRW_NO_JOINT: no joint moves
   float lower_m;  // ≥ 0: the most that the pelvis goes down, or up; world
   float leg_extension;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
-  float slope_rad;  // 0 … 1.5: the most that a foot leans with the ground
-  float ease_s;  // > 0: the time after which 2 % of a step in the ground, or of a release, is left
+  float slope_rad;  // 0 … 1.5: the steepest slope that a foot follows
+  float ease_s;  // > 0: after this time 2 % is left of a step in the ground, or of a release
 };
 void mrw_feet_init(mrw_feet* out);
 
-// What the game says of a foot in this frame; world.
+// The ground under a foot in this frame, from the game; world.
 typedef struct mrw_foot_ground mrw_foot_ground;
 struct mrw_foot_ground {
   bool hit;  // false: as if the ground were level at the height of the model's origin
-  float point[3];  // of a ray along `up` through mrw_foot_sole(), or anywhere on the plane that it hit
+  float point[3];  // where a ray along `up` through mrw_foot_sole() hit, or any point of the plane that it hit
   float normal[3];  // of any length; steeper than 80°: no hit
   bool planted;  // the sole stays where it is for as long as this is true
 };
 void mrw_foot_ground_init(mrw_foot_ground* out);
 
-// The motion of one foot: plain numbers. A new one, and one with numbers out of range, begins where the animation has
-// the foot. World; on a moving platform, let the world be the platform.
+// The motion of one foot: plain numbers. A new motion, and one with numbers out of range, begins where the animation
+// has the foot. All in world space. On a moving platform, use the platform's space as the world.
 typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
   float place[3];  // of the sole, as shown last
-  float offset[3];  // of the sole from its target
-  float offset_speed[3];  // of the sole from its target
+  float offset[3];  // from the sole's target to the sole
+  float offset_speed[3];  // from the sole's target to the sole
   float lean[3];  // what is added to the ground's normal to give the foot's
   float lean_speed[3];  // what is added to the ground's normal to give the foot's
   float point[3];  // the ground in the last frame
   float normal[3];  // the ground in the last frame
-  float heading[3];  // level direction of the ankle's axis `axis` when it was planted
+  float heading[3];  // level direction of the ankle's axis `axis` at the time of planting
   float turn[4];  // about up, from the animated to the planted heading
   float turn_share;  // how much of `turn` is left
   float turn_share_speed;  // how much of `turn` is left
-  uint8_t axis;  // of heading; whether it is planted; whether it has begun
-  uint8_t planted;  // of heading; whether it is planted; whether it has begun
-  uint8_t begun;  // of heading; whether it is planted; whether it has begun
+  uint8_t axis;  // axis of heading; whether planted; whether begun
+  uint8_t planted;  // axis of heading; whether planted; whether begun
+  uint8_t begun;  // axis of heading; whether planted; whether begun
   uint8_t hit;  // whether its ray hit ground
   uint8_t reached;  // whether the leg was long enough
 };
@@ -2014,12 +2041,12 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_mode
 //
 // pose: the animated one. ground, motion: one a foot.
 //
-// The sole's target is its animated place, lifted by the height of the ground's plane there; the foot leans with the
-// plane about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
-// so that a heel can rise. Where the ground's plane changes, and where a foot is released, the sole keeps an offset
-// from its target, which dies away as a critically damped spring does, from the speed that the foot had: exact at any
-// frame rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if
-// legs are too short. Ankles keep their animated attitude but for lean and heading. See docs/ik/feet.md.
+// The sole's target is its animated place, lifted by the height of the ground's plane there. The foot tilts with the
+// plane, about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
+// so that a heel can rise. When the ground's plane changes, or a foot is released, the sole keeps its offset from the
+// target. The offset starts with the foot's speed and dies away as a critically damped spring does: exact at any frame
+// rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
+// too short. Ankles keep their animated attitude except for lean and heading. See docs/ik/feet.md.
 //
 // Errors: MRW_BAD_ARGUMENT if a list is too short, joints are not as they should be, or a number is not finite, out of
 // its range or beyond 1e6; nothing is written.
@@ -2037,7 +2064,7 @@ mrw_status mrw_place_feet(const mrw_pose* pose, const mrw_feet* feet, const mrw_
 
 #define MRW_MAX_SPRING_STEP_S (1.0f / 60)  // a frame is cut into equal steps no longer than this
 
-#define MRW_MAX_SPRING_STEPS 8  // the time of a frame beyond so many steps is dropped
+#define MRW_MAX_SPRING_STEPS 8  // the most steps of a frame; time beyond them is dropped
 
 #define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are added up until they are this long
 
@@ -2068,11 +2095,11 @@ struct mrw_spring_frame {
   // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
   mrw_affine world_from_model;
   float gravity[3];  // m/s², world
-  float wind[3];  // m/s, world; acts by `drag`
+  float wind[3];  // m/s, world; acts through mrw_spring_joint.drag
   const mrw_spring_collider* colliders;  // at most MRW_MAX_SPRING_COLLIDERS
   size_t collider_count;
-  float teleport_m;  // a chain whose first joint moves further than this in a frame is moved rigidly
-  bool teleported;  // all chains are moved rigidly in this frame
+  float teleport_m;  // if a chain's first joint moves further in a frame, the chain moves rigidly
+  bool teleported;  // true: all chains move rigidly in this frame
   float weight;  // 0 … 1, times each joint's
 };
 void mrw_spring_frame_init(mrw_spring_frame* out);
@@ -2105,19 +2132,19 @@ void mrw_reset_springs(mrw_springs* springs);
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
 // without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
 // the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
-// chain's first joint, from a parabola through its last three places. The first two terms together turn the bone no
-// harder than mrw_spring_joint.most_pull, if that is set: under a greater load the bone yields. The pull ω² t grows
-// with the sine of the angle: for small angles as a linear spring's, and to nothing at half a turn. A bone feels the
-// bones above it; they do not feel it. So of equal bones in a chain a lower one swings 1 / (2 ζ) as far at the common
-// frequency, less than the upper one if ζ is above ½. The joint turns by the shortest arc that takes the bone there. A
-// chain below a joint of another chain is carried along, but does not feel that one's swing.
+// chain's first joint, from a parabola through its last three places. mrw_spring_joint.most_pull, if set, limits how
+// hard the first two terms together turn the bone: under a greater load it yields. The pull ω² t grows with the sine of
+// the angle. So it is a linear spring's at small angles, and nothing at half a turn. A bone feels the bones above it;
+// they do not feel it. So in a chain of equal bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as
+// the one above: less if ζ is above ½. The joint turns by the shortest arc that takes the bone to its direction. A
+// chain below a joint of another chain is carried along, but does not feel that chain's swing.
 //
-// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), half of the damping
-// before and half after. Drift and kicks are so strong that small swings have the exact frequency and decay at any
-// step: so a path depends on the frame rate only as that samples the animation. The energy |u|²/2 - F·d is limited to
-// the work done, so it never grows without input. What hangs on a bone turns by the rotation nearest to its parent's
-// that takes the animated direction to the simulated one: a projection (P. Davenport's matrix; see G. Wahba, SIAM
-// Review 7(3), 1965), and one product of matrix and vector a joint.
+// Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), with half of the damping
+// before and half after. Drift and kicks are scaled so that small swings have the exact frequency and decay at any
+// step. So the frame rate changes a path only through how it samples the animation. The energy |u|²/2 - F·d may grow by
+// no more than the work done, so it never grows without input. What hangs on a bone turns by a rotation that takes the
+// animated direction to the simulated one; of all such rotations by the one nearest to its parent's: a projection (P.
+// Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), and one product of matrix and vector a joint.
 //
 // Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
 // stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.
@@ -2143,11 +2170,11 @@ mrw_status mrw_simulate_springs(const mrw_pose* pose, const mrw_spring_frame* fr
 // An instance's vertices, in the caller's memory. Copies are views of the same vertices.
 typedef struct mrw_morphed_geometry mrw_morphed_geometry;
 struct mrw_morphed_geometry {
-  mrw_geometry geometry;  // as the bind geometry, but that skin, normals and tangents are the instance's own
+  mrw_geometry geometry;  // the bind geometry, with the instance's own skin, normals and tangents
   mrw_geometry bind;  // as the file has it
-  const uint32_t* offsets;  // a block's first float in the skin; one more for the end
-  uint32_t* moved;  // a bit a block: differs from the bind pose
-  uint32_t* changed;  // a bit a block: written since mrw_morph_coordinates()
+  const uint32_t* offsets;  // for each block its first float in the skin; one more for the end
+  uint32_t* moved;  // a bit for each block: it differs from the bind pose
+  uint32_t* changed;  // a bit for each block: written since mrw_morph_coordinates()
   uint32_t* attributes;  // one, MRW_MORPHS_POSITIONS | …: what differs in the blocks moved
 };
 
@@ -2157,7 +2184,7 @@ struct mrw_morphed_geometry {
 mrw_status mrw_find_weight_channels(const mrw_file* file, const mrw_mesh* mesh, const mrw_file* clips,
     const mrw_clip* clip, uint32_t* out, size_t out_count) MRW_NODISCARD;
 
-// The weights of a moment: of each target its channel's value, or its default without. channels: from
+// The weights at one moment: each target gets its channel's value, or its default if it has no channel. channels: from
 // mrw_find_weight_channels(); values: from mrw_sample_channels() of the same clip; empty lists: all defaults.
 // out: at least mesh.target_count. Errors: MRW_BAD_ARGUMENT (`out` or `channels` too short, a channel outside the
 // values).
@@ -2174,30 +2201,30 @@ mrw_status mrw_make_morphed(const mrw_geometry* geometry, void* memory, size_t m
 
 // Moves the vertices by `weights`, one a target; whatever they were moved by before is undone. Targets with weight 0
 // cost nothing. Errors: MRW_BAD_ARGUMENT (too few weights, or one that is not finite: nothing is written).
-// Cost: in proportion to the vertices (blocks of four) that targets with another weight move, and the call before
-// moved. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and,
-// however many targets move it, 8, 20 or 29 to undo and normalise.
+// Cost: in proportion to the vertices (blocks of four) that targets with a weight other than 0 move, now or in the last
+// call. Instructions a vertex, x86-64, g++ 12 -O3: 9 a target for positions, 15 with normals, 21 with tangents; and
+// once, however many targets move it, 8, 20 or 29 to undo and normalise.
 mrw_status mrw_morph(const float* weights, size_t weight_count, mrw_morphed_geometry* morphed) MRW_NODISCARD;
 
 // Brings animation-space coordinates up to date with the last mrw_morph(): q_j.xyz += (q_j)_w Δ and so Σ_j q_j += Δ,
 // where Δ is how far a vertex is from its bind pose. Δ goes through the blend that normals go through;
 // mrw_as_coordinates() of the morphed geometry is the same where no residual changes a weight.
 //
-// coordinates: mrw_as_coordinates() of the bind geometry, given to every call since. Errors: MRW_BAD_ARGUMENT (too
-// short). Cost: 60 instructions a vertex with four influences and a residual, of those written by mrw_morph() since the
-// last call.
+// coordinates: mrw_as_coordinates() of the bind geometry; pass the same floats to every call. Errors: MRW_BAD_ARGUMENT
+// (too short). Cost: 60 instructions a vertex with four influences and a residual, for vertices that mrw_morph() has
+// written since the last call.
 mrw_status mrw_morph_coordinates(mrw_morphed_geometry* morphed, float* coordinates,
     size_t coordinate_count) MRW_NODISCARD;
 
 // ---- Part example_space ---------------------------------------------------------------------------------------------
-// Before morph, shape by example: numbers that a game or a clip sets → weights of morph targets.
+// Shape by example, the stage before morph: numbers that a game or a clip sets → weights of morph targets.
 //
 //   once a load    mrw_file_example_space, mrw_find_example_channels
 //   every frame    mrw_sample_channels → parameters → mrw_evaluate_examples → weights of each of the space's meshes →
 //                  mrw_morph(), or mrw_character_mesh.weights between mrw_pose_character() and mrw_finish_character()
 //
-// An artist places shapes at points of a space, as "angry" at (1, 0): each is a morph target, or the mesh as it is.
-// Between them the shapes are interpolated, all at once. The cooker solves for the numbers here
+// An artist places shapes at points of a space, such as "angry" at (1, 0). Each shape is a morph target, or the mesh as
+// it is. Between those points all shapes are interpolated at once. The cooker solves for the coefficients here
 // (docs/deformers.md).
 
 // For each parameter the index of the channel of `clip` that has its name, or MRW_NO_CHANNEL. The space is of `file`,
@@ -2287,20 +2314,23 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 
 // out[i] = model_from_joint[joints[i]] · bind[i]: where palette entry i takes a vertex of the bind pose.
 //
-// joints, bind: one a palette entry, equal in size (mrw_mesh.joints and mrw_mesh.inverse_bind; the GLES path brings its
-// own bind that also undoes quantisation). out: at least as many and one a helper. Every joint must be below
-// model_from_joint_count, what helpers name below joint_count and not the same.
+// joints, bind: one a palette entry, equal in size (mrw_mesh.joints and mrw_mesh.inverse_bind; the GLES path has its
+// own bind matrices, which also undo quantisation). out: at least as many entries, and one more a helper. Every joint
+// must be below model_from_joint_count. A helper's `first` and `second` must be below joint_count and differ.
 // Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range or a share not between 0 and 1.
 //
-// helpers: written behind the joints' entries: entry joint_count + h blends the entries `first` and `second`, the
-// latter at `share`. Of either entry's matrix, a stretch and then a turn, the turns are blended as quaternions, the
-// shorter way, and the stretches linearly. Where the origin of the joint `second` goes is what dual quaternions make of
-// where both take it (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a
-// joint and its parent that is a turn about the joint. centres: none, or three numbers a helper: a place, as the joint
-// `second` sees it, that goes to the mean, by shares, of where both take it (B. Le, J. Hodgins, Real-time skeletal
-// skinning with optimized centers of rotation, 2016). Half a turn goes round the axis that points to the positive side
-// along the largest of its components. Where an entry mirrors, its stretch does. Where one has lost its volume, or is
-// not finite, the two are blended as numbers.
+// helpers: written behind the joints' entries. Entry joint_count + h blends the entries `first` and `second`, the
+// latter at `share`. Each of the two matrices is taken as a stretch and then a turn. The turns are blended as
+// quaternions, the shorter way, the stretches linearly. The two entries take the origin of joint `second` to two
+// places; the helper takes it where dual quaternions blend the two (L. Kavan et al., Geometric skinning with
+// approximate dual quaternion blending, 2008). Between a joint and its parent that is a turn about the joint.
+//
+// centres: none, or three numbers a helper: a point in the space of joint `second`. Both entries take it somewhere; the
+// helper takes it to the mean of the two places, by shares (B. Le, J. Hodgins, Real-time skeletal skinning with
+// optimized centers of rotation, 2016).
+//
+// A turn of 180° goes round the axis whose largest component is positive. Where an entry mirrors, its stretch mirrors.
+// Where an entry has lost its volume, or is not finite, the two matrices are blended element by element.
 //
 // The same palette serves SSD and animation space (docs/decisions.md, "One palette").
 // Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
@@ -2320,10 +2350,10 @@ mrw_status mrw_build_palette(const mrw_mesh* mesh, const mrw_affine* model_from_
 // not finite do not.
 bool mrw_turns_inside_out(const mrw_affine* map);
 
-// The same of what follows a palette: whether more of its matrices mirror than not. For culling of meshes that are not
-// double_sided; a game whose characters are never mirrored, nor hung on what is, need not ask. An instance of a crowd
-// turns if either this or its world_from_model does, not if both do: see part gles3_crowd of c_gles3.h. Cost: a
-// determinant a matrix.
+// The same for vertices that follow a palette: whether more of its matrices mirror than not. For culling of meshes that
+// are not double_sided; a game need not ask if its characters are never mirrored and never hung on anything mirrored.
+// An instance of a crowd is turned inside out if either this palette or its world_from_model mirrors, but not if both
+// do: see part gles3_crowd of c_gles3.h. Cost: a determinant a matrix.
 bool mrw_palette_turns_inside_out(const mrw_affine* palette, size_t palette_count);
 
 // ---- Part bounds ----------------------------------------------------------------------------------------------------
@@ -2393,16 +2423,16 @@ mrw_status mrw_palette_bounds(const mrw_mesh_extents* extents, const mrw_affine*
 //
 // Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
 
-// How bind-pose normals and tangents get to the deformed surface. M is the 3×3 part of the vertex's blended matrix.
+// How normals and tangents of the bind pose are deformed. M is the 3×3 part of the vertex's blended matrix.
 typedef uint8_t mrw_normal_transform;
 enum {
   // Normals through the inverse transpose of M (its cofactors), tangents through M, both unit: exact for any blend that
   // can be inverted, mirrored or unevenly scaled ones too.
   MRW_NORMAL_TRANSFORM_INVERSE_TRANSPOSE = 0,
-  // Both through M, their length left as it comes: half the time, for shaders that normalise anyway. Right in direction
-  // where M is a rotation, a mirror or an even scale; a blend of rotations is none of these quite. On real clips
-  // normals stray by 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27
-  // (docs/benchmarks.md). Tangents are inverse_transpose's up to length.
+  // Both through M, not normalised: half the time, for shaders that normalise anyway. Directions are right where M is a
+  // rotation, a mirror or an even scale; a blend of rotations is not quite one of these. On real clips normals stray by
+  // 0.8° on average, by up to 58° inside sharp bends, and come as short as 0.27 (docs/benchmarks.md). Tangents are
+  // those of inverse_transpose, except for their length.
   MRW_NORMAL_TRANSFORM_BLENDED_MATRIX = 1,
 };
 
@@ -2413,9 +2443,9 @@ struct mrw_skin_output {
   size_t position_count;
   float* normals;  // 3 a slot; leave empty to skip
   size_t normal_count;
-  // 4 a slot: xyz, then the handedness, turned where the blend mirrors. (SSD and animation space with blended_matrix
-  // ask the run's last joint, not the blend: only a vertex between mirrored and unmirrored joints can tell.) Needs
-  // normals. Leave empty to skip.
+  // 4 a slot: xyz, then the handedness, which changes sign where the blend mirrors. (With blended_matrix, SSD and
+  // animation space ask the run's last joint instead of the blend: the two differ only at a vertex between mirrored and
+  // unmirrored joints.) Needs normals. Leave empty to skip.
   float* tangents;
   size_t tangent_count;
   mrw_normal_transform normal_transform;  // of tangents, too
@@ -2436,8 +2466,8 @@ void mrw_as_part_init(mrw_as_part* out);
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
 // palette: mrw_mesh_palette_size(mesh) entries. Errors, here and below: MRW_BAD_ARGUMENT if a list is too short, if the
-// geometry follows more entries than the mesh has, and so is another one's, if normals or tangents are asked of a mesh
-// without, or if the geometry's floats do not stand on 16-byte boundaries.
+// geometry follows more entries than the mesh has (then it is another mesh's), if normals or tangents are asked of a
+// mesh without them, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
@@ -2471,14 +2501,17 @@ size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count)
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
 //   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
 //   Σ_j (τ_j)_w = 0
-// They are derivatives along two directions, means over the triangles weighed by area; in the bind pose, where
-// residuals leave that in place, perpendicular unit vectors with t₀ × t₁ the mesh's normal, t₀ along its tangent if it
-// has one. What the triangles do not explain of them goes through the blend: all, if they have no area. An entry
-// that a neighbour follows and the vertex does not counts as the sum of the vertex's own that blends the same joints at
-// the same shares, or comes closest; joints that none of those blends count as that which the neighbour follows most.
+// They are derivatives along two directions, means over the triangles weighed by area. In the bind pose, unless
+// residuals change that, they are perpendicular unit vectors: t₀ × t₁ is the mesh's normal, and t₀ points along its
+// tangent if it has one. The part of a derivative that the triangles do not explain goes through the blend; that is all
+// of it if they have no area.
 //
-// parts: the meshes that make up a surface, such as the primitives of one mesh of the source; slots in one place with
-// the same weights and normals less than 25° apart, in whichever part, are one vertex, so that seams do not show.
+// A neighbour may follow an entry that the vertex does not. That entry counts as a sum of the vertex's own entries: the
+// sum that blends the same joints at the same shares, or comes closest. A joint that none of the vertex's entries
+// blends counts as the vertex's joint that the neighbour follows most.
+//
+// parts: the meshes that make up a surface, such as the primitives of one mesh of the source. Slots in one place, with
+// the same weights and normals less than 25° apart, are one vertex, whichever part they are in; so seams do not show.
 // scratch: mrw_as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: MRW_BAD_ARGUMENT if a
 // mesh has no normals or a list is too short. Done once, not a frame: some 11 000 instructions a vertex, beside helpers
 // 23 000.
@@ -2504,10 +2537,11 @@ mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t co
 // Multi-weight enveloping: Wang and Phillips, "Multi-weight enveloping: least-squares approximation techniques for skin
 // animation", SCA 2002. Twelve weights an influence, one for each element of its matrix:
 //   position = R Σ_j (Ω_j ∘ R⁻¹ M_j) (v, 1)        Ω_j = w_j + mrw_geometry.mwe_residual, ∘ element by element
-// Elements mean something in one frame only; R is that of the palette entry mrw_geometry.mwe_root: the rotation next to
-// its matrix's first two columns (Gram and Schmidt) and its translation. So the result moves with the character.
-// Normals and tangents go through the 3×3 part of the blend, R Σ_j Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is
-// zero. With blended_matrix it is that blend that is asked whether it mirrors.
+// Weights of single elements depend on the frame in which matrices are given. That frame, R, is taken from the palette
+// entry mrw_geometry.mwe_root: the rotation that Gram-Schmidt makes of its matrix's first two columns, and its
+// translation. So the result moves with the character. Normals and tangents go through the 3×3 part of the blend, R Σ_j
+// Ω_j ∘ R⁻¹ M_j, which is SSD's where the residual is zero. With blended_matrix this blend decides whether tangents are
+// mirrored.
 //
 // Errors: also MRW_BAD_ARGUMENT for a geometry without mwe_residual. Cost, x86-64: positions 82; with normals through
 // the blended matrix 110, through the inverse transpose 127. It reads 192 bytes of residual a block and influence, so
@@ -2519,9 +2553,9 @@ mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t 
 // examples.
 size_t mrw_psd_distance_count(const mrw_geometry* geometry);
 
-// How far a pose is from the examples, joint by joint: what mrw_skin_psd() weighs a vertex. Of palette entry j and
-// example k, D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the rotation of M_j relative to its
-// parent's, rotations as in mrw_skin_mwe(); 0 for an entry without a parent.
+// How far a pose is from the examples, joint by joint; mrw_skin_psd() takes the mean for each vertex by its weights.
+// For palette entry j and example k it is D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the
+// rotation of M_j relative to its parent's, rotations as in mrw_skin_mwe(); 0 for an entry without a parent.
 // out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
 // MRW_BAD_ARGUMENT if a list is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
@@ -2532,9 +2566,9 @@ mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* pal
 // weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
 //   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: mrw_geometry.pose_space
 //   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
-// where the factor makes nothing of the bind pose. Normals and tangents go through the blend, as SSD's. distances: from
-// mrw_psd_distances() of this geometry and palette. Errors: also MRW_BAD_ARGUMENT if they are too few. A geometry
-// without examples is SSD's.
+// The factor 1 - φ_bind makes the deltas vanish in the bind pose. Normals and tangents go through the blend, as in SSD.
+// distances: from mrw_psd_distances() of this geometry and palette. Errors: also MRW_BAD_ARGUMENT if they are too few.
+// A geometry without examples is SSD's.
 // Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
 // vertex for each example that moves its block.
 mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count, const mrw_affine* palette,
@@ -2545,11 +2579,11 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 //
 //   once a load       mrw_make_animations
 //   once a character  mrw_make_character
-//   every frame       mrw_pose_character; the game reaches, places feet, lets springs swing; mrw_finish_character
+//   every frame       mrw_pose_character; the game's own inverse kinematics, feet and springs; mrw_finish_character
 //   then              mrw_skin_ssd() and its like of an mrw_character_mesh, or mrw_gles3_pose() of an mrw_gles3_skinner
 //
-// A file may hold several skeletons, such as a rider's and a horse's; they are posed together, and what is said here of
-// a skeleton or a mesh has its index in the file.
+// A file may hold several skeletons, such as a rider's and a horse's; they are posed together. Arrays with one element
+// a skeleton or mesh are in the order of the file.
 //
 // Local poses may come from anyone. Instead of mrw_pose_character(): write mrw_pose.local of each skeleton and
 // mrw_character_mesh.weights, then call mrw_character_to_model().
@@ -2574,8 +2608,8 @@ struct mrw_animation {
 // All animations of a file, by name.
 typedef struct mrw_animations mrw_animations;
 struct mrw_animations {
-  // One a clip, with the index that the clip has: the clip, and of each other skeleton the first with the same name.
-  // A clip without a name has nothing to do with others.
+  // One a clip, at the clip's own index. It plays the clip and, on each other skeleton, the first clip with the same
+  // name. A clip without a name plays alone.
   const mrw_animation* all;
   size_t all_count;
 };
@@ -2583,9 +2617,9 @@ struct mrw_animations {
 // What a character is made for.
 typedef struct mrw_character_options mrw_character_options;
 struct mrw_character_options {
-  uint32_t layers;  // that are blended at once, at most; at least 1
+  uint32_t layers;  // the most layers that are blended at once; at least 1
   uint32_t level;  // of detail, as in mrw_file_mesh
-  bool skin;  // on the CPU; false: neither palettes nor morphed vertices, an mrw_gles3_skinner has them
+  bool skin;  // on the CPU; false: no palettes or morphed vertices; an mrw_gles3_skinner makes its own
   bool animation_space;  // skin by mrw_skin_as(), too
 };
 void mrw_character_options_init(mrw_character_options* out);
@@ -2595,7 +2629,7 @@ void mrw_character_options_init(mrw_character_options* out);
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
   mrw_pose pose;
-  // mrw_sample_character()'s own, one a layer: a pose, and what is kept of the clip that it is of.
+  // mrw_sample_character()'s own. One a layer: its sampled pose, and what is cached of the clip.
   mrw_soa_transform* sampled;
   size_t sampled_count;
   mrw_sample_cache* caches;  // as `sampled`
@@ -2653,9 +2687,9 @@ void mrw_animation_layer_init(mrw_animation_layer* out);
 // of 16.
 size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
 
-// Makes animations of clips of `file`, the character's, or of a clip pack. A pack's reference goes with the skeleton of
-// its name if it fits that, else with the first that it fits and no reference before it has; see mrw_bind_clips(). If
-// it fits none, its clips are left out: no skeleton plays them.
+// Makes animations from clips of `file`, the character's, or of a clip pack. Each reference of a pack is paired with
+// one skeleton that it fits and that no earlier reference has taken: the one with its name, else the first. A reference
+// that fits no skeleton is left out: no skeleton plays its clips. See mrw_bind_clips().
 //
 // memory: at least mrw_animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: MRW_BAD_ARGUMENT (the memory); MRW_MISMATCH (`clips` is another file but no pack, or a pack none of whose
@@ -2663,7 +2697,7 @@ size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
 mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void* memory, size_t memory_bytes,
     mrw_animations* out) MRW_NODISCARD;
 
-// The first with this name that moves anything; null if there is none. Cost: compares names.
+// The first animation with this name that moves anything; null if there is none. Cost: compares names.
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
 
 // The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
@@ -2697,13 +2731,14 @@ mrw_status mrw_sample_character(mrw_character* character, const mrw_animation_la
 // Brings model_from_joint of all skeletons up to date with `local`.
 mrw_status mrw_character_to_model(mrw_character* character) MRW_NODISCARD;
 
-// Both: poses that inverse kinematics, feet and springs can go on with. Errors: as mrw_sample_character().
+// mrw_sample_character(), then mrw_character_to_model(): the pose is ready for inverse kinematics, feet and springs.
+// Errors: as mrw_sample_character().
 mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_layer* layers,
     size_t layer_count) MRW_NODISCARD;
 
-// Adds an expression of a face or its like to the weights of morph targets, as often as there are expressions: what the
-// animation makes of them less what they are by default, times `weight`. A weight that no channel drives keeps its
-// bits, and so do poses. Between mrw_pose_character() and mrw_finish_character().
+// Adds an expression, such as a face's, to the weights of morph targets: the difference between the animation's weight
+// and the default, times `weight`. Call it once for each expression, between mrw_pose_character() and
+// mrw_finish_character(). A weight that no channel drives keeps its bits; poses do, too.
 //
 // Errors: MRW_BAD_ARGUMENT (an animation that is null or not made for this file, a weight out of range, a time that is
 // not a number); nothing is written. Cost: mrw_sample_channels() of what drives morph targets.
@@ -2714,7 +2749,7 @@ mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_laye
 // mrw_morph_coordinates() of each mesh.
 mrw_status mrw_finish_character(mrw_character* character) MRW_NODISCARD;
 
-// Of one skeleton of an outfit: what it follows.
+// What one skeleton of an outfit follows.
 typedef struct mrw_outfit_skeleton mrw_outfit_skeleton;
 struct mrw_outfit_skeleton {
   uint32_t body_skeleton;  // of the body's character
@@ -2722,7 +2757,8 @@ struct mrw_outfit_skeleton {
   size_t body_joint_count;
 };
 
-// What characters of one file, hair or clothes, follow of a body of another. Serves any number of them.
+// How an outfit, hair or clothes in a file of its own, follows the skeletons of a body's file. It serves any number of
+// characters.
 typedef struct mrw_outfit mrw_outfit;
 struct mrw_outfit {
   const mrw_outfit_skeleton* skeletons;  // one a skeleton of the outfit
@@ -2732,8 +2768,8 @@ struct mrw_outfit {
 // Bytes that mrw_make_outfit() needs: 24 a skeleton and 2 a joint, on boundaries of 16. A multiple of 16.
 size_t mrw_outfit_bytes(const mrw_file* outfit);
 
-// Finds for each skeleton of an outfit the one of the body that it follows: of its name if it fits that, else the first
-// that it fits. An outfit is cooked with `--skeleton BODY`; part outfit says when it fits.
+// Finds the body's skeleton that each skeleton of an outfit follows: the one with the same name if the outfit's fits
+// it, else the first that it fits. An outfit is cooked with `--skeleton BODY`; part outfit says when it fits.
 //
 // memory: at least mrw_outfit_bytes(), 16-byte aligned; `out` keeps pointers into it. Several outfits may follow one
 // body. Errors: MRW_BAD_ARGUMENT (the memory); MRW_MISMATCH if a skeleton fits none, and mrw_bind_outfit() says which
@@ -2741,14 +2777,14 @@ size_t mrw_outfit_bytes(const mrw_file* outfit);
 mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* memory, size_t memory_bytes,
     mrw_outfit* out) MRW_NODISCARD;
 
-// Brings model_from_joint of an outfit's skeletons to the body's pose: call it when the body is posed, and then
-// mrw_finish_character(). Joints that only the outfit has stand at its `local`, which the outfit keeps from frame to
-// frame. So where its clips or springs move them, a frame is
+// Brings model_from_joint of an outfit's skeletons to the body's pose. Call it once the body is posed, then
+// mrw_finish_character(). Joints that only the outfit has are placed by the outfit's `local`, which stays as it is from
+// frame to frame. If clips or springs of the outfit move them, a frame is
 //
 //   mrw_sample_character(outfit, …); mrw_character_follow_body(…); springs; mrw_finish_character(outfit)
 //
-// where mrw_sample_character without layers puts them back to rest. `local` of joints of the body is neither read nor
-// written. Morph targets are the outfit's own: its clips move them, or the game writes mrw_character_mesh.weights.
+// mrw_sample_character() without layers puts those joints back to rest. `local` of the body's joints is neither read
+// nor written. The outfit drives its own morph targets: by its clips, or the game writes mrw_character_mesh.weights.
 //
 // worn: made from the outfit's file. Errors: MRW_BAD_ARGUMENT if `outfit` was made for other files. Cost:
 // mrw_follow_body() of part outfit for each skeleton.

@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_GLES3_ABI 0xae732462u
+#define MRW_GLES3_ABI 0x4015e985u
 // That of the library. A program compares it with its own MRW_GLES3_ABI before it calls anything else.
 uint32_t mrw_gles3_abi(void);
 
@@ -64,7 +64,8 @@ struct mrw_gles3_api {
   size_t words[222];
 };
 
-// Multi-weights are the CPU's alone: with four influences 192 bytes a vertex, more than attributes hold.
+// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: with four influences it needs 192 bytes a
+// vertex, more than attributes hold.
 typedef uint8_t mrw_gles3_deformer;
 enum {
   MRW_GLES3_DEFORMER_NONE = 0,  // vertices skinned elsewhere, in float: position, normal, tangent
@@ -84,10 +85,10 @@ enum {
   MRW_GLES3_PALETTES_CROWD = 2,
 };
 
-// Which attributes a mesh has and a program reads.
+// Features that a mesh has or a program reads, as bits: normals.
 #define MRW_GLES3_NORMALS 1u
 
-// A mesh has tangents, a program reads them; here and below as above.
+// Tangents.
 #define MRW_GLES3_TANGENTS 2u
 
 // Texture coordinates.
@@ -103,11 +104,12 @@ enum {
 // mrw_gles3_prepare_options.
 #define MRW_GLES3_SURFACE_NORMALS 32u
 
-// A program's alone, none of a mesh: where each vertex was in the frame before, for motion vectors.
+// Only of programs: where each vertex was in the previous frame, for motion vectors.
 #define MRW_GLES3_MOTION 64u
 
-// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
-// MRW_GLES3_SURFACE_NORMALS is drawn by programs with it alone, as it has other vectors where normals and tangents are.
+// Attribute locations of the skinning text, fixed so that any program draws any mesh. There is one exception: animation
+// space with MRW_GLES3_SURFACE_NORMALS has other vectors at the locations of normals and tangents, so only programs
+// with MRW_GLES3_SURFACE_NORMALS draw it.
 #define MRW_GLES3_POSITION_LOCATION 0u  // animation space: 0 … 7 are the coordinates
 #define MRW_GLES3_WEIGHTS_LOCATION 1u  // and 2
 #define MRW_GLES3_JOINTS_LOCATION 8u  // and 9; on Mali-G up to eight here, two in a number
@@ -118,13 +120,13 @@ enum {
 #define MRW_GLES3_MORPH_ROW_LOCATION 14u  // row of the morph texture
 #define MRW_GLES3_EXAMPLE_ROW_LOCATION 15u  // row of the texture of examples
 
-// Morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
+// The most morph targets that a vertex shader adds at a time: a quarter of the uniforms that GLES 3.0 promises.
 #define MRW_GLES3_MORPH_TARGETS 64u
 
-// Attribute locations of the skinning text, fixed so that any program draws any mesh; but that animation space with
-// MRW_GLES3_SURFACE_NORMALS is drawn by programs with it alone, as it has other vectors where normals and tangents are.
-// MRW_GLES3_DEFORMER_NONE with MRW_GLES3_MOTION: the position of the frame before
-#define MRW_GLES3_PREVIOUS_LOCATION 1u
+// Attribute locations of the skinning text, fixed so that any program draws any mesh. There is one exception: animation
+// space with MRW_GLES3_SURFACE_NORMALS has other vectors at the locations of normals and tangents, so only programs
+// with MRW_GLES3_SURFACE_NORMALS draw it.
+#define MRW_GLES3_PREVIOUS_LOCATION 1u  // MRW_GLES3_DEFORMER_NONE with MRW_GLES3_MOTION: the previous position
 
 // Matrices in the uniform block of the programs: as many as fit the smallest block that GLES 3.0 allows.
 #define MRW_GLES3_PALETTE_JOINTS 341u
@@ -191,8 +193,8 @@ void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out);
 //   6                  24    56                    152                         4
 //   8                  28    72                    200                         4
 //
-// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. That of examples
-// holds 8 B for each example and vertex that it moves.
+// The morph texture, RGBA16I, holds 8 B for each attribute, target and vertex that any target moves. The example
+// texture holds 8 B for each example and vertex that it moves.
 typedef struct mrw_gles3_gpu_mesh mrw_gles3_gpu_mesh;
 struct mrw_gles3_gpu_mesh {
   uint32_t ssd_array;  // vertex array objects; 0 where not asked for. Rigid uses this one too.
@@ -228,19 +230,19 @@ void mrw_gles3_gpu_mesh_init(mrw_gles3_gpu_mesh* out);
 typedef struct mrw_gles3_prepare_options mrw_gles3_prepare_options;
 struct mrw_gles3_prepare_options {
   bool ssd;  // also what rigid draws from
-  bool as;  // neither: for vertices skinned on the CPU
+  bool as;  // ssd and as both false: for vertices skinned on the CPU
   // From mrw_as_tangents() of this mesh: then animation space draws the deformed surface's own normals, and `features`
   // has MRW_GLES3_SURFACE_NORMALS. Empty, or of a mesh with morph targets or without normals: normals through the
   // blend.
   const float* as_tangents;
   size_t as_tangent_count;
-  bool psd;  // With `ssd`: what MRW_GLES3_DEFORMER_PSD draws from, too; nothing more of a mesh without examples.
+  bool psd;  // With `ssd`: also what MRW_GLES3_DEFORMER_PSD draws from. Adds nothing to a mesh without examples.
 };
 void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out);
 
-// What a program is compiled for: of the mesh's features those that it is to read. With MRW_GLES3_MORPHS it draws only
-// meshes that have targets; mrw_gles3_set_morphs() before each. With MRW_GLES3_MOTION it skins twice: by the palettes
-// of this frame, and of the frame before, positions alone. Those, bound for each draw call like the others, are
+// What a program is compiled for. With MRW_GLES3_MORPHS it draws only meshes that have targets; call
+// mrw_gles3_set_morphs() before each. With MRW_GLES3_MOTION it skins twice: by this frame's palettes and, positions
+// only, by the previous frame's. Bind the previous palettes for each draw call, too:
 //   in a uniform block   a range of the ring of the frame before, at binding palette_binding + 1, by
 //                        mrw_gles3_bind_palette()
 //   in a texture         mrw_gles3_bind_previous_palette(); of crowds mrw_gles3_bind_crowd() does it
@@ -250,8 +252,8 @@ typedef struct mrw_gles3_program_key mrw_gles3_program_key;
 struct mrw_gles3_program_key {
   mrw_gles3_deformer deformer;  // by which vertices are skinned
   uint8_t influences;  // 4 to 8: that of the mesh or more
-  uint8_t features;  // MRW_GLES3_NORMALS | …, that it reads
-  mrw_gles3_palettes palettes;  // where they are
+  uint8_t features;  // MRW_GLES3_NORMALS | …: the mesh's features that it reads
+  mrw_gles3_palettes palettes;  // where it finds palettes
 };
 void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 
@@ -263,8 +265,8 @@ void mrw_gles3_program_key_init(mrw_gles3_program_key* out);
 //     gl_Position = clip_from_model * vec4(v.position, 1.0);
 //   }
 //
-// What both texts may ask, as numbers in #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR: 1 if the program
-// was built to read it (mrw_gles3_program_key.features); MARROW_MOTION: likewise; MARROW_PALETTES: 2 in programs for
+// Both texts may test these macros with #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR, MARROW_MOTION: 1
+// if the program was built to read it (mrw_gles3_program_key.features), else 0. MARROW_PALETTES: 2 in programs for
 // crowds. What the vertex text may use:
 //   MarrowVertex marrow_skin()       once; { vec3 position; vec3 normal; vec4 tangent; vec3 previous_position; } in
 //                                    model space, normal and tangent of unit length, tangent.w the handedness; what is
@@ -326,47 +328,49 @@ struct mrw_gles3_palette_ring {
 };
 void mrw_gles3_palette_ring_init(mrw_gles3_palette_ring* out);
 
-// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Of three, each is written every third
-// frame, so that the driver has no reason to wait for what it still draws from, or to copy it.
+// All palettes of a frame in an RGBA32F texture, a texel a row of a matrix. Three textures take turns, each written
+// every third frame, so that the driver need not wait for a texture that it still draws from, or copy it.
 typedef struct mrw_gles3_palette_texture mrw_gles3_palette_texture;
 struct mrw_gles3_palette_texture {
   uint32_t textures[3];  // 0: none
   uint32_t current;  // which was written last
   uint32_t capacity;  // matrices
-  uint32_t count;  // that are there
-  uint32_t previous_count;  // that were there in the frame before
+  uint32_t count;  // matrices in the current texture
+  uint32_t previous_count;  // matrices in the previous frame's texture
 };
 void mrw_gles3_palette_texture_init(mrw_gles3_palette_texture* out);
 
 // Fills `api` by name ("glBindBuffer"). Pass eglGetProcAddress or an engine's own loader.
 // Errors: MRW_BAD_ARGUMENT without a loader; MRW_UNSUPPORTED if it returns null for a function of OpenGL ES 3.0, whose
-// name is put in `missing` (static string). Those of 3.1 stay null where there are none. `api` is written only on
-// success.
+// name is put in `missing` (static string). Functions of 3.1 stay null where the driver has none. `api` is written only
+// on success.
 //
-// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. Then GL objects are labelled as they are made, for RenderDoc
-// and drivers' tools ("newt: surface"); set to null, they are not. GetGraphicsResetStatus is there with
-// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
+// ObjectLabel is there with GL_KHR_debug or OpenGL ES 3.2. GL objects are then labelled as they are made, for RenderDoc
+// and drivers' tools ("newt: surface"); set ObjectLabel to null to leave them without labels. GetGraphicsResetStatus is
+// there with GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
 // May be null: missing.
 mrw_status mrw_gles3_load_api(mrw_gles3_api* api, mrw_gles3_load_proc load_proc, const char** missing) MRW_NODISCARD;
 
-// Whether the graphics processor was reset and the context is lost with all that is in it: to be asked once a frame.
-// Then call mrw_gles3_…_on_context_lost() for each object that has it, destroy the context, make another, and call
-// mrw_gles3_…_on_context_restored(). True only where GetGraphicsResetStatus is there and the context was created to
-// lose itself on a reset (EGL_LOSE_CONTEXT_ON_RESET); other contexts never tell, and platforms have ways of their own
-// (EGL_CONTEXT_LOST of eglSwapBuffers). GL may tell each reset only once.
+// Whether the GPU was reset, so that the context is lost with all that is in it. Ask once a frame. If so, call
+// mrw_gles3_…_on_context_lost() for each object that has that function, destroy the context, make another, and call
+// mrw_gles3_…_on_context_restored(). It can be true only if GetGraphicsResetStatus is there and the context was created
+// to be lost on a reset (EGL_LOSE_CONTEXT_ON_RESET). Other contexts never report one here, and platforms have ways of
+// their own (EGL_CONTEXT_LOST of eglSwapBuffers). GL may report each reset only once.
 bool mrw_gles3_context_was_reset(const mrw_gles3_api* api);
 
-// Has every GL error reported that a call through `api` or a copy of it causes, with the call's name, to a watch that
-// lives as long as they; null: no more. Results stay what they are, as GetError still tells each check of an error. For
-// debugging: without a watch a call costs a comparison more, with one two calls of glGetError.
+// Reports to `watch` every GL error that a call through `api` or a copy of it causes, with the call's name; null ends
+// the reports. The watch must live as long as `api` and its copies. The watch does not hide errors: GetError of `api`
+// still returns them. For debugging: without a watch a call costs one more comparison, with a watch two calls of
+// glGetError.
 // May be null: watch.
 void mrw_gles3_watch_errors(mrw_gles3_api* api, mrw_gles3_error_watch* watch);
 
 // Errors: MRW_UNSUPPORTED below OpenGL ES 3.0; MRW_GL_ERROR.
 mrw_status mrw_gles3_query_caps(const mrw_gles3_api* api, mrw_gles3_caps* caps) MRW_NODISCARD;
 
-// Bytes of scratch memory that mrw_gles3_prepare() wants: the largest of its vertex buffers, with `psd` and all
-// changes. May be null: options.
+// Bytes of scratch memory that mrw_gles3_prepare() wants: as much as the largest of its vertex buffers. With `psd` the
+// SSD buffer counts together with all changes.
+// May be null: options.
 size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options);
 
 // Uploads a mesh, and writes the bind matrices to build its palettes with:
@@ -389,8 +393,8 @@ mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* cap
 // Deletes the GL objects and clears the struct.
 void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh);
 
-// Compiles and links; the palette block is tied to uniform buffer binding `palette_binding`, with MRW_GLES3_MOTION that
-// of the frame before to the next binding.
+// Compiles and links. The palette block is tied to uniform buffer binding `palette_binding`; with MRW_GLES3_MOTION the
+// previous frame's block is tied to the next binding.
 // Errors: MRW_BAD_ARGUMENT (a text missing, influences other than 4 to 8, what crowds cannot); MRW_GL_ERROR, with the
 // driver's words in `log` (cut to fit, zero-terminated). `out` is written only on success. Cost: a compile; never in a
 // frame.
@@ -432,32 +436,32 @@ mrw_status mrw_gles3_create_palette_texture(const mrw_gles3_api* api, const mrw_
 // Deletes the textures and clears the struct.
 void mrw_gles3_destroy_palette_texture(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture);
 
-// Once a frame, all palettes: whole ones after each other, those of one mesh's instances together, and
-// mrw_build_palette() may write right there. 48 bytes a matrix go up, and nothing else. Errors: MRW_BAD_ARGUMENT
-// (empty); MRW_UNSUPPORTED (more than there is room for). Leaves the active unit's 2D texture at 0,
-// GL_PIXEL_UNPACK_BUFFER must be 0.
+// Once a frame: uploads all palettes, one after the other, those of one mesh's instances together. mrw_build_palette()
+// may write straight into such an array. 48 bytes a matrix go up, and nothing else. Errors: MRW_BAD_ARGUMENT (empty);
+// MRW_UNSUPPORTED (more than there is room for). Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must
+// be 0.
 mrw_status mrw_gles3_upload_palettes(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture,
     const mrw_affine* palettes, size_t palette_count) MRW_NODISCARD;
 
-// `program`, which must be in use and read palettes from a texture, draws with the palette that begins at matrix
-// `first` of what was uploaded, its instance i with the one `joints` · i behind it. Leaves `texture_unit` active and
-// the texture bound to it. Errors: MRW_BAD_ARGUMENT (a program of another kind, a palette that reaches beyond what was
-// uploaded).
+// Lets `program` draw with uploaded palettes: instance i takes the one that begins at matrix first + joints · i. The
+// program must be in use and read palettes from a texture. Leaves `texture_unit` active and the texture bound to it.
+// Errors: MRW_BAD_ARGUMENT (a program of another kind, a palette that reaches beyond what was uploaded).
 mrw_status mrw_gles3_bind_texture_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
     uint32_t first, uint32_t joints, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The palettes of the frame before, which are there still, for a program with MRW_GLES3_MOTION that draws from
-// mrw_gles3_bind_palette() of the same arguments. kept: false for characters without a frame before; their palettes of
-// this frame are bound then, and nothing moves. Leaves `texture_unit` active and the texture bound to it; nothing is
-// bound for a program whose text does not read previous_position. Errors: MRW_BAD_ARGUMENT (a program of another kind,
-// a palette that reaches beyond what was uploaded then).
+// Binds the palettes of the previous frame, which are still there, for a program with MRW_GLES3_MOTION. Pass the same
+// arguments as to mrw_gles3_bind_palette(). kept: false for characters that the previous frame did not have; this
+// frame's palettes are then bound in place of the previous ones, and nothing moves. Leaves `texture_unit` active and
+// the texture bound to it. Nothing is bound for a program whose text does not read previous_position. Errors:
+// MRW_BAD_ARGUMENT (a program of another kind, a palette that reaches beyond what was uploaded in that frame).
 mrw_status mrw_gles3_bind_previous_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
     uint32_t first, uint32_t joints, bool kept, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
-// Sets by which weights, one a target, `program`, which must be in use, morphs: as mrw_morph() does on the CPU, in
-// animation space through the same blend as normals. Of more than MRW_GLES3_MORPH_TARGETS weights other than 0 those
-// count that move most. Leaves `texture_unit` active and the mesh's texture bound to it. Errors: MRW_BAD_ARGUMENT (a
-// mesh without targets, a program without MRW_GLES3_MORPHS, too few weights, one that is not finite).
+// Sets the weights, one a target, by which `program` morphs; the program must be in use. It morphs as mrw_morph() does
+// on the CPU, in animation space through the same blend as normals. If more than MRW_GLES3_MORPH_TARGETS weights are
+// not 0, the targets that move most count. Leaves `texture_unit` active and the mesh's texture bound to it. Errors:
+// MRW_BAD_ARGUMENT (a mesh without targets, a program without MRW_GLES3_MORPHS, too few weights, one that is not
+// finite).
 mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
     const float* weights, size_t weight_count, uint32_t texture_unit, const mrw_gles3_program* program) MRW_NODISCARD;
 
@@ -469,16 +473,16 @@ mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mes
 // four examples. 0 without examples.
 uint32_t mrw_gles3_distance_matrices(const mrw_geometry* geometry);
 
-// How far a pose is from the examples, as MRW_GLES3_DEFORMER_PSD reads it: mrw_psd_distances() in another order. It
-// goes up with those of other characters as palettes do, by mrw_gles3_upload_palettes() into an
-// mrw_gles3_palette_texture of its own, on every path. palette: built with the bind matrices of mrw_gles3_prepare(), or
-// those of the mesh; no matter which. out: mrw_gles3_distance_matrices(). Errors: MRW_BAD_ARGUMENT (no examples, a list
-// too short). Cost: that of mrw_psd_distances().
+// How far a pose is from the examples, in the order in which MRW_GLES3_DEFORMER_PSD reads it: otherwise as
+// mrw_psd_distances(). Upload it as palettes are, together with those of other characters: by
+// mrw_gles3_upload_palettes() into an mrw_gles3_palette_texture of its own, on every path. palette: built with the bind
+// matrices of mrw_gles3_prepare() or with the mesh's; the result is the same. out: mrw_gles3_distance_matrices().
+// Errors: MRW_BAD_ARGUMENT (no examples, a list too short). Cost: that of mrw_psd_distances().
 mrw_status mrw_gles3_pack_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count,
     mrw_affine* out, size_t out_count) MRW_NODISCARD;
 
-// `program`, which must be in use and of MRW_GLES3_DEFORMER_PSD, deforms by the mesh's examples and by distances that
-// begin at matrix `first` of what was uploaded, its instance i by those mrw_gles3_gpu_mesh.distances · i behind. Leaves
+// Lets `program` deform by the mesh's examples and by uploaded distances: instance i takes those that begin at matrix
+// first + mrw_gles3_gpu_mesh.distances · i. The program must be in use and of MRW_GLES3_DEFORMER_PSD. Leaves
 // `texture_unit` and the next one taken, the latter active. Errors: MRW_BAD_ARGUMENT (a mesh without examples, a
 // program of another kind, distances that reach beyond what was uploaded).
 mrw_status mrw_gles3_bind_examples(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
@@ -491,11 +495,10 @@ mrw_status mrw_gles3_bind_previous_distances(const mrw_gles3_api* api, const mrw
     const mrw_gles3_palette_texture* distances, uint32_t first, bool kept, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
-// Draws all triangles, of as many characters as there are instances: more than one with palettes in a texture alone.
-// `program` must be in use, its palette bound. Leaves the vertex array at 0. Which sides are drawn is the game's to
-// say: as glTF has it, GL_CULL_FACE is enabled unless mrw_mesh.double_sided, and fronts are GL_CCW, but GL_CW where
-// mrw_palette_turns_inside_out(palette), see part palette of c.h. So characters that mirror take a draw call of their
-// own.
+// Draws all triangles of `instances` characters; more than one only with palettes in a texture. `program` must be in
+// use, its palette bound. Leaves the vertex array at 0. The game sets culling. As glTF has it, GL_CULL_FACE is enabled
+// unless mrw_mesh.double_sided, and fronts are GL_CCW, or GL_CW where mrw_palette_turns_inside_out(palette), see part
+// palette of c.h. So characters that mirror need a draw call of their own.
 // Errors: MRW_BAD_ARGUMENT if the mesh was not prepared for this deformer.
 mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
     const mrw_gles3_program* program, uint32_t instances) MRW_NODISCARD;
@@ -576,7 +579,7 @@ void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* 
     const mrw_gles3_skinned_mesh* skinned);
 
 // ---- Part gles3_skinner ---------------------------------------------------------------------------------------------
-// Skin on the GPU, in one piece: a mesh as many characters, on whichever path the device is good at.
+// Skin on the GPU, in one piece: draws one mesh as many characters, on the path that suits the device.
 //
 //   once a context   mrw_gles3_load_api, mrw_gles3_query_caps; an mrw_gles3_program_set with the game's own texts, one
 //                    a role (colour, shadow, …)
@@ -613,7 +616,9 @@ enum {
 typedef struct mrw_gles3_program_set_entry mrw_gles3_program_set_entry;
 struct mrw_gles3_program_set_entry {
   mrw_gles3_program_key key;  // what it was built for
-  uint32_t role;  // MRW_GLES3_MOST_ROLES + mrw_gles3_preskin: pre-skinning; and 2: blending of crowds
+  // from MRW_GLES3_MOST_ROLES on: MRW_GLES3_MOST_ROLES + mrw_gles3_preskin, pre-skinning; MRW_GLES3_MOST_ROLES + 2,
+  // blending of crowds
+  uint32_t role;
   mrw_gles3_program program;  // as it was built
 };
 
@@ -622,8 +627,8 @@ typedef struct mrw_gles3_program_set mrw_gles3_program_set;
 struct mrw_gles3_program_set {
   mrw_gles3_program_source roles[4];  // Texts that live as long as the set. (GCC 12 takes no shorter initialiser.)
   uint32_t role_count;  // of `roles`, that are used
-  // Of what a mesh has, what each role's texts read: a shadow's none, or MRW_GLES3_UVS where it has holes.
-  // MRW_GLES3_MOTION: whether they read previous_position of skinners and crowds that keep it.
+  // For each role, which features of a mesh its texts read: for a shadow none, or MRW_GLES3_UVS where it has holes.
+  // MRW_GLES3_MOTION: whether they read previous_position, of skinners and crowds that keep it.
   uint8_t role_features[4];
   uint32_t palette_binding;  // uniform buffer binding of the palettes
   char* log;  // what the driver says of a text that does not compile
@@ -639,18 +644,18 @@ struct mrw_gles3_skinner_options {
   mrw_gles3_skinning_path path;  // mrw_gles3_choose() in part gles3_self_test names the best
   mrw_gles3_deformer deformer;  // rigid, ssd, as or psd, which is ssd for a mesh without examples
   uint32_t instances;  // characters, at most
-  // Palettes in a texture; morph targets take the next one, with `motion` palettes of the frame before the third.
-  // A pose space takes the fourth and fifth, with `motion` the sixth.
+  // The unit of palettes in a texture. Morph targets take the next unit; with `motion` the previous palettes take the
+  // third. A pose space takes the fourth and fifth, with `motion` also the sixth.
   uint32_t texture_unit;
-  uint8_t features;  // what programs are to read of what the mesh has and their role reads
+  uint8_t features;  // the mesh's features that programs read, if their role reads them, too
   // From mrw_as_tangents() of this mesh, in the caller's memory for as long as the skinner; see
   // mrw_gles3_prepare_options.
   const float* as_tangents;
   size_t as_tangent_count;
-  // For motion vectors: keeps what the mrw_gles3_update() before left on the GPU, and programs of roles that read
-  // MRW_GLES3_MOTION have MarrowVertex::previous_position from it. The uniform buffer binding behind
-  // mrw_gles3_program_set.palette_binding is taken, too. Nothing more goes up; what it costs: docs/performance.md,
-  // "Motion vectors".
+  // For motion vectors: keeps on the GPU what the last mrw_gles3_update() left there. Programs of roles that read
+  // MRW_GLES3_MOTION get MarrowVertex::previous_position from it. It also takes the uniform buffer binding after
+  // mrw_gles3_program_set.palette_binding. Nothing more is uploaded; for the cost see docs/performance.md, "Motion
+  // vectors".
   bool motion;
 };
 void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out);
@@ -668,13 +673,13 @@ struct mrw_gles3_skinner_motion {
   size_t weight_count;
   float* sent_weights;  // of the last mrw_gles3_update()
   size_t sent_weight_count;
-  uint8_t* still;  // a character each: 1 if it had no mrw_gles3_update() before its last
+  uint8_t* still;  // one a character: 1 if its last mrw_gles3_update() counts as its first
   size_t still_count;
-  uint8_t* reset;  // 1 if the next mrw_gles3_update() is to be its first
+  uint8_t* reset;  // one a character: 1 if its next mrw_gles3_update() counts as its first
   size_t reset_count;
 };
 
-// A mesh as many characters. Filled in by mrw_gles3_create_skinner(), to be read only.
+// A mesh that is drawn as many characters. Filled in by mrw_gles3_create_skinner(), to be read only.
 typedef struct mrw_gles3_skinner mrw_gles3_skinner;
 struct mrw_gles3_skinner {
   mrw_mesh mesh;  // as it was given
@@ -683,7 +688,7 @@ struct mrw_gles3_skinner {
   mrw_gles3_palette_ring ring;  // path ubo, feedback and compute
   mrw_gles3_palette_texture texture;  // path texture
   mrw_gles3_palette_texture distance_texture;  // of pose spaces
-  uint32_t updated;  // characters that the last mrw_gles3_update() brought up
+  uint32_t updated;  // how many characters the last mrw_gles3_update() prepared
   bool lost;  // between mrw_gles3_…_on_context_lost() and mrw_gles3_…_on_context_restored()
   // In the caller's memory.
   // what palettes are built with
@@ -737,21 +742,21 @@ mrw_status mrw_gles3_create_skinner(const mrw_gles3_api* api, const mrw_gles3_ca
 // Deletes the GL objects and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_skinner(const mrw_gles3_api* api, mrw_gles3_skinner* skinner);
 
-// Character `instance` takes this pose at the next mrw_gles3_update(). weights: one a morph target. Calls no GL: may
-// run on another thread than the context's, different instances on different threads.
+// Sets the pose that character `instance` has from the next mrw_gles3_update() on. weights: one a morph target. Calls
+// no GL, so it may run on another thread than the context's, for different instances on different threads.
 // Errors: MRW_BAD_ARGUMENT (no such instance, a list too short, a skinner that was destroyed).
 mrw_status mrw_gles3_pose(mrw_gles3_skinner* skinner, uint32_t instance, const mrw_affine* model_from_joint,
     size_t model_from_joint_count, const float* weights, size_t weight_count) MRW_NODISCARD;
 
-// Of a skinner with options.motion: to the next mrw_gles3_update() the character has no frame before, so its vertices
-// do not move: for one that appears, or is put elsewhere at once. Characters that the mrw_gles3_update() before left
-// out have none anyway. May be called where mrw_gles3_pose() may. Errors: MRW_BAD_ARGUMENT (no such instance, a skinner
-// without motion or that was destroyed).
+// With options.motion: at the next mrw_gles3_update() the character counts as new, so its vertices do not move. For a
+// character that appears, or jumps to another place. A character that the last mrw_gles3_update() left out counts as
+// new anyway. May be called where mrw_gles3_pose() may. Errors: MRW_BAD_ARGUMENT (no such instance, a skinner without
+// motion or that was destroyed).
 mrw_status mrw_gles3_reset_motion(mrw_gles3_skinner* skinner, uint32_t instance) MRW_NODISCARD;
 
-// Once a frame, after posing: sends up the palettes of characters 0 … count - 1, or skins them. 48 bytes a joint go up
-// and nothing else, with a pose space 16 more for every four examples, of which the bind pose is one; on path cpu the
-// vertices.
+// Once a frame, after posing: uploads the palettes of characters 0 … count - 1, or skins them. Only 48 bytes a joint
+// are uploaded; with a pose space also 16 for every four examples, the bind pose counting as one; on path cpu the
+// vertices instead.
 // Errors: MRW_BAD_ARGUMENT (more than there are, a weight that is not finite, a skinner that was destroyed);
 // MRW_GL_ERROR (the context is lost).
 mrw_status mrw_gles3_update(const mrw_gles3_api* api, mrw_gles3_skinner* skinner, const mrw_gles3_program_set* programs,
@@ -795,15 +800,15 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 //   context lost       mrw_gles3_…_on_context_lost; with the new context mrw_gles3_load_api, mrw_gles3_query_caps, then
 //                      mrw_gles3_…_on_context_restored
 //
-// Back faces are culled as mrw_gles3_draw_mesh() of part gles3 says: by each mesh's double_sided. Which way fronts are
-// wound is the same for all instances of a draw call, so those whose world_from_model mirrors, see
-// mrw_turns_inside_out() in part palette of c.h, stand behind the others in the crowd, and each of the two ranges is
-// bound and drawn with its own glFrontFace. Where the character itself is mirrored, which
-// mrw_palette_turns_inside_out(palette) tells, both are the other way round.
+// Back faces are culled as mrw_gles3_draw_mesh() of part gles3 says: by each mesh's double_sided. All instances of a
+// draw call share one winding of fronts. So keep instances whose world_from_model mirrors (mrw_turns_inside_out() in
+// part palette of c.h) behind the others in the crowd, and bind and draw each of the two ranges with its own
+// glFrontFace. If the character itself is mirrored, as mrw_palette_turns_inside_out(palette) tells, swap the two
+// settings.
 //
 // The conventions are those of part gles3. Layout of the textures, precision, costs: docs/performance.md, "Crowds".
 
-// Frames of one crowd: what fits the smallest textures, of meshes with one joint.
+// The most frames of a crowd: as many as fit the smallest textures for meshes with one joint.
 #define MRW_GLES3_MAX_CROWD_FRAMES 1048576u
 
 // Bytes of memory an instance for mrw_gles3_create_crowd().
@@ -817,7 +822,8 @@ struct mrw_gles3_crowd_source {
 };
 void mrw_gles3_crowd_source_init(mrw_gles3_crowd_source* out);
 
-// Where a clip's frames are: steps + 1 of them, at even steps of time; of one that loops the last is the first again.
+// Where a clip's frames are: steps + 1 of them, at even steps of time. In a clip that loops, the last frame is the
+// first again.
 typedef struct mrw_gles3_crowd_clip mrw_gles3_crowd_clip;
 struct mrw_gles3_crowd_clip {
   float duration_s;  // of the clip
@@ -839,37 +845,38 @@ struct mrw_gles3_crowd_frames {
 };
 void mrw_gles3_crowd_frames_init(mrw_gles3_crowd_frames* out);
 
-// At start_s of the crowd's clock the clip is at phase_s, before and afterwards wherever `speed` takes it.
+// A clip on the crowd's clock: at start_s the clip is at phase_s; at any other time `speed` says where.
 typedef struct mrw_gles3_crowd_play mrw_gles3_crowd_play;
 struct mrw_gles3_crowd_play {
   uint32_t clip;  // of mrw_gles3_crowd_frames.clips
-  float phase_s;  // of a clip that does not loop within 0 … duration_s, else the nearer end
+  float phase_s;  // of a clip that does not loop, clamped to 0 … duration_s
   float speed;  // seconds of the clip a second; may be negative
   double start_s;  // seconds
 };
 void mrw_gles3_crowd_play_init(mrw_gles3_crowd_play* out);
 
-// One of a crowd. Any instance is exact up to 36 hours from each of its times; by then set it again, with later ones.
+// One character of a crowd. It is exact up to 36 hours from each of its times; set it again by then, with later times.
 typedef struct mrw_gles3_crowd_instance mrw_gles3_crowd_instance;
 struct mrw_gles3_crowd_instance {
   mrw_affine world_from_model;  // where it stands
   mrw_gles3_crowd_play a;  // must have a clip
   mrw_gles3_crowd_play b;  // MRW_NO_CLIP: a alone
-  double blend_start_s;  // until then a alone
-  float blend_s;  // and b alone so much later
+  double blend_start_s;  // until this time a alone
+  float blend_s;  // length of the blend; after it b alone
   float colour[4];  // marrow_instance_colour() in the vertex shader
 };
 void mrw_gles3_crowd_instance_init(mrw_gles3_crowd_instance* out);
 
-// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the palettes of the instances as they are now
-// (RGBA32UI, the bits of floats, for GLES 3.0 renders to no floats). A texel is a row of a matrix, a line 2048 texels.
+// A mesh as crowds draw it: its palette in every frame (RGBA32F), and the instances' palettes at this moment (RGBA32UI,
+// the bits of floats, since GLES 3.0 cannot render to floats). A texel is a row of a matrix, a line 2048 texels.
 typedef struct mrw_gles3_crowd_mesh mrw_gles3_crowd_mesh;
 struct mrw_gles3_crowd_mesh {
   mrw_gles3_gpu_mesh gpu;  // what mrw_gles3_draw() takes
   uint32_t frames_texture;  // palettes of all frames
   uint32_t blended_texture;  // palettes of the instances
   uint32_t framebuffer;  // around the blended texture
-  // With motion alone: as they were in the frame before. mrw_gles3_begin_crowd_frame() has the two take turns.
+  // Only with motion: the instances' palettes in the previous frame. mrw_gles3_begin_crowd_frame() swaps the two
+  // textures.
   uint32_t previous_texture;
   uint32_t previous_framebuffer;  // around the previous texture
   uint32_t joints;  // matrices of a palette
@@ -900,23 +907,24 @@ struct mrw_gles3_crowd {
 };
 void mrw_gles3_crowd_init(mrw_gles3_crowd* out);
 
-// How many frames it takes to bake clips at `rate_hz` or a little more, a whole number of steps each; 30 a second are
-// enough for most motion. out: at least as many as sources.
+// How many frames it takes to bake clips at `rate_hz`, or a little more, as each clip gets a whole number of steps. 30
+// a second are enough for most motion. out: at least as many as sources.
 // Errors: MRW_BAD_ARGUMENT (no sources, a rate that is not finite or not above 0, an additive clip, a list too short);
 // MRW_UNSUPPORTED (more than 65535 steps of a clip, or MRW_GLES3_MAX_CROWD_FRAMES). Written only on success.
 mrw_status mrw_gles3_plan_crowd(const mrw_gles3_crowd_source* sources, size_t source_count, float rate_hz,
     mrw_gles3_crowd_clip* out, size_t out_count, uint32_t* frame_count) MRW_NODISCARD;
 
-// Samples them. scratch: at least mrw_skeleton_soa_size(skeleton); matrices: at least frame_count × joint_count, the
-// caller's to keep, as are the clips, which must be those that mrw_gles3_plan_crowd() wrote for these sources; 48 B a
-// joint and frame. Errors: MRW_BAD_ARGUMENT (a list too short, a clip of another skeleton, clips that are not a plan).
+// Samples the sources into frames. scratch: at least mrw_skeleton_soa_size(skeleton). clips: those that
+// mrw_gles3_plan_crowd() wrote for these sources. matrices: at least frame_count × joint_count, 48 B a joint and frame.
+// The caller keeps clips and matrices.
+// Errors: MRW_BAD_ARGUMENT (a list too short, a clip of another skeleton, clips that are not a plan).
 mrw_status mrw_gles3_bake_crowd(const mrw_skeleton* skeleton, const mrw_gles3_crowd_source* sources,
     size_t source_count, const mrw_gles3_crowd_clip* clips, size_t clip_count, mrw_soa_transform* scratch,
     size_t scratch_count, mrw_affine* matrices, size_t matrice_count, mrw_gles3_crowd_frames* out) MRW_NODISCARD;
 
-// Where a joint of an instance is: linear between two neighbouring frames and between two clips, like the palettes that
-// are drawn, so that what is put there stays on the surface. What helpers of a palette do between frames and clips
-// is linear in the drawing too.
+// Where a joint of an instance is: linear between two neighbouring frames and between two clips. The palettes that are
+// drawn are blended the same way, so what is put at the joint stays on the surface. Helper entries of a palette are
+// blended linearly between frames and clips, too.
 // Errors: MRW_BAD_ARGUMENT (a joint or clip that is not there, a number that is not finite, times beyond ±2⁴⁰ s, or a
 // world_from_model beyond 1e12).
 mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
@@ -926,7 +934,8 @@ mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw
 mrw_status mrw_gles3_crowd_pose(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
     double time_s, mrw_affine* model_from_joint, size_t model_from_joint_count) MRW_NODISCARD;
 
-// What a texture of the caps' size holds, of palettes of `joints` matrices: frames of a mesh, and instances likewise.
+// How many palettes of `joints` matrices a texture of the caps' size holds. It limits the frames of a mesh, and the
+// instances.
 uint32_t mrw_gles3_crowd_palettes_that_fit(const mrw_gles3_caps* caps, uint32_t joints);
 
 // Bytes of memory that mrw_gles3_create_crowd_mesh() wants: 48 B a joint, and the larger of 0.1 MB and
@@ -944,8 +953,8 @@ size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_
 // is left allocated). `out` is written only on success. Leaves changed what mrw_gles3_prepare() does, the active unit's
 // 2D texture and GL_FRAMEBUFFER at 0; GL_PIXEL_UNPACK_BUFFER must be 0. Cost: the vertices, and 48 B a matrix and
 // frame, go up, once.
-// motion: keeps the palettes of the frame before as well, 48 B a joint and instance, and programs of roles that read
-// MRW_GLES3_MOTION have MarrowVertex::previous_position from them.
+// motion: keeps the previous frame's palettes as well, 48 B a joint and instance. Programs of roles that read
+// MRW_GLES3_MOTION get MarrowVertex::previous_position from them.
 // May be null: options.
 mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
     const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
@@ -963,12 +972,12 @@ mrw_status mrw_gles3_create_crowd(const mrw_gles3_api* api, const mrw_gles3_caps
 // Deletes the texture and clears the struct; the memory is the caller's again.
 void mrw_gles3_destroy_crowd(const mrw_gles3_api* api, mrw_gles3_crowd* crowd);
 
-// Sets the instances from `first` on: any of those that there are, or more right behind them. While the context is lost
-// they are kept, and there once it is restored. Errors: MRW_BAD_ARGUMENT (a gap before `first`, frames other than those
-// of the instances before, an instance as mrw_gles3_crowd_joint() refuses it); MRW_UNSUPPORTED (more than the
-// capacity). Nothing is changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost:
-// 30 ns and 128 B an instance, in at most three pieces; where the GPU still draws from the texture the driver may wait
-// or copy it.
+// Sets the instances from `first` on: it replaces existing ones, or adds more right behind them. While the context is
+// lost they are kept, and restored with it. Errors: MRW_BAD_ARGUMENT (a gap before `first`, frames other than those of
+// the instances before, an instance as mrw_gles3_crowd_joint() refuses it); MRW_UNSUPPORTED (more than the capacity).
+// Nothing is changed then. Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and
+// 128 B an instance, in at most three pieces; where the GPU still draws from the texture the driver may wait or copy
+// it.
 mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_frames* frames, uint32_t first, const mrw_gles3_crowd_instance* instances,
     size_t instance_count) MRW_NODISCARD;
@@ -977,44 +986,47 @@ mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* cr
 mrw_status mrw_gles3_create_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
     size_t log_bytes) MRW_NODISCARD;
 
-// The same and, for a kind of mesh, each role's program that reads palettes of crowds, in a set: what it lacks is
-// compiled. The set brings them back after a loss of the context. deformer: one that the mesh was prepared for.
-// features: what programs are to read of what the mesh has. Errors: MRW_BAD_ARGUMENT (MRW_GLES3_DEFORMER_NONE, no
-// role); MRW_UNSUPPORTED (a full set); MRW_GL_ERROR, with the driver's words in programs.log.
+// Makes a set hold the program for mrw_gles3_blend_crowd() and, for a kind of mesh, each role's program that reads
+// palettes of crowds; what it lacks is compiled. The set restores them after the context is lost. deformer: one that
+// the mesh was prepared for. features: those of the mesh's that programs are to read. Errors: MRW_BAD_ARGUMENT
+// (MRW_GLES3_DEFORMER_NONE, no role); MRW_UNSUPPORTED (a full set); MRW_GL_ERROR, with the driver's words in
+// programs.log.
 mrw_status mrw_gles3_create_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer, uint8_t features,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
 
-// What was built with the same arguments, never null.
+// The program that was built with the same arguments, never null.
 const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer,
     uint8_t features, const mrw_gles3_program_set* programs, uint32_t role);
 const mrw_gles3_program* mrw_gles3_blending_program_of(const mrw_gles3_program_set* programs);
 
-// With motion: once a frame, before mrw_gles3_blend_crowd(). What was blended is now the frame before. No call to GL.
+// With motion: call it once a frame, before mrw_gles3_blend_crowd(). The palettes that were blended last become the
+// previous frame's. No call to GL.
 void mrw_gles3_begin_crowd_frame(mrw_gles3_crowd_mesh* mesh);
 
-// With motion: what the frame before is of instances that were not blended in it, or not where they are now: those that
-// have been set since to play or stand elsewhere at once. It is as they are set now, at time_s: that of the frame
-// before, and they move as their clips do; this frame's, and they stand still. Instances beside them stay as they are.
-// Otherwise as mrw_gles3_blend_crowd(). Errors: as there; MRW_BAD_ARGUMENT too of a mesh without motion.
+// With motion: writes the previous frame's palettes of some instances anew. Use it for instances that were not blended
+// in that frame, or that have since been set to play or stand elsewhere at once. Their palettes are computed from the
+// instances as they are set now, at time_s. With the previous frame's time they move as their clips do; with this
+// frame's time they stand still. Other instances keep their palettes. Otherwise as mrw_gles3_blend_crowd(). Errors: as
+// there; MRW_BAD_ARGUMENT also for a mesh without motion.
 mrw_status mrw_gles3_blend_previous_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
-// Writes the palettes of `count` instances from `first` on, as they are at time_s of the crowd's clock, placed in the
-// scene: one triangle, a fragment a row of a matrix; once a frame, however often they are drawn then. `program`, from
-// mrw_gles3_create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and GL_RASTERIZER_DISCARD must be off
-// and no colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport as large as the texture,
-// `texture_unit` and the one behind it bound and the latter active. Errors: MRW_BAD_ARGUMENT (a program of another
-// kind, instances that are not there, frames other than the mesh's, a time that is not finite); MRW_UNSUPPORTED (more
-// instances than the mesh has capacity for); MRW_GL_ERROR (the context is lost).
+// Writes the palettes of `count` instances from `first` on, at time_s of the crowd's clock, placed in the scene. It
+// draws one triangle, a fragment a row of a matrix. Call it once a frame, however often the instances are drawn then.
+// `program`, from mrw_gles3_create_crowd_program(), must be in use; GL_SCISSOR_TEST, GL_CULL_FACE and
+// GL_RASTERIZER_DISCARD must be off and no colour masked. Leaves GL_FRAMEBUFFER and the vertex array at 0, the viewport
+// as large as the texture, `texture_unit` and the one behind it bound and the latter active. Errors: MRW_BAD_ARGUMENT
+// (a program of another kind, instances that are not there, frames other than the mesh's, a time that is not finite);
+// MRW_UNSUPPORTED (more instances than the mesh has capacity for); MRW_GL_ERROR (the context is lost).
 mrw_status mrw_gles3_blend_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, double time_s, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
 
-// The next mrw_gles3_draw() with `count` instances draws those from `first` on, as they were blended. `program`, which
-// must be in use, reads palettes of crowds. Binds two texture units as mrw_gles3_blend_crowd() does, with
-// MRW_GLES3_MOTION the one behind them, too. Errors: as there.
+// Lets the next mrw_gles3_draw() with `count` instances draw those from `first` on, as they were blended. `program`
+// must be in use and read palettes of crowds. Binds two texture units as mrw_gles3_blend_crowd() does, and with
+// MRW_GLES3_MOTION the next one, too. Errors: as there.
 mrw_status mrw_gles3_bind_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_mesh* mesh, uint32_t first, uint32_t count, uint32_t texture_unit,
     const mrw_gles3_program* program) MRW_NODISCARD;
