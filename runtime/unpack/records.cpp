@@ -1,7 +1,7 @@
 #include "unpack/records.h"
 
 #include "unpack/clip/bounds_record.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/geometry.h"
 
 namespace marrow {

@@ -8,7 +8,7 @@
 #include "core/step.h"
 #include "core/zone.h"
 #include "unpack/clip/bounds_record.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
 #include "unpack/structure.h"

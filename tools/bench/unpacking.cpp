@@ -8,7 +8,7 @@
 #include "marrow/draco.h"
 #include "marrow/meshopt.h"
 #include "marrow/unpack.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/geometry.h"
 #include "unpack/records.h"
 #include "unpack/structure.h"

@@ -6,7 +6,7 @@
 
 #include <glm/vec4.hpp>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 #include "deform/surface.h"
 
 namespace marrow::deform {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

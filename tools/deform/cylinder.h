@@ -1,7 +1,7 @@
 // The cylinder that deformers are commonly shown on.
 #pragma once
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

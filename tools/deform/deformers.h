@@ -4,7 +4,7 @@
 // has_rotation(), of scale 0 say, counts as if it did not turn.
 #pragma once
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 #include "deform/surface.h"
 
 namespace marrow::deform {

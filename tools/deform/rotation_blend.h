@@ -5,7 +5,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -6,7 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -8,7 +8,7 @@
 
 #include "support/aligned.h"
 #include "unpack/clip/bounds_record.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/structure.h"
 
 namespace marrow {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::tools {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cook/skin/skin_binding.h"
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::cook {
 

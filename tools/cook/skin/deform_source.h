@@ -5,8 +5,8 @@
 
 #include "cook/skin/sampled_poses.h"
 #include "cook/skin/skin_binding.h"
-#include "deform/mesh.h"
 #include "deform/motion/range_of_motion.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::cook {
 

@@ -8,7 +8,7 @@
 #include "cook/geometry/record.h"
 #include "cook/geometry/symbol_encoder.h"
 #include "cook/write/list_exponents.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/clip/segments.h"
 
 namespace marrow::cook {

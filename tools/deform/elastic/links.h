@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 #include "deform/weights/voxels.h"
 
 namespace marrow::deform {

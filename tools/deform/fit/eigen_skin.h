@@ -6,7 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "deform/fit/fit.h"
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

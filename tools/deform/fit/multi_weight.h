@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include "deform/fit/fit.h"
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

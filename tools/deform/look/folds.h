@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -8,8 +8,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "deform/mesh.h"
 #include "deform/rig/skeleton_template.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

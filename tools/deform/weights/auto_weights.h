@@ -8,7 +8,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
 

@@ -1,8 +1,8 @@
 // The newt's body: every primitive that is melted into the skin, and how fine the mesh has to be there.
 #include <glm/gtc/quaternion.hpp>
 
+#include "newt_skeleton.h"
 #include "shape.h"
-#include "skeleton.h"
 
 namespace marrow::sample {
 namespace {

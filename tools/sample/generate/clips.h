@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "skeleton.h"
+#include "newt_skeleton.h"
 
 namespace marrow::sample {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "newt_skeleton.h"
 #include "paint.h"
-#include "skeleton.h"
 
 namespace marrow::sample {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "skeleton.h"
+#include "newt_skeleton.h"
 
 namespace marrow::sample {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "skeleton.h"
+#include "newt_skeleton.h"
 
 namespace marrow::sample {
 namespace {

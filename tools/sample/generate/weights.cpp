@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "skeleton.h"
+#include "newt_skeleton.h"
 
 namespace marrow::sample {
 namespace {

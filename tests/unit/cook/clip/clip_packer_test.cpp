@@ -11,7 +11,7 @@
 
 #include "cook/write/clip_packer.h"
 #include "support/aligned.h"
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 #include "unpack/records.h"
 
 namespace marrow::cook {

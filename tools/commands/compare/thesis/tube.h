@@ -4,7 +4,7 @@
 #include "commands/compare/thesis/frame_rates.h"
 #include "cook/scene/raw.h"
 #include "cook/skin/deform_source.h"
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 
 namespace marrow::tools {
 

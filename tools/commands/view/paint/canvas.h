@@ -11,7 +11,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "deform/mesh.h"
+#include "deform/skinned_mesh.h"
 #include "deform/surface.h"
 #include "marrow/file.h"
 

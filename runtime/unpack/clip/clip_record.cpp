@@ -1,4 +1,4 @@
-#include "unpack/clip/clip.h"
+#include "unpack/clip/clip_record.h"
 
 #include <bit>
 #include <new>

@@ -1,5 +1,5 @@
 // Where the newt's joints sit at rest.
-#include "skeleton.h"
+#include "newt_skeleton.h"
 
 namespace marrow::sample {
 namespace {
