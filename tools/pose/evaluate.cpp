@@ -74,7 +74,7 @@ Character::Character(const File& file, AsNormals normals, std::uint32_t level)
   check(make_character(file, options, memory_, body_));
   no_clips_.assign(file.skeleton_count(), kNoClip);
   no_channels_.assign(body_.target_count, kNoChannel);
-  rest_ = {file, 0, no_clips_, no_channels_};
+  rest_ = {"", file, 0, no_clips_, no_channels_};
 }
 
 void Character::pose(const Play& play, float time_s) {

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x0a49b7fau
+#define MRW_ABI 0xb051a95fu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -796,12 +796,6 @@ struct mrw_bounds {
   float radius_m;  // below 0: empty, or not known
 };
 
-// How many matrices mrw_build_palette() writes.
-uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
-
-// Whether it contains nothing, or is not known.
-bool mrw_bounds_is_empty(const mrw_bounds* bounds);
-
 // Geometry bound to joints. A mesh hung rigidly on a node is bound to one joint with weight 1.
 typedef struct mrw_mesh mrw_mesh;
 struct mrw_mesh {
@@ -828,6 +822,12 @@ struct mrw_mesh {
   size_t lod_count;
   mrw_geometry geometry;  // of the level asked for
 };
+
+// How many matrices mrw_build_palette() writes.
+uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
+
+// Whether it contains nothing, or is not known.
+bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 
 // ---- Part file ------------------------------------------------------------------------------------------------------
 // Load: one validated block of memory, seen as skeletons, clips and meshes.
