@@ -63,7 +63,7 @@ class AnimationSpace {
 
  private:
   template <class D, class Count>
-  using Row = std::conditional_t<std::is_same_v<Count, std::uint32_t> || D() != Directions::none, Factors, f32x4>;
+  using Row = std::conditional_t<std::is_same_v<D, Fixed<Directions::none>>, f32x4, Factors>;
 
   // A row of the blended matrix, which is the last joint's before; returns the positions' coordinate.
   template <class D, class Count, class Joints>

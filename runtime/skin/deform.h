@@ -90,7 +90,8 @@ template <class D, class Count, class Deformer>
 
 // deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. A
 // deformer has a kernel for each Fixed<…> of directions if it says kFixedDirections, and of up to four influences if it
-// says kFixedInfluences. Else it is told by a number.
+// says kFixedInfluences; more influences are seldom, and one kernel does for all directions. Else it is told by
+// numbers.
 template <class D, class Deformer>
 void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {
@@ -119,7 +120,8 @@ void deform_runs(D directions, Deformer deformer, const Geometry& g, const float
           alike(Fixed<4u>());
           break;
         default:
-          alike(run->influences);
+          run =
+              deform_alike(static_cast<Directions>(directions), run->influences, deformer, run, end, set, palette, at);
           break;
       }
     }
