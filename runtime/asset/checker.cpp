@@ -10,12 +10,10 @@ constexpr format::SkeletonHeader kNobody{};
 
 }  // namespace
 
-bool Checker::fail(const void* where, const char* rule) {
-  if (good()) {
-    const auto offset = static_cast<const std::byte*>(where) - block_.data;
-    error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
-  }
-  return false;
+void Checker::keep_first(const void* where, const char* rule) {
+  if (!good()) return;
+  const auto offset = static_cast<const std::byte*>(where) - block_.data;
+  error_ = {Status::bad_data, static_cast<std::uint32_t>(offset), rule};
 }
 
 bool Checker::begin(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec) {
@@ -29,6 +27,10 @@ bool Checker::begin(const File::Section& s, std::uint32_t header_bytes, std::uin
   return s.bytes >= header_bytes || fail(header(), "section too short for its header");
 }
 
+bool Checker::has_size(std::uint64_t bytes) {
+  return bytes == section_->bytes || fail(header(), kWrongSize);
+}
+
 // In one pass without a branch a float.
 const float* Checker::first_from(float limit, const float* first, std::uint64_t count) {
   const auto* words = reinterpret_cast<const std::uint32_t*>(first);
@@ -39,6 +41,11 @@ const float* Checker::first_from(float limit, const float* first, std::uint64_t 
   if (bad == 0) return nullptr;
   while ((*words & 0x7FFFFFFFu) < bits) ++words;
   return reinterpret_cast<const float*>(words);
+}
+
+bool Checker::floats_below(float limit, const float* first, std::uint64_t count, const char* rule) {
+  const float* const beyond = first_from(limit, first, count);
+  return beyond == nullptr || fail(beyond, rule);
 }
 
 void Checker::floats(const float* first, std::uint64_t count, Floats which) {

@@ -34,12 +34,17 @@ class Checker {
 
   const DataError& error() const { return error_; }
   bool good() const { return error_.status == Status::ok; }
-  // Keeps the first; false.
-  [[gnu::cold]] bool fail(const void* where, const char* rule);
+  // Keeps the first; false, as callers see for themselves.
+  bool fail(const void* where, const char* rule) {
+    keep_first(where, rule);
+    return false;
+  }
 
   // Goes on with a section: whether it is long enough for a header, and its codec one of those up to `last_codec`.
   bool begin(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
   const File::Section& section() const { return *section_; }
+  // Whether the section has just so many bytes.
+  bool has_size(std::uint64_t bytes);
   // The one before it in the file has its type.
   bool follows_its_like() const { return section_ != sections_.data && section_[-1].type == section_->type; }
   const void* header() const { return base_; }
@@ -69,10 +74,7 @@ class Checker {
 
   // Whether all floats are, without their signs, below one; else the first that is not. What is not finite is not.
   static const float* first_from(float limit, const float* first, std::uint64_t count);
-  bool floats_below(float limit, const float* first, std::uint64_t count, const char* rule) {
-    const float* const beyond = first_from(limit, first, count);
-    return beyond == nullptr || fail(beyond, rule);
-  }
+  bool floats_below(float limit, const float* first, std::uint64_t count, const char* rule);
 
   // The words of descriptions, see sections/fields.h.
   template <class T>
@@ -143,6 +145,7 @@ class Checker {
   void align() {}
 
  private:
+  [[gnu::cold]] void keep_first(const void* where, const char* rule);
   template <class T>
   static constexpr std::uint32_t word(T value) {
     return static_cast<std::uint32_t>(value);
@@ -189,7 +192,7 @@ inline std::uint32_t count_bits(std::uint32_t bits) {
 template <class Header>
 bool check_fields(Checker& c, const Header& h, typename format::LayoutOf<Header>::Type& l) {
   lay_out(h, l);
-  if (l.bytes != c.section().bytes) return c.fail(&h, kWrongSize);
+  if (!c.has_size(l.bytes)) return false;
   fields(c, h, l);
   return c.good();
 }

@@ -97,7 +97,7 @@ inline View view_from(const Affine& joint, const Aim& goal) {
 }
 
 template <bool usual>
-[[gnu::flatten]] inline bool aim_once(const Affine& joint, const Aim& goal, AimTurn& out) {
+inline bool aim_once(const Affine& joint, const Aim& goal, AimTurn& out) {
   return look<usual>(view_from<usual>(joint, goal), goal.weight, out);
 }
 [[gnu::noinline, gnu::cold]] bool aim_any(const Affine& joint, const Aim& goal, AimTurn& out) {

@@ -23,7 +23,7 @@
 namespace marrow {
 
 // 1 / length from a squared length; 0 for 0, so that what has no direction stays zero.
-inline f32x4 inverse_length(f32x4 squared) {
+[[gnu::always_inline]] inline f32x4 inverse_length(f32x4 squared) {
   const f32x4 zero = splat(0.0f);
   return select(zero < squared, splat(1.0f) / sqrt(squared), zero);
 }

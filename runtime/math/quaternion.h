@@ -49,16 +49,17 @@ template <class F>
 inline F w_of(const Quaternion<F>& q) {
   return q.w;
 }
+// Inlined as those of vectors are.
 template <class F>
-inline Quaternion<F> operator+(const Quaternion<F>& a, const Quaternion<F>& b) {
+[[gnu::always_inline]] inline Quaternion<F> operator+(const Quaternion<F>& a, const Quaternion<F>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
 }
 template <class F>
-inline Quaternion<F> operator*(const Quaternion<F>& q, F s) {
+[[gnu::always_inline]] inline Quaternion<F> operator*(const Quaternion<F>& q, F s) {
   return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
 template <class F>
-inline F dot(const Quaternion<F>& a, const Quaternion<F>& b) {
+[[gnu::always_inline]] inline F dot(const Quaternion<F>& a, const Quaternion<F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
 template <class F>

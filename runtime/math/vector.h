@@ -40,20 +40,21 @@ inline Vector<f32x4> splat(float x, float y, float z) {
   return {splat(x), splat(y), splat(z)};
 }
 
+// Inlined where code is to be small, too: to call with vectors in memory takes more bytes.
 template <class F>
-inline Vector<F> operator+(const Vector<F>& a, const Vector<F>& b) {
+[[gnu::always_inline]] inline Vector<F> operator+(const Vector<F>& a, const Vector<F>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class F>
-inline Vector<F> operator-(const Vector<F>& a, const Vector<F>& b) {
+[[gnu::always_inline]] inline Vector<F> operator-(const Vector<F>& a, const Vector<F>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 template <class F>
-inline Vector<F> operator-(const Vector<F>& a) {
+[[gnu::always_inline]] inline Vector<F> operator-(const Vector<F>& a) {
   return {-a.x, -a.y, -a.z};
 }
 template <class F>
-inline Vector<F> operator*(const Vector<F>& a, F s) {
+[[gnu::always_inline]] inline Vector<F> operator*(const Vector<F>& a, F s) {
   return {a.x * s, a.y * s, a.z * s};
 }
 template <class F>
@@ -65,22 +66,22 @@ inline Vector<F> by_component(const Vector<F>& a, const Vector<F>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 template <class F>
-inline F dot(const Vector<F>& a, const Vector<F>& b) {
+[[gnu::always_inline]] inline F dot(const Vector<F>& a, const Vector<F>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class F>
-inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
+[[gnu::always_inline]] inline Vector<F> cross(const Vector<F>& a, const Vector<F>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class F>
-inline Vector<F> select(mask4 m, const Vector<F>& yes, const Vector<F>& no) {
+[[gnu::always_inline]] inline Vector<F> select(mask4 m, const Vector<F>& yes, const Vector<F>& no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
 template <class F>
 inline Vector<F> select(bool m, const Vector<F>& yes, const Vector<F>& no) {
   return m ? yes : no;
 }
-inline Vector<f32x4> only_where(mask4 m, const Vector<f32x4>& a) {
+[[gnu::always_inline]] inline Vector<f32x4> only_where(mask4 m, const Vector<f32x4>& a) {
   return {only_where(m, a.x), only_where(m, a.y), only_where(m, a.z)};
 }
 template <class F>

@@ -1,10 +1,8 @@
 #include "marrow/blend.h"
 
 #include <cstring>
-#include <initializer_list>
 
 #include "core/check.h"
-#include "core/fixed.h"
 #include "core/zone.h"
 #include "math/quaternion.h"
 #include "pose/mask.h"
@@ -80,30 +78,28 @@ struct FewLayers {
   float weight[kMost + 1];
 };
 
-// count: the number of layers. Weights in the sums are relative to the first layer's; `share` is its part of the total.
-template <class Count>
-void blend_even(Count count, const FewLayers& layers, std::size_t groups, SoaTransform* out) {
-  const SoaTransform* pose[FewLayers::kMost + 1];
+// Of two layers or more. Weights in the sums are relative to the first layer's; `share` is its part of the total.
+void blend_even(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
   f32x4 weight[FewLayers::kMost + 1];
   float total = 1.0f;
-  for (std::size_t l = 0; l < count; ++l) {
+  for (std::size_t l = 1; l < layers.count; ++l) {
     const float relative = layers.weight[l] / layers.weight[0];
-    pose[l] = layers.pose[l];
     weight[l] = splat(relative);
-    if (l > 0) total += relative;
+    total += relative;
   }
   const f32x4 share = splat(1.0f / total);
+  const SoaTransform* const first = layers.pose[0];
   for (std::size_t g = 0; g < groups; ++g) {
-    Quaternion<f32x4> rotation = load_rotations(pose[0][g].rotation);
-    for (std::size_t l = 1; l < count; ++l) add_rotation(rotation, pose[l][g], weight[l]);
-    store_rotations(out[g].rotation, rotation);
-    for (const auto part : {&SoaTransform::translation, &SoaTransform::scale}) {
-      for (int i = 0; i < 3; ++i) {
-        f32x4 sum = load_aligned((pose[0][g].*part)[i]);
-        for (std::size_t l = 1; l < count; ++l) sum = sum + load_aligned((pose[l][g].*part)[i]) * weight[l];
-        store((out[g].*part)[i], sum * share);
-      }
-    }
+    Sum sum;
+    sum.rotation = load_rotations(first[g].rotation);
+    for (int i = 0; i < 3; ++i) sum.translation[i] = load_aligned(first[g].translation[i]);
+    for (int i = 0; i < 3; ++i) sum.scale[i] = load_aligned(first[g].scale[i]);
+    std::size_t l = 1;
+    do accumulate(sum, layers.pose[l][g], weight[l]);
+    while (++l < layers.count);
+    store_rotations(out[g].rotation, sum.rotation);
+    for (int i = 0; i < 3; ++i) store(out[g].translation[i], sum.translation[i] * share);
+    for (int i = 0; i < 3; ++i) store(out[g].scale[i], sum.scale[i] * share);
   }
   normalise_rotations(groups, out);
 }
@@ -166,10 +162,7 @@ inline void copy_pose(const SoaTransform* from, std::size_t groups, SoaTransform
 
 void blend_without_masks(const FewLayers& layers, std::size_t groups, SoaTransform* out) {
   if (layers.count == 1) return copy_pose(layers.pose[0], groups, out);
-  if (layers.count == 2) return blend_even(Fixed<2u>(), layers, groups, out);
-  if (layers.count == 3) return blend_even(Fixed<3u>(), layers, groups, out);
-  if (layers.count == 4) return blend_even(Fixed<4u>(), layers, groups, out);
-  blend_even(Fixed<5u>(), layers, groups, out);  // four and the rest pose
+  blend_even(layers, groups, out);
 }
 
 // Weights below this part of the whole do not show in a float, and would make ratios too large.

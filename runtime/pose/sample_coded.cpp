@@ -20,8 +20,8 @@ inline bool are_alike(const FramePair& two) {
   return bits < 0;
 }
 
-// Stores a pair in the cache. Returns whether it must be written to the pose now: its frames are alike, and were not
-// before. kFollows: the cache holds the pair before, whose later frame is now the earlier one.
+// Stores a pair in the cache. Returns whether its frames are alike, and were not before: then write_alike() follows.
+// kFollows: the cache holds the pair before, whose later frame is now the earlier one.
 template <bool kFollows>
 inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
   const f32x4(&a)[3] = four.frame[0], (&b)[3] = four.frame[1];
@@ -32,7 +32,6 @@ inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
   store_frame(b, numbers_of(to, 1 - first));
   if constexpr (!kFollows) store_frame(four.other, to.other);
   store(to.step, four.step);
-  if (alike) to.step[0] = kAlike;
   return alike;
 }
 
@@ -70,7 +69,7 @@ template <bool kFollows>
   store_frame(r.b, numbers_of(to, 1 - first));
   store(to.other[1 - first], r.factor_b);
   store(to.other[2], r.chord_squared);
-  to.step[0] = r.alike ? kAlike : 0.0f;
+  to.step[0] = 0.0f;
   return r.alike;
 }
 
@@ -119,6 +118,17 @@ struct FrameBlend {
               lanes, rotation);
 }
 
+// Of a pair, whichever the earlier is.
+inline void rotate_kept(const LaneTables& t, const FramePair& two, const SlerpWeights<f32x4>& weight,
+                        const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
+  Rotations r;
+  load_frame(two.frame[0], r.a);
+  load_frame(two.frame[1], r.b);
+  r.factor_a = load_aligned(two.other[0]);
+  r.factor_b = load_aligned(two.other[1]);
+  rotate_rest(t, r, weight, rest.rotation, lanes, out.rotation);
+}
+
 // Translations or scales. first: which frame of `four` is the earlier.
 template <class Four>
 inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t first, f32x4 u, const float (&rest)[3][4],
@@ -129,6 +139,20 @@ inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t fir
     out[c] = load_aligned(rest[c]) + (a + (b - a) * u + lanes_of(four.other[c])) * lanes_of(four.step);
   }
   store_lanes(t, out, lanes, vector);
+}
+
+// What is alike in both frames goes into the pose here, once: set_kept() passes it over.
+[[gnu::noinline]] void write_alike(FramePair& two, std::uint32_t kind, const SoaTransform& rest, std::uint32_t lanes,
+                                   SoaTransform& out) {
+  const LaneTables& t = lane_tables();
+  if (kind == 0) {
+    rotate_kept(t, two, {load_aligned(t.one), splat(0.0f)}, rest, lanes, out);
+  } else {
+    const bool scales = kind == 2;
+    add_to_rest(t, two, 0, splat(0.0f), scales ? rest.scale : rest.translation, lanes,
+                scales ? out.scale : out.translation);
+  }
+  two.step[0] = kAlike;
 }
 
 // The arguments of set_moving() and set_kept().
@@ -176,14 +200,22 @@ void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
           two.factor_a = rodrigues(t, four, 0, two.a);
         }
         later_rotations(t, four, two);
-        if (pair != nullptr && !keep<kFollows>(two, m.first, *pair++)) continue;
-        rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
+        if (kFollows || pair != nullptr) {
+          if (keep<kFollows>(two, m.first, *pair)) write_alike(*pair, kind, *rest, lanes, *out);
+          ++pair;
+        } else {
+          rotate_rest(t, two, weights(t, two, m.blend), rest->rotation, lanes, out->rotation);
+        }
       } else {
         if constexpr (kFollows) load_frame(numbers_of(*pair, m.first), four.frame[0]);
-        if (pair != nullptr && !keep<kFollows>(four, m.first, *pair++)) continue;
-        const bool scales = kind == 2;
-        add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
-                    scales ? out->scale : out->translation);
+        if (kFollows || pair != nullptr) {
+          if (keep<kFollows>(four, m.first, *pair)) write_alike(*pair, kind, *rest, lanes, *out);
+          ++pair;
+        } else {
+          const bool scales = kind == 2;
+          add_to_rest(t, four, 0, m.blend.u, scales ? rest->scale : rest->translation, lanes,
+                      scales ? out->scale : out->translation);
+        }
       }
     }
   }
@@ -211,12 +243,7 @@ void set_kept(const Moving& m, SoaTransform* out) {
       const FramePair& two = *pair++;
       if (!are_alike(two)) {
         const SlerpWeights<f32x4> weight = weights(t, load_aligned(two.other[2]), blend);
-        Rotations r;
-        load_frame(two.frame[0], r.a);
-        load_frame(two.frame[1], r.b);
-        r.factor_a = load_aligned(two.other[0]);
-        r.factor_b = load_aligned(two.other[1]);
-        rotate_rest(t, r, weight, rest->rotation, lanes, out->rotation);
+        rotate_kept(t, two, weight, *rest, lanes, *out);
       }
     }
     if (moving <= 15) continue;

@@ -63,7 +63,7 @@ class AnimationSpace {
 
  private:
   template <class D, class Count>
-  using Row = std::conditional_t<std::is_same_v<Count, std::uint32_t> || D() != Directions::none, Factors, f32x4>;
+  using Row = std::conditional_t<std::is_same_v<D, Fixed<Directions::none>>, f32x4, Factors>;
 
   // v, origin: the last joint's row; v becomes the blended row, if directions are wanted. Returns one coordinate of the
   // positions.

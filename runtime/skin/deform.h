@@ -89,7 +89,8 @@ template <class D, class Count, class Deformer>
 
 // deformer.run(directions, influences, set, blocks, palette, cursor) deforms one run; runs come in order. With
 // kFixedDirections a deformer has one kernel for each Fixed<…> of directions; with kFixedInfluences, one for each
-// Fixed<…> of up to four influences. Otherwise it gets plain values.
+// Fixed<…> of up to four influences. More influences are seldom: one kernel does for all directions there. Otherwise it
+// gets plain values.
 template <class D, class Deformer>
 void deform_runs(D directions, Deformer deformer, const Geometry& g, const float* stream, const Affine* palette,
                  const SkinOutput& out) {
@@ -118,7 +119,8 @@ void deform_runs(D directions, Deformer deformer, const Geometry& g, const float
           alike(Fixed<4u>());
           break;
         default:
-          alike(run->influences);
+          run =
+              deform_alike(static_cast<Directions>(directions), run->influences, deformer, run, end, set, palette, at);
           break;
       }
     }

@@ -13,8 +13,7 @@ struct JointSet {
   Blend last;                         // the same in all lanes
   Row others[kMaxInfluences - 1][3];  // rows
 
-  template <class Count>
-  JointSet(const std::uint16_t* set, Count influences, const Affine* palette) {
+  JointSet(const std::uint16_t* set, std::uint32_t influences, const Affine* palette) {
     const Affine& m = palette[set[influences - 1]];
     const f32x4 a = load_aligned(m.rows[0]), b = load_aligned(m.rows[1]), c = load_aligned(m.rows[2]);
     last = four_affines(splat_row(a), splat_row(b), splat_row(c));
