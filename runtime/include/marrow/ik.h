@@ -23,7 +23,7 @@ struct alignas(16) TwoBone {
   float weight = 1;             // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
   // The direction from the start joint in which the middle joint is to point; model space. Zero: the middle joint stays
   // on its side in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
-  // pole counts less and less, and a side 37° away from the pole's is mixed in. So when the target passes over the
+  // pole counts less and less, and a side 37° away from the limb's own is mixed in. So when the target passes over the
   // pole, the limb swings round and does not jump.
   float pole[3] = {0, 0, 0};
   float twist_rad = 0;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
