@@ -156,7 +156,7 @@ unsafe fn road(name: &str) -> u32 {
         let time_s = clip_time(&playback);
         let layers = [
             AnimationLayer { animation: walk, time_s, ..AnimationLayer::default() },
-            AnimationLayer { animation: idle, time_s, weight: 0.25 },
+            AnimationLayer { animation: idle, time_s, weight: 0.25, ..AnimationLayer::default() },
         ];
         must(pose_character(&mut character, layers.as_ptr(), 2));
         reach(&file, pose, &mut tail, dt_s);
