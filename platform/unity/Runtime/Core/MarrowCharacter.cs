@@ -107,6 +107,7 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
 
     void SetLayer(int index, MarrowClip clip, float seconds, float weight) {
         AnimationLayer* layer = Layers + index;
+        *layer = AnimationLayer.New();
         if (clip == null) throw new ArgumentNullException("clip");
         layer->animation = clip.Native;
         layer->time_s = seconds;
