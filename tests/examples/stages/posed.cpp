@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   std::vector<marrow::SoaTransform> local(skeleton.soa_size());
   if (sample(skeleton, file.clip(walk), 0.4f, local) != Status::ok) return 1;
 
-  // Local to model: a matrix a joint, in the scene's space.
+  // Local to model: a matrix a joint, in model space.
   std::vector<marrow::Affine> model_from_joint(skeleton.joint_count);
   if (local_to_model(skeleton, local, model_from_joint) != Status::ok) return 1;
   const marrow::Affine& at = model_from_joint[hand];
