@@ -2628,7 +2628,7 @@ void mrw_character_options_init(mrw_character_options* out);
 // mrw_finish_character() must keep the other alike; all calls between the two do.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
-  mrw_pose pose;
+  mrw_pose pose;  // what solvers, feet and springs take
   // mrw_sample_character()'s own. One a layer: its sampled pose, and what is cached of the clip.
   mrw_soa_transform* sampled;
   size_t sampled_count;

@@ -72,7 +72,7 @@ struct CharacterOptions {
 // A skeleton of the file, posed. What changes one form of the pose between pose_character() and finish_character() must
 // keep the other alike; all calls between the two do.
 struct CharacterSkeleton {
-  Pose pose = {};
+  Pose pose = {};  // what solvers, feet and springs take
   // sample_character()'s own. One a layer: its sampled pose, and what is cached of the clip.
   Span<SoaTransform> sampled = {};
   Span<SampleCache> caches = {};  // as `sampled`
