@@ -34,7 +34,7 @@ class Checker {
 
   const DataError& error() const { return error_; }
   bool good() const { return error_.status == Status::ok; }
-  // Keeps the first; false, as callers see for themselves.
+  // Keeps the first broken rule. Inline, so that callers see that it returns false.
   bool fail(const void* where, const char* rule) {
     keep_first(where, rule);
     return false;

@@ -138,6 +138,7 @@ const Animation* find_animation(const Animations& animations, const char* name) 
   if (name == nullptr) return nullptr;
   for (std::uint32_t i = 0; i < animations.all.size; ++i) {
     const Animation& animation = animations.all[i];
+    if (animation.name == nullptr) continue;  // a game made it
     if (std::strcmp(animation.name, name) == 0 && moves_anything(animation)) return &animation;
   }
   return nullptr;

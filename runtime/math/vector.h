@@ -40,7 +40,7 @@ inline Vector<f32x4> splat(float x, float y, float z) {
   return {splat(x), splat(y), splat(z)};
 }
 
-// Inlined where code is to be small, too: to call with vectors in memory takes more bytes.
+// Always inlined: at -Os a call, which passes vectors through memory, takes more bytes.
 template <class F>
 [[gnu::always_inline]] inline Vector<F> operator+(const Vector<F>& a, const Vector<F>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

@@ -49,8 +49,8 @@ MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Spa
 // `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
 //
 // mask: at least 4 · skeleton.soa_size(). A joint that has more keeps it.
-// Errors: bad_argument if `joint` is no joint or the mask is too short; nothing is written. Cost: a pass over the
-// joints; once a load.
+// Errors: bad_argument if `joint` is no joint or the mask is too short; nothing is written. Cost: for each joint
+// behind `joint` a walk up to its root; once a load.
 MARROW_API Status mask_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t falloff, Span<float> mask);
 
 // A change, and how much of it.

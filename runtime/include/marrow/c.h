@@ -1422,8 +1422,8 @@ mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* laye
 // `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
 //
 // mask: at least 4 · mrw_skeleton_soa_size(skeleton). A joint that has more keeps it.
-// Errors: MRW_BAD_ARGUMENT if `joint` is no joint or the mask is too short; nothing is written. Cost: a pass over the
-// joints; once a load.
+// Errors: MRW_BAD_ARGUMENT if `joint` is no joint or the mask is too short; nothing is written. Cost: for each joint
+// behind `joint` a walk up to its root; once a load.
 mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
     size_t mask_count) MRW_NODISCARD;
 

@@ -41,7 +41,7 @@ void animated_pole(Newt& newt) {
   marrow::TwoBone reach;
   for (int i = 0; i < 3; ++i) {
     reach.target[i] = newt.at(arm.end, i);
-    // From the shoulder to the elbow of the clip, less what lies along the way to the hand: a direction in the scene.
+    // From the shoulder to the elbow of the clip, less what lies along the way to the hand: a direction in model space.
     reach.pole[i] = newt.at(arm.mid, i) - 0.5f * (newt.at(arm.start, i) + newt.at(arm.end, i));
   }
   const float elbow[3] = {newt.at(arm.mid, 0), newt.at(arm.mid, 1), newt.at(arm.mid, 2)};

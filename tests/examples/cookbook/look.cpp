@@ -1,14 +1,6 @@
 // Heads, eyes and a weapon that point at something. See docs/ik/cookbook.md.
 #include "newt.h"
 
-// A direction of the scene in a joint's own axes. Of joints that are not scaled.
-void to_joint(const marrow::Affine& model_from_joint, const float (&scene)[3], float (&out)[3]) {
-  for (int i = 0; i < 3; ++i) {
-    out[i] = 0;
-    for (int r = 0; r < 3; ++r) out[i] += model_from_joint.rows[r][i] * scene[r];
-  }
-}
-
 // By how many degrees a joint's z misses the point.
 float degrees_off(const Newt& newt, std::uint32_t joint, const float (&point)[3]) {
   float along = 0, squared = 0;
@@ -29,8 +21,8 @@ void look(Newt& newt, const char* folder) {
   // Once a character: what is forwards and upwards for the head, taken from the rest pose.
   must(pose_character(newt.body, {}));
   marrow::Aim head;
-  to_joint(newt.pose.model_from_joint[chain[1]], {0, 0, 1}, head.forward);
-  to_joint(newt.pose.model_from_joint[chain[1]], {0, 1, 0}, head.up);
+  must(direction_in_joint(newt.pose.model_from_joint[chain[1]], {0, 0, 1}, head.forward));
+  must(direction_in_joint(newt.pose.model_from_joint[chain[1]], {0, 1, 0}, head.up));
   head.offset[1] = 0.19f, head.offset[2] = 0.09f;  // between the eyes
   head.pole[1] = 1;                                // the head stays upright
   for (int i = 0; i < 3; ++i) head.target[i] = target[i];

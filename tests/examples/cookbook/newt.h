@@ -2,6 +2,7 @@
 // Of a file that is not packed: marrow cook hero.glb --mesh-codec none --clip-codec raw -o hero.mrw
 #pragma once
 
+#include <marrow/math.h>
 #include <marrow/owned.h>
 
 #include <cmath>
@@ -31,7 +32,7 @@ struct Newt {
     if (found == pose.skeleton.joint_count) must(marrow::Status::bad_argument);
     return found;
   }
-  // Where the joint is, in the scene.
+  // Where the joint is, in model space.
   float at(std::uint32_t joint, int axis) const { return pose.model_from_joint[joint].rows[axis][3]; }
   float millimetres(std::uint32_t joint, const float (&point)[3]) const {
     float sum = 0;

@@ -197,6 +197,29 @@ TEST(Character, LaysMaskedLayersOver) {
   EXPECT_EQ(l.play({&over, 1}), Status::bad_argument);
 }
 
+// Two skeletons of one kind: a mask of the second alone.
+TEST(Character, MasksGoSkeletonAfterSkeleton) {
+  Loaded first(test::golden_copy), second(test::golden_copy);
+  CharacterSkeleton both[] = {first.character.skeletons[0], second.character.skeletons[0]};
+  Character pair = first.character;
+  pair.skeletons = both;
+  pair.meshes = {};
+  pair.target_count = 0;
+  const std::uint32_t wave = first.file.find_clip("wave"), point = first.file.find_clip("point");
+  const std::uint32_t waves[] = {wave, wave}, points[] = {point, point};
+  const Animation waving{"", first.file, 1, waves, {}}, pointing{"", first.file, 1, points, {}};
+  const Skeleton skeleton = first.file.skeleton(0);
+  std::vector<float> mask(8 * skeleton.soa_size(), 0.0f);
+  std::fill(mask.begin() + static_cast<std::ptrdiff_t>(mask.size() / 2), mask.end(), 1.0f);
+  ASSERT_EQ(sample_character(pair, {{&waving, 0.3f}, {&pointing, 0, 1, mask}}), Status::ok);
+  std::vector<SoaTransform> want(skeleton.soa_size());
+  ASSERT_EQ(sample(skeleton, first.file.clip(wave), 0.3f, want), Status::ok);
+  EXPECT_TRUE(same_bits(both[0].pose.local.data, want.data(), want.size()));
+  ASSERT_EQ(sample(skeleton, first.file.clip(point), 0, want), Status::ok);
+  EXPECT_TRUE(same_bits(both[1].pose.local.data, want.data(), want.size()));
+  EXPECT_EQ(sample_character(pair, {{&pointing, 0, 1, {mask.data(), mask.size() - 1}}}), Status::bad_argument);
+}
+
 TEST(Character, MaskedLayersLeaveMorphTargetsAlone) {
   Loaded l(test::golden_channels_copy);
   const std::vector<float> all(4 * l.file.skeleton(0).soa_size(), 1.0f);
@@ -352,6 +375,9 @@ TEST(Character, FindsAnimationsByName) {
   EXPECT_STREQ(clip_of(*find_animation(l.animations, "point"), 1).name, "");
   EXPECT_EQ(find_animation(l.animations, "sleep"), nullptr);
   EXPECT_EQ(find_animation({}, "point"), nullptr);
+  Animation unnamed = l.animations.all[0];  // as C has one that it cleared
+  unnamed.name = nullptr;
+  EXPECT_EQ(find_animation({{&unnamed, 1}}, "point"), nullptr);
 }
 
 TEST(Character, RefusesMemoryThatDoesNotDo) {
