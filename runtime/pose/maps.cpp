@@ -14,8 +14,8 @@ void put(const Vector3& v, float (&out)[3]) {
   out[2] = v.z;
 }
 
-// The rows of the linear part's inverse; false if it has none that is finite.
-bool invert_linear(const Affine& map, Linear<float>& rows) {
+// The rows of the linear part's inverse; of a flat map they are not finite.
+Linear<float> inverse_rows(const Affine& map) {
   // In units of the largest number, so that products neither vanish nor overflow.
   float largest = 0;
   for (const auto& row : map.rows)
@@ -23,8 +23,7 @@ bool invert_linear(const Affine& map, Linear<float>& rows) {
   const float unit = 1.0f / largest;
   const Linear<float> m = linear(map), scaled{m.x * unit, m.y * unit, m.z * unit}, c = cofactors(scaled);
   const float over = unit / dot(scaled.x, c.x);
-  rows = {c.x * over, c.y * over, c.z * over};
-  return is_finite(rows.x) && is_finite(rows.y) && is_finite(rows.z);
+  return {c.x * over, c.y * over, c.z * over};
 }
 
 }  // namespace
@@ -41,10 +40,9 @@ Affine compose(const Affine& a, const Affine& b) {
 }
 
 Status invert(const Affine& map, Affine& out) {
-  Linear<float> rows;
-  MARROW_REQUIRE(invert_linear(map, rows) && "a map that is not flat");
+  const Linear<float> rows = inverse_rows(map);
   const Vector3 back = origin(map) * -1.0f, moved{dot(rows.x, back), dot(rows.y, back), dot(rows.z, back)};
-  MARROW_REQUIRE(is_finite(moved));
+  MARROW_REQUIRE(is_finite(moved) && "a map that is not flat");  // 0 times what is not finite is not, either
   out = {{{rows.x.x, rows.x.y, rows.x.z, moved.x},
           {rows.y.x, rows.y.y, rows.y.z, moved.y},
           {rows.z.x, rows.z.y, rows.z.z, moved.z}}};
@@ -62,8 +60,7 @@ void transform_direction(const Affine& map, const float (&direction)[3], float (
 Status direction_in_joint(const Affine& model_from_joint, const float (&direction)[3], float (&out)[3]) {
   const Vector3 d = normalised_or(vector3(direction), {0, 0, 0});
   MARROW_REQUIRE(dot(d, d) > 0 && "a direction");
-  Linear<float> rows;
-  MARROW_REQUIRE(invert_linear(model_from_joint, rows) && "a joint whose axes are not flat");
+  const Linear<float> rows = inverse_rows(model_from_joint);
   const Vector3 seen = normalised_or({dot(rows.x, d), dot(rows.y, d), dot(rows.z, d)}, {0, 0, 0});
   MARROW_REQUIRE(dot(seen, seen) > 0 && "a joint whose axes are not flat");
   put(seen, out);
