@@ -38,7 +38,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/clip/retarget_feet_test.cpp unit/cook/clip/retarget_test.cpp unit/cook/emptied_lists_test.cpp
   unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
-  unit/cook/learn/learn_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
+  unit/cook/learn/learn_test.cpp unit/cook/learn/look_better_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
   unit/cook/mesh/merge_runs_test.cpp unit/cook/mesh/residual_apart_test.cpp unit/cook/mesh/shapes_test.cpp
   unit/cook/mesh/skin_apart_test.cpp unit/cook/mesh/split_test.cpp unit/cook/mesh/subdivide_mesh_test.cpp
   unit/cook/mesh/subdivide_test.cpp unit/cook/prepare/add_skeleton_test.cpp unit/cook/prepare/bind_weights_test.cpp

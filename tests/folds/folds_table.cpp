@@ -94,26 +94,29 @@ Deformer by(std::shared_ptr<const cook::Learnt> learnt) {
   };
 }
 
-// With residuals rounded as files have them, see with_learnt() of cook/learn/learn.cpp.
-cook::Learnt rounded(cook::Learnt learnt, const deform::SkinnedMesh& mesh) {
-  const double size = deform::diagonal(mesh), step = std::max(learnt.rms_m / 2, size / 16384);
+// With residuals rounded as files have them, see rounded_residual() of cook/geometry/quantise.cpp.
+cook::Learnt rounded(cook::Learnt learnt, const deform::SkinnedMesh& mesh, const cook::LearnOptions& options) {
+  const double size = deform::diagonal(mesh), step = cook::residual_step_m(learnt, size, options);
   const glm::dvec4 steps(step, step, step, step / (0.1 * size));
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const glm::dvec4 place(mesh.positions[v], 1);
+    glm::dvec4 carry(0);
     for (deform::Coordinate& c : learnt.coordinates[v]) {
       const auto at = std::ranges::find(learnt.weights[v], c.joint, &deform::Influence::joint);
-      const double weight = at == learnt.weights[v].end() ? 0 : at->weight;
-      const glm::dvec4 lifted = glm::dvec4(mesh.positions[v], 1) * weight;
-      c.q = lifted + glm::round((c.q - lifted) / steps) * steps;
+      const glm::dvec4 lifted = place * (at == learnt.weights[v].end() ? 0 : at->weight), residual = c.q - lifted;
+      const glm::dvec4 from_vertex = residual - glm::dvec4(mesh.positions[v] * residual.w, 0);
+      const glm::dvec4 wanted = from_vertex / steps + carry, whole = glm::round(wanted);
+      carry = wanted - whole;
+      const glm::dvec4 kept = whole * steps;
+      c.q = lifted + kept + glm::dvec4(mesh.positions[v] * kept.w, 0);
     }
+  }
   return learnt;
 }
 
 // Learnt from what is not held out, as --as fit --truth TRUTH does.
-std::shared_ptr<const cook::Learnt> fitted(const Study& study, const std::string& truth) {
-  cook::Given given;
-  given["as"] = {{"fit", {"--as", ""}}};
-  given["truth"] = {{truth, {"--truth", ""}}};
-  const cook::LearnOptions options = cook::to_options(given).learn;
+std::shared_ptr<const cook::Learnt> fitted(const Study& study, const std::string& truth,
+                                           const cook::LearnOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const auto learnt =
       std::make_shared<const cook::Learnt>(cook::learn(study.source, study.rounds.front().train, options));
@@ -129,6 +132,13 @@ std::shared_ptr<const cook::Learnt> fitted(const Study& study, const std::string
   return learnt;
 }
 
+cook::LearnOptions fit_to(const std::string& truth) {
+  cook::Given given;
+  given["as"] = {{"fit", {"--as", ""}}};
+  given["truth"] = {{truth, {"--truth", ""}}};
+  return cook::to_options(given).learn;
+}
+
 std::vector<Named> deformers(const Study& study, int count, char** names) {
   const deform::SkinnedMesh& mesh = study.source.mesh;
   std::vector<Named> out = {{"ssd", deform::ssd(mesh)}, {"dqs", deform::dual_quaternions(mesh)}};
@@ -138,9 +148,10 @@ std::vector<Named> deformers(const Study& study, int count, char** names) {
     if (name == "dm") out.push_back({name, deform::delta_mush(mesh)});
     if (name == "dm-dqs") out.push_back({name, deform::delta_mush(mesh, {}, out[1].deformer)});
     if (name.starts_with("fit-")) {
-      const auto learnt = fitted(study, name.substr(4));
+      const cook::LearnOptions options = fit_to(name.substr(4));
+      const auto learnt = fitted(study, name.substr(4), options);
       out.push_back({name, by(learnt)});
-      out.push_back({"rounded", by(std::make_shared<const cook::Learnt>(rounded(*learnt, mesh)))});
+      out.push_back({"rounded", by(std::make_shared<const cook::Learnt>(rounded(*learnt, mesh, options)))});
     }
     if (name == "elastic") out.push_back({name, study.source.elastic});
     if (!name.starts_with("elastic") || name == "elastic") continue;

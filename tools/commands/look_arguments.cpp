@@ -21,8 +21,8 @@ void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath
   add_deformer(command, a.deformer, deformers);
   add_skin_path(command, a.path, paths);
   add_one_of(command, "--normals", kAsNormals, a.normals,
-             "in animation space: of the deformed surface, through its tangents, or, cheaper, through the blended "
-             "matrix, as meshes with morph targets and, by the vertex shader, with more than four influences");
+             "in animation space: through the blended matrix, as meshes with morph targets always have them, or those "
+             "of the deformed surface, through its tangents: exact, with every fold and dent of it");
   command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
   command->add_option("--lod", a.lod, "level of detail; 0: in full")->type_name("N")->capture_default_str();
   command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")

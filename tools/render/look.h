@@ -17,7 +17,7 @@ struct LookArguments {
   std::string images_from;  // as places_of_cooked() takes it
   Deformer deformer = Deformer::ssd;
   SkinPath path = SkinPath::ubo;
-  AsNormals normals = AsNormals::tangents;
+  AsNormals normals = AsNormals::blended;
   std::string size = "960x720";
   std::uint32_t lod = 0;
   Choice choice;

@@ -322,5 +322,34 @@ TEST(Elastic, LeavesToJointsWhatIsPulledFromThem) {
   EXPECT_GT(partly(), before + 10) << "no seam";
 }
 
+// A box in the skin that follows both joints alike: the body bends it, joints do not. Once seen it keeps its shape, and
+// its middle stays where the body has it.
+TEST(Elastic, KeepsStiffPartsInShape) {
+  SkinnedMesh mesh = cylinder();
+  const std::size_t first = mesh.positions.size();
+  add_box({-0.4, 0.8, -0.3}, {0.4, 1.1, 0.3}, {{0, 0.5}, {1, 0.5}}, mesh);
+  Elastic elastic(mesh, {}, kFew);
+  const auto largest_stretch = [&](const Positions& now) {
+    double out = 0;
+    for (std::size_t a = first; a < now.size(); ++a)
+      for (std::size_t b = first; b < a; ++b)
+        out = std::max(out,
+                       std::abs(glm::length(now[a] - now[b]) / glm::length(mesh.positions[a] - mesh.positions[b]) - 1));
+    return out;
+  };
+  const auto middle = [&](const Positions& now) {
+    glm::dvec3 out(0);
+    for (std::size_t v = first; v < now.size(); ++v) out += now[v] / 8.0;
+    return out;
+  };
+  const Positions before = posed(elastic, kBent);
+  ASSERT_GT(largest_stretch(before), 0.02);
+  elastic.look_at({kBent});
+  const Positions after = posed(elastic, kBent);
+  EXPECT_LT(largest_stretch(after), 1e-9);
+  EXPECT_LT(glm::length(middle(after) - middle(before)), 1e-9);
+  for (std::size_t v = 0; v < first; ++v) EXPECT_EQ(after[v], before[v]) << v;
+}
+
 }  // namespace
 }  // namespace marrow::deform

@@ -147,7 +147,6 @@ std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vecto
                                         const Pose& pose) {
   if (trained.normals) return trained.normals(pose);
   const Pose extended = trained.extend(pose);
-  if (!trained.tangents.empty()) return deform::surface_normals(trained.tangents, extended);
   std::vector<glm::dvec3> out;
   for (std::size_t v = 0; v < bind_normals.size(); ++v)
     out.push_back(blended_normal(trained.blend[v], extended, bind_normals[v]));

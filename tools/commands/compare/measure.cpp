@@ -85,10 +85,11 @@ struct JudgedPose {
 void measure_normals(const Shape& shape, const Trained& trained, const Pose& pose, const Positions& p,
                      PoseErrors& out) {
   const std::vector<glm::dvec3> own = deform::vertex_normals(p, shape.mesh.indices);
-  const bool are_one = !trained.normals && trained.tangents.empty();
-  const std::vector<glm::dvec3> shaded =
-      are_one ? std::vector<glm::dvec3>() : shading_normals(trained, shape.bind_normals, pose);
   const Pose extended = trained.extend(pose);
+  const bool are_one = !trained.normals && trained.tangents.empty();
+  const std::vector<glm::dvec3> shaded = are_one           ? std::vector<glm::dvec3>()
+                                         : trained.normals ? trained.normals(pose)
+                                                           : deform::surface_normals(trained.tangents, extended);
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
     return std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
   };

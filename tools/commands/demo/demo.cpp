@@ -57,6 +57,7 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   Progress progress;
   cook::CookOptions options;
   options.learn.animation_space = cook::AnimationSpace::fit;
+  options.learn.truth = cook::Truth::elastic;
   options.learn.helpers = cook::kAutoHelpers;
   progress.show(0, 0, stem);
   options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };

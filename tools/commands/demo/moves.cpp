@@ -166,10 +166,10 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
   const std::uint32_t clip = file.find_clip("walk", 0);
   if (clip == file.clip_count()) throw Failure(Exit::internal, "the sample", "", "no walk", "please report this");
   const Play play = play_together(file, clip);
-  Character character(file, AsNormals::tangents);
+  Character character(file);
   const Performance performance(file, character, play);
   Studio studio(gl, kCellWidth, kCellHeight);
-  Figure figure(gl, studio.programs(), file, nullptr, AsNormals::tangents);
+  Figure figure(gl, studio.programs(), file);
   Ramp ramp(gl, studio.programs());
   Rig rig;
   make_rig(file, rig);

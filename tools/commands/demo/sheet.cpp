@@ -147,7 +147,7 @@ std::vector<Image> shoot_close_ups(const Stand& stand, const Performance& perfor
 
 Rows shoot_rows(const Gl& gl, const Subject& subject, const WorstPlace& worst) {
   const Play play = worst.clip ? play_together(subject.file, *worst.clip) : Play{};
-  Character character(subject.file, AsNormals::tangents);
+  Character character(subject.file);
   const Performance performance(subject.file, character, play);
   Rows rows;
   rows.moments = moments_of(play.duration_s, worst.time_s);
@@ -160,7 +160,7 @@ Rows shoot_rows(const Gl& gl, const Subject& subject, const WorstPlace& worst) {
   rows.full_scale_m = sensible_scale(rows.largest_m, performance.diagonal());
   const Framing framing = frame_moments(shown, rows.moments, worst.side.yaw);
   Studio studio(gl, kCellWidth, framing.cell_height);
-  Figure figure(gl, studio.programs(), subject.file, &subject.textures, AsNormals::tangents);
+  Figure figure(gl, studio.programs(), subject.file, &subject.textures);
   const Stand stand{studio, figure, rows.full_scale_m};
   for (std::size_t column = 0; column < kSheetColumns; ++column) {
     character.pose(play, rows.moments[column].time_s);

@@ -281,6 +281,7 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   out.coordinates = std::move(fitted.coordinates);
   if (body) {
     keep_from_looking_worse(source, form, clips, out);
+    move_stiff_parts_as_one(mesh, out);
   } else {
     keep_ssd_where_worse(source, truth, motion, {}, out);
   }
@@ -324,6 +325,11 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   out.coordinates = std::move(candidates);
   keep_ssd_where_worse(source, truth, usable_motion(source, truth), clips, out);
   return out;
+}
+
+double residual_step_m(const Learnt& learnt, double size_m, const LearnOptions& options) {
+  const double of_error = is_body(options) ? 1.0 / 3 : 0.5;
+  return std::max(learnt.rms_m * of_error, size_m / 16384);
 }
 
 namespace {
@@ -407,8 +413,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   if (smooths || (fits && options.truth == Truth::delta_mush))
     binding.residual_source = {options.delta_mush.iterations, options.delta_mush.step, smooths};
   report.kind = fits ? "fit" : smooths ? "smooth" : "lift";
-  const double size_m = deform::diagonal(source.mesh);
-  const double step_m = fits || smooths ? std::max(fits ? learnt.rms_m / 2 : 0, size_m / 16384) : 0;
+  const double step_m = fits || smooths ? residual_step_m(learnt, deform::diagonal(source.mesh), options) : 0;
   binding = with_learnt(std::move(binding), source, learnt, step_m);
   report.helpers = helpers_followed(binding, source.mesh.joint_count);
   return {std::move(binding), report};

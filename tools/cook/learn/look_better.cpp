@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 #include "common/evenly.h"
 #include "deform/helpers/not_uglier.h"
+#include "deform/mesh_parts.h"
 
 namespace marrow::cook {
 namespace {
@@ -32,6 +35,28 @@ void give_way(const deform::Coordinates& simple, const std::vector<double>& goes
     for (std::size_t i = 0; i < out[v].size(); ++i) out[v][i].q += (simple[v][i].q - out[v][i].q) * goes_back[v];
 }
 
+// Σ min of two vertices' weights.
+double in_common(const std::vector<deform::Influence>& a, const std::vector<deform::Influence>& b) {
+  double out = 0;
+  for (const deform::Influence& i : a) {
+    const auto same = std::ranges::find(b, i.joint, &deform::Influence::joint);
+    if (same != b.end()) out += std::min(i.weight, same->weight);
+  }
+  return out;
+}
+
+// The vertex next to the mean place.
+std::uint32_t middle_of(const deform::SkinnedMesh& mesh, const std::vector<std::uint32_t>& part) {
+  glm::dvec3 mean(0);
+  for (const std::uint32_t v : part) mean += mesh.positions[v] / static_cast<double>(part.size());
+  return *std::ranges::min_element(part, {}, [&](std::uint32_t v) { return glm::length(mesh.positions[v] - mean); });
+}
+
+double weight_of(std::uint32_t joint, const std::vector<deform::Influence>& weights) {
+  const auto at = std::ranges::find(weights, joint, &deform::Influence::joint);
+  return at == weights.end() ? 0 : at->weight;
+}
+
 }  // namespace
 
 void keep_from_looking_worse(const DeformSource& source, const deform::ClosedForm& form,
@@ -53,6 +78,26 @@ void keep_from_looking_worse(const DeformSource& source, const deform::ClosedFor
   }
   give_way(simple, deform::jumps_more_than_ssd(source.mesh, out.coordinates, simple, out.helpers, source.frames),
            out.coordinates);
+}
+
+void move_stiff_parts_as_one(const deform::SkinnedMesh& mesh, Learnt& out) {
+  constexpr double kSame = 0.98;
+  const deform::MeshParts parts(mesh);
+  for (const std::vector<std::uint32_t>& part : parts.vertices()) {
+    const std::uint32_t middle = middle_of(mesh, part);
+    const auto is_as_the_middle = [&](std::uint32_t v) {
+      return in_common(mesh.influences[v], mesh.influences[middle]) > kSame;
+    };
+    if (!std::ranges::all_of(part, is_as_the_middle)) continue;
+    const std::vector<deform::Influence> weights = out.weights[middle];
+    const std::vector<deform::Coordinate> learnt = out.coordinates[middle];
+    for (const std::uint32_t v : part) {
+      const glm::dvec4 away(mesh.positions[v] - mesh.positions[middle], 0);
+      out.weights[v] = weights;
+      out.coordinates[v] = learnt;
+      for (deform::Coordinate& c : out.coordinates[v]) c.q += away * weight_of(c.joint, weights);
+    }
+  }
 }
 
 }  // namespace marrow::cook

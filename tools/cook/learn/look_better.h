@@ -13,4 +13,8 @@ namespace marrow::cook {
 void keep_from_looking_worse(const DeformSource& source, const deform::ClosedForm& form,
                              const std::vector<deform::Pose>& clips, Learnt& out);
 
+// The connected parts of a mesh whose vertices all have the same weights, as a plate or a button, move as one: all take
+// what the vertex next to the middle has learnt. Else each vertex is off by something else, and the part is skewed.
+void move_stiff_parts_as_one(const deform::SkinnedMesh& mesh, Learnt& out);
+
 }  // namespace marrow::cook

@@ -9,6 +9,7 @@
 #include "common/parallel.h"
 #include "deform/deformers.h"
 #include "deform/elastic/embedding.h"
+#include "deform/mesh_parts.h"
 #include "deform/rotation_blend.h"
 #include "deform/rotation_of_matrix.h"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double kOneJoint = 0.97;    // of a weight
 constexpr double kMostPulled = 0.02;  // of the diagonal
 constexpr double kStretches = 1e-6;   // joints that are stretched less are not
+constexpr double kStiff = 0.6;        // of how much the body stretches a part: what joints stretch a stiff one at most
+constexpr double kSeen = 0.002;       // of lengths: a part that the body stretches less in the mean is none to see
 
 bool is_finite(const Matrix& m) {
   double sum = 0;
@@ -93,9 +96,20 @@ struct Elastic::Parts {
     return out;
   }
 
+  // Stiff parts keep the shape that joints give them, where the body has their middle.
+  void stiffen(const Positions& by_joints, Positions& out) const {
+    for (const std::vector<std::uint32_t>& part : stiff) {
+      glm::dvec3 away(0);
+      for (const std::uint32_t v : part) away += out[v] - by_joints[v];
+      away /= static_cast<double>(part.size());
+      for (const std::uint32_t v : part) out[v] = by_joints[v] + away;
+    }
+  }
+
   const SkinnedMesh& mesh;
   Body body;
   Embedding embedding;
+  std::vector<std::vector<std::uint32_t>> stiff;  // parts
   Deformer by_rig;
   std::uint32_t heaviest = 0;
   std::vector<std::uint32_t> followed;  // ascending
@@ -134,29 +148,49 @@ void Elastic::pose(const Pose& pose, Positions& out) const {
     };
     out[v] = motion.with(parts.embedding.place_of(v, shape, carried, by_rig), lattice.side);
   }
-  if (!deform::is_finite(out)) parts.by_rig(pose, out);
+  if (!deform::is_finite(out)) {
+    parts.by_rig(pose, out);
+  } else if (!parts.stiff.empty()) {
+    Positions by_joints;
+    parts.by_rig(pose, by_joints);
+    parts.stiffen(by_joints, out);
+  }
 }
 
 std::size_t Elastic::look_at(const std::vector<Pose>& poses) {
   const SkinnedMesh& mesh = parts_->mesh;
+  const MeshParts connected(mesh);
   std::vector<std::uint32_t> of_one_joint;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
     if (!mesh.influences[v].empty() && largest(mesh.influences[v]).weight >= kOneJoint) of_one_joint.push_back(v);
   const double most = kMostPulled * diagonal(mesh);
-  std::vector<std::vector<char>> pulled(poses.size());
+  struct Seen {
+    std::vector<char> pulled;
+    std::vector<double> by_body, by_joints;  // how much parts stretch
+  };
+  std::vector<Seen> seen(poses.size());
   tools::for_each_in_parallel(poses.size(), [&](std::size_t i) {
     Positions by_body, by_rig;
     pose(poses[i], by_body);
     parts_->by_rig(poses[i], by_rig);
-    pulled[i].assign(mesh.positions.size(), 0);
-    for (const std::uint32_t v : of_one_joint) pulled[i][v] = glm::length(by_body[v] - by_rig[v]) > most;
+    seen[i] = {std::vector<char>(mesh.positions.size(), 0), connected.stretches(by_body), connected.stretches(by_rig)};
+    for (const std::uint32_t v : of_one_joint) seen[i].pulled[v] = glm::length(by_body[v] - by_rig[v]) > most;
   });
   std::vector<char> any(mesh.positions.size(), 0);
-  for (const std::vector<char>& one : pulled)
+  for (const Seen& one : seen)
     for (const std::uint32_t v : of_one_joint)
-      if (one[v] != 0) any[v] = 1;
+      if (one.pulled[v] != 0) any[v] = 1;
   const auto count = static_cast<std::size_t>(std::ranges::count(any, 1));
   if (count > 0) parts_->embedding.leave_to_rig(any);
+  for (std::size_t p = 0; p < connected.vertices().size(); ++p) {
+    double by_body = 0, by_joints = 0;
+    for (const Seen& one : seen) {
+      by_body += one.by_body[p];
+      by_joints += one.by_joints[p];
+    }
+    if (by_body > kSeen * kSeen * static_cast<double>(poses.size()) && by_joints < kStiff * kStiff * by_body)
+      parts_->stiff.push_back(connected.vertices()[p]);
+  }
   return count;
 }
 

@@ -7,7 +7,9 @@
 namespace marrow::deform {
 namespace {
 
-constexpr int kRounds = 25;
+constexpr int kRounds = 16;
+constexpr float kBeyond = 1.6f;              // of the way to the least energy, as the rotations are not yet there
+constexpr int kExact = 2;                    // rounds at the end that go just there
 constexpr int kFirstTurns = 30, kTurns = 3;  // steps towards the nearest rotation
 constexpr float kAsNeighbours = 2;
 constexpr float kLeastVolume = 0.05f;   // below that a cell has lost its way, and volume says nothing
@@ -112,7 +114,7 @@ class Rounds {
       for (std::size_t c = 0; c < body_.free; ++c) find_modes(c);
       for (std::size_t c = 0; c < body_.free; c += 4)
         stretches_.empty() ? turn<false>(c, round == 0) : turn<true>(c, round == 0);
-      move();
+      move(round == 0 || round + kExact >= kRounds ? 1.0f : kBeyond);
     }
     return result();
   }
@@ -250,7 +252,7 @@ class Rounds {
     }
   }
 
-  void move() {
+  void move(float step) {
     pull_.assign(places_.size(), Four());
     for (std::size_t c = 0; c < body_.free; ++c) add_pull(c);
     right_.resize(body_.rows);
@@ -261,7 +263,8 @@ class Rounds {
     }
     body_.factor->solve(right_);
     for (std::size_t n = 0; n < places_.size(); ++n)
-      if (body_.row[n] != Lattice::kNone) store(places_[n].v, loaded(places_[n]) - loaded(right_[body_.row[n]]));
+      if (body_.row[n] != Lattice::kNone)
+        store(places_[n].v, loaded(places_[n]) - loaded(right_[body_.row[n]]) * splat(step));
   }
 
   // Gradients of nodes are means of their cells', by what these fill.

@@ -46,7 +46,7 @@ struct Settings {
 
   Deformer deformer = Deformer::ssd;
   SkinPath path = SkinPath::ubo;
-  AsNormals normals = AsNormals::tangents;
+  AsNormals normals = AsNormals::blended;
   int lod = 0;
 
   Colours colours = Colours::surface;
