@@ -18,6 +18,7 @@ struct Hero {
   marrow::Playback playback;
   marrow::Foot legs[2];
   marrow::Feet feet;
+  marrow::FootGround ground[2];  // in this frame
   marrow::FootMotion motion[2];
   std::vector<gles3::Skinner> skinners;  // one a mesh
   float off_ground_m = 0;                // the farthest that a standing foot was from the ground
@@ -62,7 +63,6 @@ struct Hero {
     marrow::FeetFrame frame;
     frame.dt_s = dt_s;
     frame.world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
-    marrow::FootGround ground[2];
     for (int i = 0; i < 2; ++i) {
       float ball[3];
       must(foot_sole(legs[i], frame.world_from_model, pose.model_from_joint, ball), "a foot");

@@ -14,6 +14,7 @@
 #include "math/finite.h"
 #include "pose/fits.h"
 #include "pose/sample_coded.h"
+#include "pose/sample_state.h"
 
 namespace marrow {
 namespace {
@@ -98,7 +99,7 @@ Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::
   const std::uint32_t number = layer.animation->clip_of_skeleton[index];
   const Clip clip = layer.animation->clips.clip(number);
   if (number != kNoClip && !clip.additive) return sample_cached(skeleton, clip, layer.time_s, out, cache);
-  cache.out = nullptr;  // others write there
+  state_of(cache).out = 0;  // others write there
   if (number != kNoClip) return sample_laid_on(skeleton, clip, layer.time_s, change, out);
   std::memcpy(out.data, skeleton.rest, out.size * sizeof(SoaTransform));
   return Status::ok;

@@ -2,6 +2,7 @@
 
 #include "core/check.h"
 #include "core/zone.h"
+#include "ik/foot_state.h"
 #include "ik/turn_joint.h"
 #include "ik/two_bone.h"
 #include "marrow/local_to_model.h"
@@ -165,28 +166,28 @@ float lift_to(const FeetCall& call, const Ground& ground, f32x4 sole) {
 
 // Where the plane is another than in the last frame, the offset takes up the difference, so that the foot does not
 // jump.
-void change_ground(const FeetCall& call, const Ground& now, f32x4 sole, FootMotion& m) {
-  Ground was = {load_three(m.point), load_three(m.normal), m.hit != 0};
+void change_ground(const FeetCall& call, const Ground& now, f32x4 sole, FootState& s) {
+  Ground was = {load_three(s.point), load_three(s.normal), s.hit != 0};
   if (!was.hit) was = {call.world.origin, call.up, false};
   const float step = lift_to(call, now, sole) - lift_to(call, was, sole);
-  store_wide(m.offset, load_three(m.offset) - call.up * step);
-  store_wide(m.lean, load_three(m.lean) + leaning(call, was.normal) - leaning(call, now.normal));
+  store_wide(s.offset, load_three(s.offset) - call.up * step);
+  store_wide(s.lean, load_three(s.lean) + leaning(call, was.normal) - leaning(call, now.normal));
 }
 
 // Takes the heading of a foot that is planted now, holds it, or lets it die away once the foot is released.
-void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, FootMotion& m) {
-  if (m.planted != 0) {
-    store(m.turn, level_turn(call, level(call, ankle.axis[m.axis]), load_three(m.heading)).v);
-    m.turn_share = 1;
-    m.turn_share_speed = 0;
+void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, FootState& s) {
+  if (s.planted != 0) {
+    store(s.turn, level_turn(call, level(call, ankle.axis[s.axis]), load_three(s.heading)).v);
+    s.turn_share = 1;
+    s.turn_share_speed = 0;
     if (planted) return;
   }
-  die_away(call, m.turn_share, m.turn_share_speed);
+  die_away(call, s.turn_share, s.turn_share_speed);
   if (!planted) return;
   const Vector3 rise = narrow(absolute(products(ankle.axis, call.up)));
-  m.axis = rise.x <= rise.y && rise.x <= rise.z ? 0 : rise.y <= rise.z ? 1 : 2;
-  const WideRotation left = share_of(WideRotation{load(m.turn)}, m.turn_share);
-  store_wide(m.heading, level(call, rotate(left, ankle.axis[m.axis])));
+  s.axis = rise.x <= rise.y && rise.x <= rise.z ? 0 : rise.y <= rise.z ? 1 : 2;
+  const WideRotation left = share_of(WideRotation{load(s.turn)}, s.turn_share);
+  store_wide(s.heading, level(call, rotate(left, ankle.axis[s.axis])));
 }
 
 f32x4 sole_of(const FeetCall& call, const Foot& foot) {
@@ -197,49 +198,52 @@ f32x4 sole_of(const FeetCall& call, const Foot& foot) {
 void follow(const FeetCall& call, const Foot& foot, const FootGround& given, FootMotion& m) {
   const f32x4 sole = sole_of(call, foot);
   const Ground ground = ground_of(call, given);
-  if (m.begun == 0 || call.frame.teleported) {
+  FootState& s = state_of(m);
+  if (s.begun == 0 || call.frame.teleported) {
     m = {};
-    m.begun = 1;
-    m.turn[3] = 1;
+    s.begun = 1;
+    s.turn[3] = 1;
   } else {
-    change_ground(call, ground, sole, m);
+    change_ground(call, ground, sole, s);
   }
-  const f32x4 target = sole + call.up * lift_to(call, ground, sole), was = load_three(m.offset);
-  die_away(call, m.offset, m.offset_speed);
-  die_away(call, m.lean, m.lean_speed);
-  f32x4 shown = target + load_three(m.offset);
-  follow_heading(call, right_axes(call.world, call.pose.model_from_joint[foot.ankle]), given.planted, m);
-  if (given.planted && m.planted != 0) {
+  const f32x4 target = sole + call.up * lift_to(call, ground, sole), was = load_three(s.offset);
+  die_away(call, s.offset, s.offset_speed);
+  die_away(call, s.lean, s.lean_speed);
+  f32x4 shown = target + load_three(s.offset);
+  follow_heading(call, right_axes(call.world, call.pose.model_from_joint[foot.ankle]), given.planted, s);
+  if (given.planted && s.planted != 0) {
     const f32x4 place = load_three(m.place);
     shown = place + call.up * dot3(shown - place, call.up);
     const f32x4 offset = shown - target;
     if (call.frame.dt_s > 0) {  // level: the speed at which it is left behind; along up: that of dying away
       const f32x4 speed = (offset - was) * (1.0f / call.frame.dt_s);
-      store_wide(m.offset_speed, speed + call.up * dot3(load_three(m.offset_speed) - speed, call.up));
+      store_wide(s.offset_speed, speed + call.up * dot3(load_three(s.offset_speed) - speed, call.up));
     }
-    store_wide(m.offset, offset);
+    store_wide(s.offset, offset);
   }
-  m.planted = given.planted ? 1 : 0;
-  m.hit = ground.hit ? 1 : 0;
+  s.planted = given.planted ? 1 : 0;
+  s.hit = ground.hit ? 1 : 0;
   store_wide(m.place, shown);
-  store_wide(m.point, ground.point);
-  store_wide(m.normal, ground.normal);
+  store_wide(s.point, ground.point);
+  store_wide(s.normal, ground.normal);
 }
 
 // Whether a motion's numbers are in range. Games may hand in any bytes.
 bool is_sound(const FootMotion& m) {
   constexpr float kMostPlace = 1e9f, kMostSpeed = 1e18f;
   static constexpr struct {
-    float (FootMotion::*member)[3];
+    float (FootState::*member)[3];
     float most;
-  } kMotionVectors[] = {{&FootMotion::place, kMostPlace},        {&FootMotion::offset, kMostPlace},
-                        {&FootMotion::offset_speed, kMostSpeed}, {&FootMotion::lean, kMostPlace},
-                        {&FootMotion::lean_speed, kMostSpeed},   {&FootMotion::point, kMostPlace},
-                        {&FootMotion::normal, kMostPlace},       {&FootMotion::heading, kMostPlace}};
-  for (const auto& v : kMotionVectors)
-    if (!is_smaller(load_wide(m.*v.member), v.most)) return false;
-  return is_smaller(load(m.turn), 1.01f) && absolute(m.turn_share) < kMostPlace &&
-         absolute(m.turn_share_speed) < kMostSpeed && m.axis < 3;
+  } kVectors[] = {{&FootState::offset, kMostPlace},     {&FootState::offset_speed, kMostSpeed},
+                  {&FootState::lean, kMostPlace},       {&FootState::lean_speed, kMostSpeed},
+                  {&FootState::point, kMostPlace},      {&FootState::normal, kMostPlace},
+                  {&FootState::heading, kMostPlace}};
+  const FootState& s = state_of(m);
+  if (!is_smaller(load_wide(m.place), kMostPlace)) return false;
+  for (const auto& v : kVectors)
+    if (!is_smaller(load_wide(s.*v.member), v.most)) return false;
+  return is_smaller(load(s.turn), 1.01f) && absolute(s.turn_share) < kMostPlace &&
+         absolute(s.turn_share_speed) < kMostSpeed && s.axis < 3;
 }
 
 // follow(), beginning anew where the motion is not sound before or after.
@@ -252,9 +256,9 @@ void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& gi
 }
 
 // The turn from the animated attitude of a foot to the shown one.
-WideRotation shown_turn(const FeetCall& call, const FootMotion& m) {
-  const f32x4 normal = unit3_or(leaning(call, load_three(m.normal)) + load_three(m.lean), call.up);
-  return shortest_arc(call.up, normal) * share_of(WideRotation{load(m.turn)}, m.turn_share);
+WideRotation shown_turn(const FeetCall& call, const FootState& s) {
+  const f32x4 normal = unit3_or(leaning(call, load_three(s.normal)) + load_three(s.lean), call.up);
+  return shortest_arc(call.up, normal) * share_of(WideRotation{load(s.turn)}, s.turn_share);
 }
 
 // Where the ankle is to be, so that the sole is at its place when the foot is turned so.
@@ -267,7 +271,7 @@ f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, Wide
 // the animation has it longer, it may be that long less the distance by which its ankle is moved.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const f32x4 hip = place_of(call, foot.hip), knee = place_of(call, foot.knee), ankle = place_of(call, foot.ankle);
-  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, m)), animated = hip - ankle;
+  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, state_of(m))), animated = hip - ankle;
   const float most = call.feet.leg_extension * (length3(knee - hip) + length3(ankle - knee));
   const float own = length3(animated) - length3(leg - animated), longest = most > own ? most : own;
   const float down = dot3(leg, call.up), square = longest * longest - (squared3(leg) - down * down);
@@ -333,7 +337,7 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   goal.weight = call.frame.weight * foot.weight;
   if (goal.weight == 0) return;
   store(goal.bend_axis, vector3(foot.bend_axis));
-  const WideRotation whole = shown_turn(call, m), turned = share_of(whole, goal.weight);
+  const WideRotation whole = shown_turn(call, state_of(m)), turned = share_of(whole, goal.weight);
   Columns want = right_axes(call.world, call.pose.model_from_joint[foot.ankle]);
   for (f32x4& axis : want.axis) axis = rotate(turned, axis);
   f32x4 target = ankle_of(call, foot, m, whole);
@@ -344,7 +348,7 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
     store_wide(goal.target, in_model);
     bool reached = false;
     turn_leg(call, foot, goal, want, reached);
-    m.reached = reached ? 1 : 0;
+    m.reached = reached;
     const f32x4 miss = load_three(m.place) - sole_of(call, foot);
     const f32x4 leg = target - place_of(call, foot.hip);
     if (goal.weight < 1 || !reached || squared3(miss) <= 1e-8f * squared3(leg)) break;

@@ -13,11 +13,10 @@
 #include "math/slerp.h"
 #include "pose/fits.h"
 #include "pose/sample_coded.h"
+#include "pose/sample_state.h"
 
 namespace marrow {
 namespace {
-
-constexpr std::uint32_t kNoFrame = 0xFFFFFFFF;
 
 // Tangents are per second.
 HermiteWeights weights_at(const Moment& m) {
@@ -114,13 +113,14 @@ std::uint64_t identity(const Skeleton& skeleton, const Clip& clip, Span<std::byt
 
 // Whether the cache is this clip's, so that `out` already holds what does not move. If not, it becomes this clip's.
 bool is_of(SampleCache& cache, const Skeleton& skeleton, const Clip& clip, const SoaTransform* out) {
-  const std::uint64_t id = identity(skeleton, clip, cache.memory);
-  if (cache.out == out && cache.clip == id) return true;
-  cache.room = clip.coded.frame_count != 0 &&
-               cache.memory.size / sizeof(FramePair) >= frame_pairs(clip.coded, skeleton.soa_size());
-  cache.out = out;
-  cache.clip = id;
-  cache.frame = kNoFrame;
+  SampleState& kept = state_of(cache);
+  const std::uint64_t id = identity(skeleton, clip, cache.memory), place = reinterpret_cast<std::uintptr_t>(out);
+  if (kept.out == place && kept.clip == id) return true;
+  kept.room = clip.coded.frame_count != 0 &&
+              cache.memory.size / sizeof(FramePair) >= frame_pairs(clip.coded, skeleton.soa_size());
+  kept.out = place;
+  kept.clip = id;
+  kept.frame = kNoFrame;
   return false;
 }
 

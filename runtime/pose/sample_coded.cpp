@@ -7,6 +7,7 @@
 #include "math/keys.h"
 #include "math/slerp.h"
 #include "pose/coded_lanes.h"
+#include "pose/sample_state.h"
 #include "pose/unpack_frames.h"
 
 namespace marrow {
@@ -293,17 +294,17 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
                   SoaTransform* out, SampleCache* cache) {
   const Place place = find(coded, time_s);
   FramePair *kept = nullptr, *last = nullptr;
-  if (cache != nullptr && cache->room && cache->memory.size >= sizeof(FramePair)) {
+  if (cache != nullptr && state_of(*cache).room != 0 && cache->memory.size >= sizeof(FramePair)) {
     kept = reinterpret_cast<FramePair*>(cache->memory.data);
     last = reinterpret_cast<FramePair*>(cache->memory.end() - sizeof(FramePair));
   }
-  const bool is_kept = kept != nullptr && cache->frame == place.frame;
+  const bool is_kept = kept != nullptr && state_of(*cache).frame == place.frame;
   const std::uint32_t segment = place.frame / coded.segment_intervals;
   const std::uint32_t in_segment = place.frame - segment * coded.segment_intervals;
   const FrameBlend blend(place.between);
   const Moving moving = {skeleton, coded, options, blend, kept, last, place.frame % 2};
   if (!is_kept) {
-    const bool follows = kept != nullptr && in_segment != 0 && cache->frame == place.frame - 1;
+    const bool follows = kept != nullptr && in_segment != 0 && state_of(*cache).frame == place.frame - 1;
     const std::uint32_t from = follows ? in_segment + 1 : in_segment;
     TrackCursor cursor(coded.payload + coded.segment_offsets[segment], coded.track_count, from);
     if (follows) {
@@ -313,7 +314,7 @@ void sample_coded(const Skeleton& skeleton, const CodedTracks& coded, float time
     }
   }
   if (kept != nullptr) set_kept(moving, out);
-  if (cache != nullptr) cache->frame = place.frame;
+  if (cache != nullptr) state_of(*cache).frame = place.frame;
 }
 
 }  // namespace marrow

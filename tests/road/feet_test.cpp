@@ -243,7 +243,7 @@ void walk(Walk& w, double hz, Slides& out) {
       if (!stands[leg]) continue;
       out.shown = std::max(out.shown, length(level(minus(shown, at[leg]))) / size);
       out.animated = std::max(out.animated, length(level(minus(animated[leg], was[leg]))) / size);
-      out.unreached += motion[leg].reached == 0;
+      out.unreached += !motion[leg].reached;
     }
   }
 }

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xb051a95fu
+#define MRW_ABI 0x08a22864u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1119,19 +1119,18 @@ void mrw_sample_options_init(mrw_sample_options* out);
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
 
-// What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new cache is empty. All members
-// but `memory` belong to mrw_sample_cached().
+// Bytes of mrw_sample_cache's state.
+#define MRW_SAMPLE_STATE_BYTES 24u
+
+// What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new cache is empty.
 typedef struct mrw_sample_cache mrw_sample_cache;
-struct mrw_sample_cache {
+struct MRW_ALIGN(8) mrw_sample_cache {
   // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
   // unpacking. If it is smaller than mrw_sample_cache_bytes() of a clip, or empty, only what does not move in the clip
   // is kept.
   void* memory;
   size_t memory_bytes;
-  const mrw_soa_transform* out;  // where the last call wrote
-  uint64_t clip;  // which clip
-  uint32_t frame;  // the frame that is unpacked; 0xFFFFFFFF: none
-  bool room;  // whether `memory` has room for this clip's frames
+  uint8_t state[24];  // mrw_sample_cached()'s own
 };
 void mrw_sample_cache_init(mrw_sample_cache* out);
 
@@ -1997,26 +1996,16 @@ struct mrw_foot_ground {
 };
 void mrw_foot_ground_init(mrw_foot_ground* out);
 
-// The motion of one foot: plain numbers. A new motion, and one with numbers out of range, begins where the animation
-// has the foot. All in world space. On a moving platform, use the platform's space as the world.
+// Bytes of mrw_foot_motion's state.
+#define MRW_FOOT_STATE_BYTES 112u
+
+// What mrw_place_feet() keeps of one foot from frame to frame. A new motion begins where the animation has the foot. So
+// does one whose numbers are out of range. On a moving platform, use the platform's space as the world.
 typedef struct mrw_foot_motion mrw_foot_motion;
 struct mrw_foot_motion {
-  float place[3];  // of the sole, as shown last
-  float offset[3];  // from the sole's target to the sole
-  float offset_speed[3];  // from the sole's target to the sole
-  float lean[3];  // what is added to the ground's normal to give the foot's
-  float lean_speed[3];  // what is added to the ground's normal to give the foot's
-  float point[3];  // the ground in the last frame
-  float normal[3];  // the ground in the last frame
-  float heading[3];  // level direction of the ankle's axis `axis` at the time of planting
-  float turn[4];  // about up, from the animated to the planted heading
-  float turn_share;  // how much of `turn` is left
-  float turn_share_speed;  // how much of `turn` is left
-  uint8_t axis;  // axis of heading; whether planted; whether begun
-  uint8_t planted;  // axis of heading; whether planted; whether begun
-  uint8_t begun;  // axis of heading; whether planted; whether begun
-  uint8_t hit;  // whether its ray hit ground
-  uint8_t reached;  // whether the leg was long enough
+  float place[3];  // of the sole, as shown last; world
+  uint8_t state[112];  // mrw_place_feet()'s own
+  bool reached;  // whether the leg was long enough
 };
 void mrw_foot_motion_init(mrw_foot_motion* out);
 

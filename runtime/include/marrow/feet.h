@@ -36,19 +36,15 @@ struct FootGround {
   bool planted = false;         // the sole stays where it is for as long as this is true
 };
 
-// The motion of one foot: plain numbers. A new motion, and one with numbers out of range, begins where the animation
-// has the foot. All in world space. On a moving platform, use the platform's space as the world.
+// Bytes of FootMotion's state.
+inline constexpr std::size_t kFootStateBytes = 112;
+
+// What place_feet() keeps of one foot from frame to frame. A new motion begins where the animation has the foot. So
+// does one whose numbers are out of range. On a moving platform, use the platform's space as the world.
 struct FootMotion {
-  float place[3] = {};                            // of the sole, as shown last
-  float offset[3] = {}, offset_speed[3] = {};     // from the sole's target to the sole
-  float lean[3] = {}, lean_speed[3] = {};         // what is added to the ground's normal to give the foot's
-  float point[3] = {}, normal[3] = {};            // the ground in the last frame
-  float heading[3] = {};                          // level direction of the ankle's axis `axis` at the time of planting
-  float turn[4] = {};                             // about up, from the animated to the planted heading
-  float turn_share = 0, turn_share_speed = 0;     // how much of `turn` is left
-  std::uint8_t axis = 0, planted = 0, begun = 0;  // axis of heading; whether planted; whether begun
-  std::uint8_t hit = 0;                           // whether its ray hit ground
-  std::uint8_t reached = 0;                       // whether the leg was long enough
+  float place[3] = {};                               // of the sole, as shown last; world
+  alignas(4) std::byte state[kFootStateBytes] = {};  // place_feet()'s own
+  bool reached = false;                              // whether the leg was long enough
 };
 
 // What place_feet() is told of a frame.

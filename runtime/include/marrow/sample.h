@@ -14,17 +14,16 @@ struct SampleOptions {
   Span<const std::uint32_t> joints = {};
 };
 
-// What an instance that plays a clip keeps between two calls of sample_cached(). A new cache is empty. All members but
-// `memory` belong to sample_cached().
+// Bytes of SampleCache's state.
+inline constexpr std::size_t kSampleStateBytes = 24;
+
+// What an instance that plays a clip keeps between two calls of sample_cached(). A new cache is empty.
 struct SampleCache {
   // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
   // unpacking. If it is smaller than sample_cache_bytes() of a clip, or empty, only what does not move in the clip is
   // kept.
   Span<std::byte> memory = {};
-  const SoaTransform* out = nullptr;  // where the last call wrote
-  std::uint64_t clip = 0;             // which clip
-  std::uint32_t frame = 0xFFFFFFFF;   // the frame that is unpacked; 0xFFFFFFFF: none
-  bool room = false;                  // whether `memory` has room for this clip's frames
+  alignas(8) std::byte state[kSampleStateBytes] = {};  // sample_cached()'s own
 };
 
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:

@@ -41,14 +41,14 @@ int main(int, char** argv) {
     hero.move(dt_s, walked);
     skin();
     for (int i = 0; i < 2; ++i) {
-      if (!hero.motion[i].planted) continue;
+      if (!hero.ground[i].planted) continue;
       ++standing;
       float lowest = 1;
       for (const std::uint32_t v : soles[i])
         lowest = std::min(lowest, at[3 * v + 1] - hill(at[3 * v], at[3 * v + 2] + walked));
       deepest = std::max(deepest, -lowest);
       highest = std::max(highest, lowest);
-      const float* const n = hero.motion[i].normal;
+      const float* const n = hero.ground[i].normal;
       steepest = std::max(steepest, std::sqrt(n[0] * n[0] + n[2] * n[2]) / n[1]);
     }
   }

@@ -51,7 +51,7 @@ TEST(Feet, SolesGoToTheirGroundAndThePelvisWithTheLowest) {
         EXPECT_LT(test::angle_deg(test::direction(w.world(j), {0, 0, 1}), {0, 0, 1}), 0.01);
         EXPECT_LT(test::angle_deg(test::direction(w.world(j), {0, 1, 0}), {0, 1, 0}), 0.01);
       }
-      EXPECT_TRUE(w.motion[0].reached != 0 && w.motion[1].reached != 0);
+      EXPECT_TRUE(w.motion[0].reached && w.motion[1].reached);
       ++cases;
     }
   }
@@ -100,7 +100,7 @@ TEST(Feet, PlantedStaysWhereItWas) {
     if (i < 10) continue;
     EXPECT_LT(distance(w.sole(0), at), 2e-5) << i;
     EXPECT_LT(test::angle_deg(test::direction(w.world(7), {0, 0, 1}), heading), 0.02) << i;
-    EXPECT_TRUE(w.motion[0].reached != 0);
+    EXPECT_TRUE(w.motion[0].reached);
     ++cases;
   }
   EXPECT_EQ(cases, 30);
@@ -189,7 +189,7 @@ TEST(Feet, ThePelvisGivesWayToAPlantedFootThatIsFar) {
     ASSERT_EQ(w.step(1.0f / 60), Status::ok);
     if (i == 0) at = w.sole(0);
     EXPECT_LT(distance(w.sole(0), at), 3e-5) << i;
-    EXPECT_TRUE(w.motion[0].reached != 0) << i;
+    EXPECT_TRUE(w.motion[0].reached) << i;
     const double now = w.pelvis()[1] - p[1];
     EXPECT_LT(std::fabs(now - low), 0.01) << "without a jump";
     low = now;
@@ -200,7 +200,7 @@ TEST(Feet, ThePelvisGivesWayToAPlantedFootThatIsFar) {
     w.pose();
     ASSERT_EQ(w.step(1.0f / 60), Status::ok);
   }
-  EXPECT_EQ(w.motion[0].reached, 0);
+  EXPECT_FALSE(w.motion[0].reached);
   EXPECT_GE(w.pelvis()[1] - p[1], -0.5 - 1e-5);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ik/foot_state.h"
 #include "unit/misuse/misuse.h"
 
 namespace marrow::test {
@@ -137,13 +138,14 @@ void place(Misuse& m) {
     g.normal[1] = m.number(1);
   }
   std::vector<FootMotion> motion(2);
-  for (FootMotion& f : motion) {
+  for (FootMotion& one : motion) {
     if (m.truth(true)) continue;
+    FootState& f = state_of(one);
     f.begun = f.hit = 1;
     f.planted = m.truth(false) ? 1 : 0;
     f.axis = static_cast<std::uint8_t>(m.index(1));
     for (auto* const v :
-         {&f.place, &f.offset, &f.offset_speed, &f.lean, &f.lean_speed, &f.point, &f.normal, &f.heading})
+         {&one.place, &f.offset, &f.offset_speed, &f.lean, &f.lean_speed, &f.point, &f.normal, &f.heading})
       (*v)[1] = m.number(0.5f);
     f.turn[3] = m.number(1);
     f.turn_share = m.number(0.5f);
