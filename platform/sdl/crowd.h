@@ -61,7 +61,7 @@ struct Crowd {
       const gles3::Program& program = crowd_program_of(mesh, gles3::Deformer::ssd, 255, programs, role);
       stage.use(program, mesh.mesh, role);
       must(bind_crowd(stage.gl, instances, mesh, 0, kCrowd, 0, program), "binding the crowd");
-      must(gles3::draw(stage.gl, mesh.gpu, gles3::Deformer::ssd, program, kCrowd), "drawing the crowd");
+      must(gles3::draw(stage.gl, mesh, gles3::Deformer::ssd, program, kCrowd), "drawing the crowd");
     }
   }
 };

@@ -4,7 +4,6 @@
 #include "marrow/gles3.h"
 #include "marrow/gles3_crowd.h"
 #include "marrow/gles3_self_test.h"
-#include "marrow/gles3_skinned.h"
 #include "marrow/gles3_skinner.h"
 
 // clang-format off
@@ -27,26 +26,6 @@ void mrw_gles3_caps_init(mrw_gles3_caps* out) {
   to<gles3::Caps>(out) = gles3::Caps{};
 }
 
-void mrw_gles3_vertex_layout_init(mrw_gles3_vertex_layout* out) {
-  MRW_NEEDS(leads_to<gles3::VertexLayout>(out), );
-  to<gles3::VertexLayout>(out) = gles3::VertexLayout{};
-}
-
-void mrw_gles3_gpu_mesh_init(mrw_gles3_gpu_mesh* out) {
-  MRW_NEEDS(leads_to<gles3::GpuMesh>(out), );
-  to<gles3::GpuMesh>(out) = gles3::GpuMesh{};
-}
-
-void mrw_gles3_prepare_options_init(mrw_gles3_prepare_options* out) {
-  MRW_NEEDS(leads_to<gles3::PrepareOptions>(out), );
-  to<gles3::PrepareOptions>(out) = gles3::PrepareOptions{};
-}
-
-void mrw_gles3_program_key_init(mrw_gles3_program_key* out) {
-  MRW_NEEDS(leads_to<gles3::ProgramKey>(out), );
-  to<gles3::ProgramKey>(out) = gles3::ProgramKey{};
-}
-
 void mrw_gles3_program_source_init(mrw_gles3_program_source* out) {
   MRW_NEEDS(leads_to<gles3::ProgramSource>(out), );
   to<gles3::ProgramSource>(out) = gles3::ProgramSource{};
@@ -57,14 +36,9 @@ void mrw_gles3_program_init(mrw_gles3_program* out) {
   to<gles3::Program>(out) = gles3::Program{};
 }
 
-void mrw_gles3_palette_ring_init(mrw_gles3_palette_ring* out) {
-  MRW_NEEDS(leads_to<gles3::PaletteRing>(out), );
-  to<gles3::PaletteRing>(out) = gles3::PaletteRing{};
-}
-
-void mrw_gles3_palette_texture_init(mrw_gles3_palette_texture* out) {
-  MRW_NEEDS(leads_to<gles3::PaletteTexture>(out), );
-  to<gles3::PaletteTexture>(out) = gles3::PaletteTexture{};
+void mrw_gles3_program_set_init(mrw_gles3_program_set* out) {
+  MRW_NEEDS(leads_to<gles3::ProgramSet>(out), );
+  to<gles3::ProgramSet>(out) = gles3::ProgramSet{};
 }
 
 void mrw_gles3_skinned_mesh_init(mrw_gles3_skinned_mesh* out) {
@@ -72,14 +46,14 @@ void mrw_gles3_skinned_mesh_init(mrw_gles3_skinned_mesh* out) {
   to<gles3::SkinnedMesh>(out) = gles3::SkinnedMesh{};
 }
 
-void mrw_gles3_program_set_init(mrw_gles3_program_set* out) {
-  MRW_NEEDS(leads_to<gles3::ProgramSet>(out), );
-  to<gles3::ProgramSet>(out) = gles3::ProgramSet{};
-}
-
 void mrw_gles3_skinner_options_init(mrw_gles3_skinner_options* out) {
   MRW_NEEDS(leads_to<gles3::SkinnerOptions>(out), );
   to<gles3::SkinnerOptions>(out) = gles3::SkinnerOptions{};
+}
+
+void mrw_gles3_skinner_init(mrw_gles3_skinner* out) {
+  MRW_NEEDS(leads_to<gles3::Skinner>(out), );
+  to<gles3::Skinner>(out) = gles3::Skinner{};
 }
 
 void mrw_gles3_crowd_source_init(mrw_gles3_crowd_source* out) {
@@ -105,6 +79,11 @@ void mrw_gles3_crowd_play_init(mrw_gles3_crowd_play* out) {
 void mrw_gles3_crowd_instance_init(mrw_gles3_crowd_instance* out) {
   MRW_NEEDS(leads_to<gles3::CrowdInstance>(out), );
   to<gles3::CrowdInstance>(out) = gles3::CrowdInstance{};
+}
+
+void mrw_gles3_crowd_mesh_options_init(mrw_gles3_crowd_mesh_options* out) {
+  MRW_NEEDS(leads_to<gles3::CrowdMeshOptions>(out), );
+  to<gles3::CrowdMeshOptions>(out) = gles3::CrowdMeshOptions{};
 }
 
 void mrw_gles3_crowd_mesh_init(mrw_gles3_crowd_mesh* out) {
@@ -155,177 +134,6 @@ void mrw_gles3_watch_errors(mrw_gles3_api* api, mrw_gles3_error_watch* watch) {
 mrw_status mrw_gles3_query_caps(const mrw_gles3_api* api, mrw_gles3_caps* caps) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps), MRW_BAD_ARGUMENT);
   return code(marrow::gles3::query_caps(of<gles3::Api>(api), to<gles3::Caps>(caps)));
-}
-
-size_t mrw_gles3_prepare_scratch_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && leads_to_if_any<gles3::PrepareOptions>(options), 0);
-  return marrow::gles3::prepare_scratch_bytes(of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options));
-}
-
-mrw_status mrw_gles3_prepare(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
-    const mrw_gles3_prepare_options* options, void* scratch, size_t scratch_bytes, mrw_affine* bind, size_t bind_count,
-    mrw_gles3_gpu_mesh* out) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<Mesh>(mesh) && leads_to_if_any<gles3::PrepareOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && is_list<Affine>(bind, bind_count) && leads_to<gles3::GpuMesh>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::prepare(of<gles3::Api>(api), of<gles3::Caps>(caps), of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options), span<std::byte>(scratch, scratch_bytes), span<Affine>(bind, bind_count), to<gles3::GpuMesh>(out)));
-}
-
-void mrw_gles3_destroy_mesh(const mrw_gles3_api* api, mrw_gles3_gpu_mesh* mesh) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh), );
-  marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::GpuMesh>(mesh));
-}
-
-mrw_status mrw_gles3_create_program(const mrw_gles3_api* api, const mrw_gles3_program_key* key,
-    const mrw_gles3_program_source* source, uint32_t palette_binding, mrw_gles3_program* out, char* log,
-    size_t log_bytes) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::ProgramKey>(key) && leads_to<gles3::ProgramSource>(source) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_program(of<gles3::Api>(api), of<gles3::ProgramKey>(key), of<gles3::ProgramSource>(source), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
-}
-
-void mrw_gles3_destroy_program(const mrw_gles3_api* api, mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Program>(program), );
-  marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::Program>(program));
-}
-
-mrw_status mrw_gles3_create_palette_ring(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
-    uint32_t palettes, mrw_gles3_palette_ring* out) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<gles3::PaletteRing>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_palette_ring(of<gles3::Api>(api), of<gles3::Caps>(caps), joints, palettes, to<gles3::PaletteRing>(out)));
-}
-
-void mrw_gles3_destroy_palette_ring(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteRing>(ring), );
-  marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::PaletteRing>(ring));
-}
-
-void mrw_gles3_begin_frame(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteRing>(ring), );
-  marrow::gles3::begin_frame(of<gles3::Api>(api), to<gles3::PaletteRing>(ring));
-}
-
-mrw_status mrw_gles3_push_palette(const mrw_gles3_api* api, mrw_gles3_palette_ring* ring, const mrw_affine* palette,
-    size_t palette_count, uint32_t* offset) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteRing>(ring) && is_list<Affine>(palette, palette_count) && leads_to<std::uint32_t>(offset), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::push_palette(of<gles3::Api>(api), to<gles3::PaletteRing>(ring), span<const Affine>(palette, palette_count), *offset));
-}
-
-void mrw_gles3_bind_palette(const mrw_gles3_api* api, const mrw_gles3_palette_ring* ring, uint32_t offset,
-    uint32_t binding) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteRing>(ring), );
-  marrow::gles3::bind_palette(of<gles3::Api>(api), of<gles3::PaletteRing>(ring), offset, binding);
-}
-
-mrw_status mrw_gles3_create_palette_texture(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t joints,
-    mrw_gles3_palette_texture* out) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<gles3::PaletteTexture>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_palette_texture(of<gles3::Api>(api), of<gles3::Caps>(caps), joints, to<gles3::PaletteTexture>(out)));
-}
-
-void mrw_gles3_destroy_palette_texture(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteTexture>(texture), );
-  marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::PaletteTexture>(texture));
-}
-
-mrw_status mrw_gles3_upload_palettes(const mrw_gles3_api* api, mrw_gles3_palette_texture* texture,
-    const mrw_affine* palettes, size_t palette_count) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteTexture>(texture) && is_list<Affine>(palettes, palette_count), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::upload_palettes(of<gles3::Api>(api), to<gles3::PaletteTexture>(texture), span<const Affine>(palettes, palette_count)));
-}
-
-mrw_status mrw_gles3_bind_texture_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
-    uint32_t first, uint32_t joints, uint32_t texture_unit, const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteTexture>(texture) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::bind_palette(of<gles3::Api>(api), of<gles3::PaletteTexture>(texture), first, joints, texture_unit, of<gles3::Program>(program)));
-}
-
-mrw_status mrw_gles3_bind_previous_palette(const mrw_gles3_api* api, const mrw_gles3_palette_texture* texture,
-    uint32_t first, uint32_t joints, bool kept, uint32_t texture_unit, const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::PaletteTexture>(texture) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::bind_previous_palette(of<gles3::Api>(api), of<gles3::PaletteTexture>(texture), first, joints, kept, texture_unit, of<gles3::Program>(program)));
-}
-
-mrw_status mrw_gles3_set_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
-    const float* weights, size_t weight_count, uint32_t texture_unit, const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<Mesh>(mesh) && leads_to<gles3::GpuMesh>(gpu) && is_list<float>(weights, weight_count) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::set_morphs(of<gles3::Api>(api), of<Mesh>(mesh), of<gles3::GpuMesh>(gpu), span<const float>(weights, weight_count), texture_unit, of<gles3::Program>(program)));
-}
-
-mrw_status mrw_gles3_set_previous_morphs(const mrw_gles3_api* api, const mrw_mesh* mesh, const mrw_gles3_gpu_mesh* gpu,
-    const float* weights, size_t weight_count, const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<Mesh>(mesh) && leads_to<gles3::GpuMesh>(gpu) && is_list<float>(weights, weight_count) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::set_previous_morphs(of<gles3::Api>(api), of<Mesh>(mesh), of<gles3::GpuMesh>(gpu), span<const float>(weights, weight_count), of<gles3::Program>(program)));
-}
-
-uint32_t mrw_gles3_distance_matrices(const mrw_geometry* geometry) {
-  MRW_NEEDS(leads_to<Geometry>(geometry), 0);
-  return marrow::gles3::distance_matrices(of<Geometry>(geometry));
-}
-
-mrw_status mrw_gles3_pack_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count,
-    mrw_affine* out, size_t out_count) {
-  MRW_NEEDS(leads_to<Geometry>(geometry) && is_list<Affine>(palette, palette_count) && is_list<Affine>(out, out_count), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::pack_distances(of<Geometry>(geometry), span<const Affine>(palette, palette_count), span<Affine>(out, out_count)));
-}
-
-mrw_status mrw_gles3_bind_examples(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
-    const mrw_gles3_palette_texture* distances, uint32_t first, uint32_t texture_unit,
-    const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::PaletteTexture>(distances) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::bind_examples(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), of<gles3::PaletteTexture>(distances), first, texture_unit, of<gles3::Program>(program)));
-}
-
-mrw_status mrw_gles3_bind_previous_distances(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
-    const mrw_gles3_palette_texture* distances, uint32_t first, bool kept, uint32_t texture_unit,
-    const mrw_gles3_program* program) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::PaletteTexture>(distances) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::bind_previous_distances(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), of<gles3::PaletteTexture>(distances), first, kept, texture_unit, of<gles3::Program>(program)));
-}
-
-mrw_status mrw_gles3_draw_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
-    const mrw_gles3_program* program, uint32_t instances) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::draw(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), static_cast<gles3::Deformer>(deformer), of<gles3::Program>(program), instances));
-}
-
-mrw_status mrw_gles3_create_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
-    mrw_gles3_skinned_mesh* out) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::SkinnedMesh>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_skinned(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), to<gles3::SkinnedMesh>(out)));
-}
-
-void mrw_gles3_destroy_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_mesh* mesh) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::SkinnedMesh>(mesh), );
-  marrow::gles3::destroy(of<gles3::Api>(api), to<gles3::SkinnedMesh>(mesh));
-}
-
-mrw_status mrw_gles3_upload_skinned(const mrw_gles3_api* api, mrw_gles3_skinned_mesh* mesh,
-    const mrw_skin_output* vertices) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::SkinnedMesh>(mesh) && leads_to<SkinOutput>(vertices), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::upload_skinned(of<gles3::Api>(api), to<gles3::SkinnedMesh>(mesh), of<SkinOutput>(vertices)));
-}
-
-mrw_status mrw_gles3_create_preskin(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
-    const mrw_gles3_program_key* key, mrw_gles3_preskin method, uint32_t palette_binding, mrw_gles3_program* out,
-    char* log, size_t log_bytes) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<gles3::ProgramKey>(key) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_preskin(of<gles3::Api>(api), of<gles3::Caps>(caps), of<gles3::ProgramKey>(key), static_cast<gles3::Preskin>(method), palette_binding, to<gles3::Program>(out), span<char>(log, log_bytes)));
-}
-
-mrw_status mrw_gles3_preskin_mesh(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh, mrw_gles3_deformer deformer,
-    const mrw_gles3_program* program, const mrw_gles3_skinned_mesh* to) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::Program>(program) && leads_to<gles3::SkinnedMesh>(to), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::preskin(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), static_cast<gles3::Deformer>(deformer), of<gles3::Program>(program), of<gles3::SkinnedMesh>(to)));
-}
-
-mrw_status mrw_gles3_set_previous(const mrw_gles3_api* api, const mrw_gles3_skinned_mesh* mesh,
-    const mrw_gles3_skinned_mesh* previous) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::SkinnedMesh>(mesh) && leads_to<gles3::SkinnedMesh>(previous), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::set_previous(of<gles3::Api>(api), of<gles3::SkinnedMesh>(mesh), of<gles3::SkinnedMesh>(previous)));
-}
-
-void mrw_gles3_draw_skinned(const mrw_gles3_api* api, const mrw_gles3_gpu_mesh* mesh,
-    const mrw_gles3_skinned_mesh* skinned) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::GpuMesh>(mesh) && leads_to<gles3::SkinnedMesh>(skinned), );
-  marrow::gles3::draw(of<gles3::Api>(api), of<gles3::GpuMesh>(mesh), of<gles3::SkinnedMesh>(skinned));
 }
 
 const char* mrw_gles3_skinning_path_text(mrw_gles3_skinning_path path) {
@@ -424,27 +232,16 @@ mrw_status mrw_gles3_crowd_joint(const mrw_gles3_crowd_frames* frames, const mrw
   return code(marrow::gles3::crowd_joint(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, joint, to<Affine>(model_from_joint)));
 }
 
-mrw_status mrw_gles3_crowd_pose(const mrw_gles3_crowd_frames* frames, const mrw_gles3_crowd_instance* instance,
-    double time_s, mrw_affine* model_from_joint, size_t model_from_joint_count) {
-  MRW_NEEDS(leads_to<gles3::CrowdFrames>(frames) && leads_to<gles3::CrowdInstance>(instance) && is_list<Affine>(model_from_joint, model_from_joint_count), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::crowd_pose(of<gles3::CrowdFrames>(frames), of<gles3::CrowdInstance>(instance), time_s, span<Affine>(model_from_joint, model_from_joint_count)));
-}
-
-uint32_t mrw_gles3_crowd_palettes_that_fit(const mrw_gles3_caps* caps, uint32_t joints) {
-  MRW_NEEDS(leads_to<gles3::Caps>(caps), 0);
-  return marrow::gles3::crowd_palettes_that_fit(of<gles3::Caps>(caps), joints);
-}
-
-size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_prepare_options* options) {
-  MRW_NEEDS(leads_to<Mesh>(mesh) && leads_to_if_any<gles3::PrepareOptions>(options), 0);
-  return marrow::gles3::crowd_mesh_bytes(of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options));
+size_t mrw_gles3_crowd_mesh_bytes(const mrw_mesh* mesh, const mrw_gles3_crowd_mesh_options* options) {
+  MRW_NEEDS(leads_to<Mesh>(mesh) && leads_to_if_any<gles3::CrowdMeshOptions>(options), 0);
+  return marrow::gles3::crowd_mesh_bytes(of<Mesh>(mesh), or_default<gles3::CrowdMeshOptions>(options));
 }
 
 mrw_status mrw_gles3_create_crowd_mesh(const mrw_gles3_api* api, const mrw_gles3_caps* caps, const mrw_mesh* mesh,
-    const mrw_gles3_prepare_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
+    const mrw_gles3_crowd_mesh_options* options, const mrw_gles3_crowd_frames* frames, uint32_t capacity, void* memory,
     size_t memory_bytes, mrw_gles3_crowd_mesh* out, bool motion) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<Mesh>(mesh) && leads_to_if_any<gles3::PrepareOptions>(options) && leads_to<gles3::CrowdFrames>(frames) && is_list<std::byte>(memory, memory_bytes) && leads_to<gles3::CrowdMesh>(out), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_crowd_mesh(of<gles3::Api>(api), of<gles3::Caps>(caps), of<Mesh>(mesh), or_default<gles3::PrepareOptions>(options), of<gles3::CrowdFrames>(frames), capacity, span<std::byte>(memory, memory_bytes), to<gles3::CrowdMesh>(out), motion));
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Caps>(caps) && leads_to<Mesh>(mesh) && leads_to_if_any<gles3::CrowdMeshOptions>(options) && leads_to<gles3::CrowdFrames>(frames) && is_list<std::byte>(memory, memory_bytes) && leads_to<gles3::CrowdMesh>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::create_crowd_mesh(of<gles3::Api>(api), of<gles3::Caps>(caps), of<Mesh>(mesh), or_default<gles3::CrowdMeshOptions>(options), of<gles3::CrowdFrames>(frames), capacity, span<std::byte>(memory, memory_bytes), to<gles3::CrowdMesh>(out), motion));
 }
 
 void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh* mesh) {
@@ -468,12 +265,6 @@ mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* cr
     size_t instance_count) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Crowd>(crowd) && leads_to<gles3::CrowdFrames>(frames) && is_list<gles3::CrowdInstance>(instances, instance_count), MRW_BAD_ARGUMENT);
   return code(marrow::gles3::set_instances(of<gles3::Api>(api), to<gles3::Crowd>(crowd), of<gles3::CrowdFrames>(frames), first, span<const gles3::CrowdInstance>(instances, instance_count)));
-}
-
-mrw_status mrw_gles3_create_crowd_program(const mrw_gles3_api* api, mrw_gles3_program* out, char* log,
-    size_t log_bytes) {
-  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Program>(out) && is_list<char>(log, log_bytes), MRW_BAD_ARGUMENT);
-  return code(marrow::gles3::create_crowd_program(of<gles3::Api>(api), to<gles3::Program>(out), span<char>(log, log_bytes)));
 }
 
 mrw_status mrw_gles3_create_crowd_programs(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
@@ -517,6 +308,12 @@ mrw_status mrw_gles3_bind_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd*
     const mrw_gles3_program* program) {
   MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::Crowd>(crowd) && leads_to<gles3::CrowdMesh>(mesh) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
   return code(marrow::gles3::bind_crowd(of<gles3::Api>(api), of<gles3::Crowd>(crowd), of<gles3::CrowdMesh>(mesh), first, count, texture_unit, of<gles3::Program>(program)));
+}
+
+mrw_status mrw_gles3_draw_crowd(const mrw_gles3_api* api, const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer,
+    const mrw_gles3_program* program, uint32_t instances) {
+  MRW_NEEDS(leads_to<gles3::Api>(api) && is_ready(of<gles3::Api>(api)) && leads_to<gles3::CrowdMesh>(mesh) && leads_to<gles3::Program>(program), MRW_BAD_ARGUMENT);
+  return code(marrow::gles3::draw(of<gles3::Api>(api), of<gles3::CrowdMesh>(mesh), static_cast<gles3::Deformer>(deformer), of<gles3::Program>(program), instances));
 }
 
 void mrw_gles3_crowd_mesh_on_context_lost(mrw_gles3_crowd_mesh* mesh) {

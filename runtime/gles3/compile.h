@@ -2,7 +2,8 @@
 #pragma once
 
 #include "gles3/gl_constants.h"
-#include "marrow/gles3.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/program.h"
 
 namespace marrow::gles3 {
 

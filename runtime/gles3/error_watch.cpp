@@ -29,20 +29,19 @@ unsigned take_error(ErrorWatch& watch) {
   return error != kGlNoError ? error : watch.get_error();
 }
 
-WatchedCall::WatchedCall(ErrorWatch& watch, const char* name)
-    : watch_(watch), name_(name), stuck_(collect(watch, nullptr, kGlNoError)) {}
+unsigned begin_watched(ErrorWatch& watch) {
+  return collect(watch, nullptr, kGlNoError);
+}
 
-WatchedCall::~WatchedCall() {
-  collect(watch_, name_, stuck_);
+void end_watched(ErrorWatch& watch, const char* call, unsigned stuck) {
+  collect(watch, call, stuck);
 }
 
 void watch_errors(Api& api, ErrorWatch* watch) {
   if (watch != nullptr) watch->get_error = api.GetError.function;
 #define MARROW_WATCH(Result, Name, Parameters) api.Name.watch = watch;
   MARROW_GLES3_FUNCTIONS(MARROW_WATCH)
-  MARROW_GLES31_FUNCTIONS(MARROW_WATCH)
-  MARROW_KHR_DEBUG_FUNCTIONS(MARROW_WATCH)
-  MARROW_ROBUSTNESS_FUNCTIONS(MARROW_WATCH)
+  MARROW_GLES3_OPTIONAL_FUNCTIONS(MARROW_WATCH)
 #undef MARROW_WATCH
 }
 

@@ -65,9 +65,8 @@ Status load_api(Api& api, void* (*load_proc)(const char* name), const char** mis
   }
   MARROW_GLES3_FUNCTIONS(MARROW_LOAD)
 #undef MARROW_LOAD
-#define MARROW_LOAD(Result, Name, Parameters) load_one(loaded.Name, load_proc, "gl" #Name);
-  MARROW_GLES31_FUNCTIONS(MARROW_LOAD)
-#undef MARROW_LOAD
+  load_one(loaded.DispatchCompute, load_proc, "glDispatchCompute");
+  load_one(loaded.MemoryBarrier, load_proc, "glMemoryBarrier");
   load_extensions(loaded, load_proc);
   api = loaded;
   return Status::ok;

@@ -5,7 +5,7 @@
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
 #include "gles3/label.h"
-#include "marrow/gles3.h"
+#include "gles3/palettes.h"
 
 namespace marrow::gles3 {
 namespace {

@@ -4,8 +4,9 @@
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
 #include "gles3/texture.h"
-#include "marrow/gles3.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -67,24 +68,26 @@ Status upload_palettes(const Api& api, PaletteTexture& texture, Span<const Affin
 
 Status bind_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                     std::uint32_t texture_unit, const Program& program) {
-  MARROW_REQUIRE(program.reads == Palettes::texture && program.palettes >= 0);
+  const ProgramState& at = state_of(program);
+  MARROW_REQUIRE(at.reads == Palettes::texture && at.palettes >= 0);
   MARROW_REQUIRE(first < texture.count && joints <= texture.count - first);
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, texture.textures[texture.current]);
-  api.Uniform1i(program.palettes, static_cast<int>(texture_unit));
-  api.Uniform2i(program.first_row, static_cast<int>(3 * first), static_cast<int>(3 * joints));
+  api.Uniform1i(at.palettes, static_cast<int>(texture_unit));
+  api.Uniform2i(at.first_row, static_cast<int>(3 * first), static_cast<int>(3 * joints));
   return Status::ok;
 }
 
 Status bind_previous_palette(const Api& api, const PaletteTexture& texture, std::uint32_t first, std::uint32_t joints,
                              bool kept, std::uint32_t texture_unit, const Program& program) {
-  MARROW_REQUIRE(program.reads == Palettes::texture);
+  const ProgramState& at = state_of(program);
+  MARROW_REQUIRE(at.reads == Palettes::texture);
   const std::uint32_t count = kept ? texture.previous_count : texture.count;
   MARROW_REQUIRE(first < count && joints <= count - first);
-  if (program.previous_palettes < 0) return Status::ok;
+  if (at.previous_palettes < 0) return Status::ok;
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, texture.textures[(texture.current + (kept ? 2 : 0)) % 3]);
-  api.Uniform1i(program.previous_palettes, static_cast<int>(texture_unit));
+  api.Uniform1i(at.previous_palettes, static_cast<int>(texture_unit));
   return Status::ok;
 }
 

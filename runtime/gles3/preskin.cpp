@@ -3,6 +3,7 @@
 #include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/gl_size.h"
+#include "gles3/program.h"
 #include "gles3/skinned.h"
 
 namespace marrow::embedded {
@@ -48,7 +49,7 @@ void by_compute(const Api& api, const GpuMesh& mesh, bool as, const Program& pro
   values[5] = static_cast<int>(layout.joint_bytes);
   for (std::size_t i = 0; i < 3; ++i) values[6 + i] = static_cast<int>(surface[i] / 4);
   values[9] = static_cast<int>(layout.example_row / 4);
-  api.Uniform1iv(program.vertex_layout, 10, values);
+  api.Uniform1iv(state_of(program).vertex_layout, 10, values);
   // A block that the program has must be bound to something, whatever it reads.
   const std::uint32_t skin = as ? mesh.as_buffer : mesh.ssd_buffer;
   const std::uint32_t buffers[] = {skin, mesh.surface_buffer != 0 ? mesh.surface_buffer : skin,
@@ -98,7 +99,7 @@ Status preskin(const Api& api, const GpuMesh& mesh, Deformer deformer, const Pro
   MARROW_REQUIRE((deformer != Deformer::psd || mesh.example_texture != 0) && "prepared for this deformer");
   MARROW_REQUIRE(to.slot_count == mesh.slot_count);
   tell_of_vertices(api, mesh, program);
-  if (program.vertex_layout >= 0) {
+  if (state_of(program).vertex_layout >= 0) {
     by_compute(api, mesh, as, program, to);
   } else {
     by_feedback(api, array, to);

@@ -3,6 +3,8 @@
 #include "core/zone.h"
 #include "gles3/compile.h"
 #include "gles3/label.h"
+#include "gles3/mesh/morph.h"
+#include "gles3/palettes.h"
 #include "gles3/self_test/self_test_key.h"
 
 namespace marrow::embedded {
@@ -139,9 +141,10 @@ bool reads_joint_pairs(const Api& api, std::uint32_t influences) {
 }
 
 void tell_of_vertices(const Api& api, const GpuMesh& mesh, const Program& program) {
-  if (program.coordinate_scale >= 0) api.Uniform1f(program.coordinate_scale, mesh.coordinate_scale);
+  const ProgramState& at = state_of(program);
+  if (at.coordinate_scale >= 0) api.Uniform1f(at.coordinate_scale, mesh.coordinate_scale);
   const int bits = 8 * static_cast<int>(mesh.layout.joint_bytes);
-  if (program.joint_bits >= 0) api.Uniform2i(program.joint_bits, bits, (1 << bits) - 1);
+  if (at.joint_bits >= 0) api.Uniform2i(at.joint_bits, bits, (1 << bits) - 1);
 }
 
 Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts& texts, std::uint32_t palette_binding,
@@ -172,35 +175,37 @@ Status compile_program(const Api& api, const ProgramKey& key, const ShaderTexts&
   for (std::size_t i = 0; i < count; ++i) api.DeleteShader(shaders[i]);
   if (made.id == 0) return Status::gl_error;
 
-  made.reads = key.palettes;
-  made.motion = (key.features & kMotion) != 0;
+  ProgramState state;
+  state.reads = key.palettes;
+  state.motion = (key.features & kMotion) != 0;
   const auto tie = [&](const char* name, std::uint32_t binding) {
     const std::uint32_t block = api.GetUniformBlockIndex(made.id, name);
     if (block != kGlInvalidIndex) api.UniformBlockBinding(made.id, block, binding);
   };
   tie("MarrowPalette", palette_binding);
-  if (made.motion) tie("MarrowPreviousPalette", palette_binding + 1);
+  if (state.motion) tie("MarrowPreviousPalette", palette_binding + 1);
   const auto find = [&](const char* name) { return api.GetUniformLocation(made.id, name); };
-  made.coordinate_scale = find("marrow_coordinate_scale");
-  made.joint_bits = find("marrow_joint_bits");
-  made.palettes = find("marrow_palettes");
-  made.first_row = find("marrow_first_row");
-  made.instances = find("marrow_instances");
-  made.crowd = find("marrow_crowd");
-  made.vertex_layout = find("marrow_vertex_layout");
-  made.morph_changes = find("marrow_morph_changes");
-  made.morph_targets = find("marrow_morph_targets");
-  made.morph_count = find("marrow_morph_count");
-  made.morph_shift = find("marrow_morph_shift");
-  made.morph_per_row = find("marrow_morph_per_row");
-  made.previous_palettes = find("marrow_previous_palettes");
-  made.previous_targets = find("marrow_previous_targets");
-  made.previous_count = find("marrow_previous_count");
-  made.examples = find("marrow_examples");
-  made.example_step = find("marrow_example_step");
-  made.distances = find("marrow_distances");
-  made.distance_row = find("marrow_distance_row");
-  made.previous_distances = find("marrow_previous_distances");
+  state.coordinate_scale = find("marrow_coordinate_scale");
+  state.joint_bits = find("marrow_joint_bits");
+  state.palettes = find("marrow_palettes");
+  state.first_row = find("marrow_first_row");
+  state.instances = find("marrow_instances");
+  state.crowd = find("marrow_crowd");
+  state.vertex_layout = find("marrow_vertex_layout");
+  state.morph_changes = find("marrow_morph_changes");
+  state.morph_targets = find("marrow_morph_targets");
+  state.morph_count = find("marrow_morph_count");
+  state.morph_shift = find("marrow_morph_shift");
+  state.morph_per_row = find("marrow_morph_per_row");
+  state.previous_palettes = find("marrow_previous_palettes");
+  state.previous_targets = find("marrow_previous_targets");
+  state.previous_count = find("marrow_previous_count");
+  state.examples = find("marrow_examples");
+  state.example_step = find("marrow_example_step");
+  state.distances = find("marrow_distances");
+  state.distance_row = find("marrow_distance_row");
+  state.previous_distances = find("marrow_previous_distances");
+  set_state(made, state);
   label_program(api, key, texts.role, made.id);
   out = made;
   return Status::ok;

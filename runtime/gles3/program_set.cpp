@@ -1,7 +1,7 @@
 // Once a kind of mesh: its programs, compiled when first asked for and again after a loss of the context.
 #include "gles3/program_set.h"
 
-#include "marrow/gles3_crowd.h"
+#include "gles3/crowd/crowd.h"
 
 namespace marrow::gles3 {
 namespace {
@@ -23,15 +23,16 @@ Status build(const Api& api, const Caps& caps, const ProgramSet& set, ProgramSet
 
 BadCall check_roles(const ProgramSet& programs) {
   MARROW_CHECK(programs.role_count > 0 && programs.role_count <= kMostRoles);
-  MARROW_CHECK(programs.count <= kMostPrograms && holds(programs.log));
+  MARROW_CHECK(state_of(programs).count <= kMostPrograms && holds(programs.log));
   for (std::uint32_t role = 0; role < programs.role_count; ++role)
     MARROW_CHECK(programs.roles[role].vertex != nullptr && programs.roles[role].fragment != nullptr);
   return {};
 }
 
 const Program* find_program(const ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
-  for (std::uint32_t i = 0; i < programs.count; ++i) {
-    const ProgramSetEntry& entry = programs.entries[i];
+  const ProgramSetState& all = state_of(programs);
+  for (std::uint32_t i = 0; i < all.count; ++i) {
+    const ProgramSetEntry& entry = all.entries[i];
     if (entry.role == role && same(entry.key, key)) return &entry.program;
   }
   return nullptr;
@@ -51,28 +52,32 @@ std::uint8_t features_read(const ProgramSet& programs, std::uint32_t role, const
 
 Status need_program(const Api& api, const Caps& caps, ProgramSet& programs, const ProgramKey& key, std::uint32_t role) {
   if (find_program(programs, key, role) != nullptr) return Status::ok;
-  if (programs.count == kMostPrograms) return Status::unsupported;
-  ProgramSetEntry& entry = programs.entries[programs.count];
+  ProgramSetState& all = state_of(programs);
+  if (all.count == kMostPrograms) return Status::unsupported;
+  ProgramSetEntry& entry = all.entries[all.count];
   entry = {};
   entry.key = key;
   entry.role = role;
   const Status status = build(api, caps, programs, entry);
-  if (status == Status::ok) ++programs.count;
+  if (status == Status::ok) ++all.count;
   return status;
 }
 
 void destroy(const Api& api, ProgramSet& programs) {
-  for (std::uint32_t i = 0; i < programs.count; ++i) destroy(api, programs.entries[i].program);
-  programs.count = 0;
+  ProgramSetState& all = state_of(programs);
+  for (std::uint32_t i = 0; i < all.count; ++i) destroy(api, all.entries[i].program);
+  all.count = 0;
 }
 
 void on_context_lost(ProgramSet& programs) {
-  for (std::uint32_t i = 0; i < programs.count; ++i) programs.entries[i].program = {};
+  ProgramSetState& all = state_of(programs);
+  for (std::uint32_t i = 0; i < all.count; ++i) all.entries[i].program = {};
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs) {
-  for (std::uint32_t i = 0; i < programs.count; ++i) {
-    ProgramSetEntry& entry = programs.entries[i];
+  ProgramSetState& all = state_of(programs);
+  for (std::uint32_t i = 0; i < all.count; ++i) {
+    ProgramSetEntry& entry = all.entries[i];
     if (entry.program.id != 0) continue;  // from an attempt before
     const Status status = build(api, caps, programs, entry);
     if (status != Status::ok) return status;

@@ -2,9 +2,33 @@
 #pragma once
 
 #include "core/check.h"
-#include "marrow/gles3_skinner.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 
 namespace marrow::gles3 {
+
+// The most programs of a ProgramSet.
+inline constexpr std::uint32_t kMostPrograms = 192;
+
+struct ProgramSetEntry {
+  ProgramKey key = {};     // what it was built for
+  std::uint32_t role = 0;  // from kMostRoles on: kMostRoles + Preskin, pre-skinning; kMostRoles + 2, blending of crowds
+  Program program = {};    // as it was built
+};
+
+struct ProgramSetState {
+  std::uint32_t count = 0;                      // of entries
+  ProgramSetEntry entries[kMostPrograms] = {};  // what was compiled
+};
+static_assert(sizeof(ProgramSetState) == sizeof(ProgramSet::state) && alignof(ProgramSetState) == 4);
+static_assert(std::is_trivially_copyable_v<ProgramSetState>);
+
+inline ProgramSetState& state_of(ProgramSet& programs) {
+  return *reinterpret_cast<ProgramSetState*>(programs.state);
+}
+inline const ProgramSetState& state_of(const ProgramSet& programs) {
+  return *reinterpret_cast<const ProgramSetState*>(programs.state);
+}
 
 inline constexpr std::uint32_t pre_skinning(Preskin method) {
   return kMostRoles + static_cast<std::uint32_t>(method);

@@ -3,10 +3,10 @@
 
 #include "core/check.h"
 #include "core/zone.h"
-#include "gles3/attributes.h"
 #include "gles3/errors.h"
 #include "gles3/gl_size.h"
 #include "gles3/label.h"
+#include "gles3/mesh/attributes.h"
 
 namespace marrow::gles3 {
 namespace {

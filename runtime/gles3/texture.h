@@ -20,8 +20,4 @@ inline std::uint32_t make_texture(const Api& api, GlEnum internal_format, GlEnum
   return texture;
 }
 
-// create_palette_texture() of some joints, with a name for labels.
-Status make_palette_texture(const Api& api, const Caps& caps, std::uint32_t joints, const char* name,
-                            PaletteTexture& out);
-
 }  // namespace marrow::gles3

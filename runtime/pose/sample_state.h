@@ -16,7 +16,7 @@ struct SampleState {
   std::uint32_t frame;  // the frame that is unpacked; kNoFrame: none
   std::uint32_t room;   // 1: the memory has room for this clip's frames
 };
-static_assert(sizeof(SampleState) == kSampleStateBytes && alignof(SampleState) <= 8);
+static_assert(sizeof(SampleState) == sizeof(SampleCache::state) && alignof(SampleState) <= 8);
 static_assert(std::is_trivially_copyable_v<SampleState>);
 
 inline SampleState& state_of(SampleCache& cache) {

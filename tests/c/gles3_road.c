@@ -1,5 +1,5 @@
-// Skinning by OpenGL ES 3.0 in C99: characters by every path, a crowd, the steps that these are made of, the self-test;
-// and all again after a loss of the context. Prints hashes of pictures. gles3_road.cpp does the same in C++.
+// Skinning by OpenGL ES 3.0 in C99: characters by every path, a crowd, the self-test; and all again after a loss of the
+// context. Prints hashes of pictures. gles3_road.cpp does the same in C++.
 #include <marrow/c_gles3.h>
 
 #include "picture.h"
@@ -250,7 +250,7 @@ static unsigned draw_crowd(const mrw_gles3_crowd* crowd, mrw_gles3_crowd_mesh* d
   begin_picture();
   gl.UseProgram(drawing->id);
   TRY(mrw_gles3_bind_crowd(&api, crowd, drawn, 0, kCrowd, 0, drawing));
-  TRY(mrw_gles3_draw_mesh(&api, &drawn->gpu, MRW_GLES3_DEFORMER_SSD, drawing, kCrowd));
+  TRY(mrw_gles3_draw_crowd(&api, drawn, MRW_GLES3_DEFORMER_SSD, drawing, kCrowd));
   return end_picture();
 }
 
@@ -319,108 +319,6 @@ static void crowds(void) {
   mrw_gles3_destroy_programs(&api, &programs);
 }
 
-// What skinners are made of.
-static mrw_gles3_program program_for(mrw_gles3_deformer deformer, mrw_gles3_palettes palettes,
-                                     const mrw_gles3_gpu_mesh* gpu) {
-  mrw_gles3_program_key key;
-  mrw_gles3_program_source source;
-  mrw_gles3_program out;
-  mrw_gles3_program_key_init(&key);
-  mrw_gles3_program_source_init(&source);
-  key.deformer = deformer;
-  key.influences = gpu->influences;
-  key.features = MRW_GLES3_NORMALS;
-  key.palettes = palettes;
-  EXPECT(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_BAD_ARGUMENT);
-  source.vertex = kVertex;
-  source.fragment = "nonsense";
-  EXPECT(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text), MRW_GL_ERROR);
-  NEEDS(log_text[0] != 0);
-  source.fragment = kFragment;
-  TRY(mrw_gles3_create_program(&api, &key, &source, 0, &out, log_text, sizeof log_text));
-  return out;
-}
-
-static void draw_skinned(const char* what, const mrw_gles3_gpu_mesh* gpu, const mrw_gles3_skinned_mesh* skinned,
-                         const mrw_gles3_program* program) {
-  begin_picture();
-  gl.UseProgram(program->id);
-  mrw_gles3_draw_skinned(&api, gpu, skinned);
-  told(what, end_picture());
-}
-
-static void once_a_frame(const mrw_gles3_gpu_mesh* gpu, uint32_t size) {
-  const size_t floats = 3 * (size_t)mesh.geometry.slot_count;
-  mrw_gles3_program drawing = program_for(MRW_GLES3_DEFORMER_NONE, MRW_GLES3_PALETTES_UNIFORM_BLOCK, gpu), skinning;
-  mrw_gles3_program_key key;
-  mrw_gles3_skinned_mesh skinned;
-  mrw_skin_output out;
-  mrw_affine* const on_cpu = block_of(size * sizeof *on_cpu);
-  mrw_gles3_program_key_init(&key);
-  key.influences = gpu->influences;
-  key.features = gpu->features & MRW_GLES3_NORMALS;
-  TRY(mrw_gles3_create_skinned(&api, gpu, &skinned));
-  TRY(mrw_gles3_create_preskin(&api, &caps, &key, MRW_GLES3_PRESKIN_FEEDBACK, 0, &skinning, NULL, 0));
-  gl.UseProgram(skinning.id);
-  TRY(mrw_gles3_preskin_mesh(&api, gpu, MRW_GLES3_DEFORMER_SSD, &skinning, &skinned));
-  draw_skinned("skinned by the GPU", gpu, &skinned, &drawing);
-  mrw_skin_output_init(&out);
-  out.positions = block_of(floats * sizeof(float));
-  out.normals = block_of(floats * sizeof(float));
-  out.position_count = out.normal_count = floats;
-  TRY(mrw_build_palette(&mesh, joints[1], skeleton.joint_count, on_cpu, size));
-  TRY(mrw_skin_ssd(&mesh, on_cpu, size, &out));
-  TRY(mrw_gles3_upload_skinned(&api, &skinned, &out));
-  draw_skinned("skinned by the CPU", gpu, &skinned, &drawing);
-  mrw_gles3_destroy_skinned(&api, &skinned);
-  mrw_gles3_destroy_program(&api, &skinning);
-  mrw_gles3_destroy_program(&api, &drawing);
-}
-
-static void steps(void) {
-  const uint32_t size = mrw_mesh_palette_size(&mesh);
-  const size_t bytes = mrw_gles3_prepare_scratch_bytes(&mesh, NULL);
-  mrw_affine* const bind = block_of(mesh.joint_count * sizeof *bind);
-  mrw_affine* const palette = block_of(size * sizeof *palette);
-  mrw_gles3_gpu_mesh gpu;
-  mrw_gles3_program block, texture;
-  mrw_gles3_palette_ring ring;
-  mrw_gles3_palette_texture palettes;
-  uint32_t offset;
-  EXPECT(mrw_gles3_prepare(&api, &caps, &mesh, NULL, block_of(bytes), bytes - 1, bind, mesh.joint_count, &gpu),
-         MRW_BAD_ARGUMENT);
-  TRY(mrw_gles3_prepare(&api, &caps, &mesh, NULL, block_of(bytes), bytes, bind, mesh.joint_count, &gpu));
-  TRY(mrw_build_palette_of_joints(mesh.joints, mesh.joint_count, bind, mesh.joint_count, joints[1],
-                                  skeleton.joint_count, palette, size, mesh.helpers, mesh.helper_count,
-                                  mesh.helper_centres, mesh.helper_centre_count));
-  block = program_for(MRW_GLES3_DEFORMER_AS, MRW_GLES3_PALETTES_UNIFORM_BLOCK, &gpu);
-  texture = program_for(MRW_GLES3_DEFORMER_SSD, MRW_GLES3_PALETTES_TEXTURE, &gpu);
-  TRY(mrw_gles3_create_palette_ring(&api, &caps, size, 1, &ring));
-  mrw_gles3_begin_frame(&api, &ring);
-  EXPECT(mrw_gles3_push_palette(&api, &ring, palette, MRW_GLES3_PALETTE_JOINTS + 1, &offset), MRW_BAD_ARGUMENT);
-  TRY(mrw_gles3_push_palette(&api, &ring, palette, size, &offset));
-  mrw_gles3_bind_palette(&api, &ring, offset, 0);
-  begin_picture();
-  gl.UseProgram(block.id);
-  TRY(mrw_gles3_draw_mesh(&api, &gpu, MRW_GLES3_DEFORMER_AS, &block, 1));
-  told("a palette in a block", end_picture());
-  TRY(mrw_gles3_create_palette_texture(&api, &caps, size, &palettes));
-  TRY(mrw_gles3_upload_palettes(&api, &palettes, palette, size));
-  begin_picture();
-  gl.UseProgram(texture.id);
-  TRY(mrw_gles3_bind_texture_palette(&api, &palettes, 0, size, 0, &texture));
-  TRY(mrw_gles3_draw_mesh(&api, &gpu, MRW_GLES3_DEFORMER_SSD, &texture, 1));
-  told("a palette in a texture", end_picture());
-  EXPECT(mrw_gles3_set_morphs(&api, &mesh, &gpu, NULL, 0, 0, &texture), MRW_BAD_ARGUMENT);
-  mrw_gles3_bind_palette(&api, &ring, offset, 0);
-  once_a_frame(&gpu, size);
-  mrw_gles3_destroy_palette_texture(&api, &palettes);
-  mrw_gles3_destroy_palette_ring(&api, &ring);
-  mrw_gles3_destroy_program(&api, &texture);
-  mrw_gles3_destroy_program(&api, &block);
-  mrw_gles3_destroy_mesh(&api, &gpu);
-}
-
 static int tries = 0;
 
 static void about_to_try(void* user, mrw_gles3_skinning_path path) {
@@ -461,20 +359,28 @@ static void self_test(void) {
 static int reports = 0;
 
 static void report(void* user, const char* call, uint32_t error) {
-  NEEDS(user == &reports && strcmp(call, "glBindBufferRange") == 0 && error == GL_INVALID_VALUE);
+  NEEDS(user == &reports && strcmp(call, "glUniformBlockBinding") == 0 && error == GL_INVALID_VALUE);
   ++reports;
 }
 
 // A call that GL refuses is told by its name.
 static void watched(void) {
-  const mrw_gles3_palette_ring none = {0};
   mrw_gles3_error_watch watch;
+  mrw_gles3_skinner_options options;
+  mrw_gles3_skinner skinner;
+  size_t bytes;
+  mrw_gles3_skinner_options_init(&options);
+  bytes = mrw_gles3_skinner_bytes(&mesh, &options);
+  open_programs();
+  programs.palette_binding = 0xFFFF;
   mrw_gles3_error_watch_init(&watch);
   watch.report = report;
   watch.user = &reports;
   mrw_gles3_watch_errors(&api, &watch);
-  mrw_gles3_bind_palette(&api, &none, 0, 0xFFFF);
+  TRY(mrw_gles3_create_skinner(&api, &caps, &mesh, &options, &programs, block_of(bytes), bytes, &skinner));
   mrw_gles3_watch_errors(&api, NULL);
+  mrw_gles3_destroy_skinner(&api, &skinner);
+  mrw_gles3_destroy_programs(&api, &programs);
   NEEDS(gl.GetError() == GL_NO_ERROR);
   printf("%d error told, %s\n", reports, mrw_gles3_context_was_reset(&api) ? "a reset" : "no reset");
 }
@@ -491,7 +397,6 @@ int main(int argc, char** argv) {
   start();
   every_path();
   crowds();
-  steps();
   self_test();
   watched();
   close_context();

@@ -191,7 +191,7 @@ void crowds(Scene& scene) {
   begin_picture();
   api.UseProgram(drawing.id);
   TRY(bind_crowd(api, crowd, mesh, 0, kCrowd, 0, drawing));
-  TRY(draw(api, mesh.gpu, gl::Deformer::ssd, drawing, kCrowd));
+  TRY(draw(api, mesh, gl::Deformer::ssd, drawing, kCrowd));
   end_picture("crowd");
   Affine joint;
   TRY(crowd_joint(frames, instances[4], 1.25, scene.skeleton.joint_count - 1, joint));
@@ -199,72 +199,6 @@ void crowds(Scene& scene) {
   destroy(api, crowd);
   destroy(api, mesh);
   destroy(api, programs);
-}
-
-gl::Program program_for(gl::Deformer deformer, gl::Palettes palettes, const gl::GpuMesh& gpu) {
-  gl::Program out;
-  TRY(create_program(api, {deformer, gpu.influences, gl::kNormals, palettes}, {kVertex, kFragment, {}}, 0, out));
-  return out;
-}
-
-void draw_skinned(const char* what, const gl::GpuMesh& gpu, const gl::SkinnedMesh& skinned, const gl::Program& with) {
-  begin_picture();
-  api.UseProgram(with.id);
-  draw(api, gpu, skinned);
-  end_picture(what);
-}
-
-void once_a_frame(const Scene& scene, const gl::GpuMesh& gpu) {
-  const gl::Program drawing = program_for(gl::Deformer::none, gl::Palettes::uniform_block, gpu);
-  gl::Program skinning;
-  gl::SkinnedMesh skinned;
-  TRY(create_skinned(api, gpu, skinned));
-  gl::ProgramKey key;
-  key.influences = gpu.influences;
-  key.features = gpu.features & gl::kNormals;
-  TRY(create_preskin(api, caps, key, gl::Preskin::feedback, 0, skinning));
-  api.UseProgram(skinning.id);
-  TRY(preskin(api, gpu, gl::Deformer::ssd, skinning, skinned));
-  draw_skinned("skinned by the GPU", gpu, skinned, drawing);
-  std::vector<float> positions(std::size_t{3} * gpu.slot_count), normals(positions.size());
-  std::vector<Affine> palette(scene.mesh.palette_size());
-  TRY(build_palette(scene.mesh, scene.joints[1], palette));
-  TRY(skin_ssd(scene.mesh, palette, {positions, normals}));
-  TRY(upload_skinned(api, skinned, {positions, normals}));
-  draw_skinned("skinned by the CPU", gpu, skinned, drawing);
-}
-
-void steps(const Scene& scene) {
-  const Mesh& mesh = scene.mesh;
-  std::vector<std::byte> scratch(gl::prepare_scratch_bytes(mesh));
-  std::vector<Affine> bind(mesh.joint_count), palette(mesh.palette_size());
-  gl::GpuMesh gpu;
-  TRY(prepare(api, caps, mesh, {}, scratch, bind, gpu));
-  TRY(build_palette({mesh.joints, mesh.joint_count}, bind, scene.joints[1], palette, mesh.helpers,
-                    mesh.helper_centres));
-  const gl::Program block = program_for(gl::Deformer::as, gl::Palettes::uniform_block, gpu);
-  const gl::Program texture = program_for(gl::Deformer::ssd, gl::Palettes::texture, gpu);
-  const auto size = static_cast<std::uint32_t>(palette.size());
-  gl::PaletteRing ring;
-  std::uint32_t offset = 0;
-  TRY(create_palette_ring(api, caps, size, 1, ring));
-  begin_frame(api, ring);
-  TRY(push_palette(api, ring, palette, offset));
-  bind_palette(api, ring, offset, 0);
-  begin_picture();
-  api.UseProgram(block.id);
-  TRY(draw(api, gpu, gl::Deformer::as, block));
-  end_picture("a palette in a block");
-  gl::PaletteTexture palettes;
-  TRY(create_palette_texture(api, caps, size, palettes));
-  TRY(upload_palettes(api, palettes, palette));
-  begin_picture();
-  api.UseProgram(texture.id);
-  TRY(bind_palette(api, palettes, 0, size, 0, texture));
-  TRY(draw(api, gpu, gl::Deformer::ssd, texture));
-  end_picture("a palette in a texture");
-  bind_palette(api, ring, offset, 0);
-  once_a_frame(scene, gpu);
 }
 
 void self_test() {
@@ -290,7 +224,6 @@ int main(int argc, char** argv) {
   start();
   every_path(scene);
   crowds(scene);
-  steps(scene);
   self_test();
   std::printf("1 error told, no reset\n");
 }

@@ -11,6 +11,13 @@
 #include "gl/support/faulty_driver.h"
 #include "gl/support/models.h"
 #include "gl/support/troop.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
+#include "gles3/program_set.h"
+#include "gles3/skinned.h"
+#include "gles3/skinner_state.h"
 #include "marrow/gles3_skinner.h"
 #include "support/rig.h"
 
@@ -127,16 +134,16 @@ TEST(Api, AMeshWithoutVerticesIsRefused) {
     gles3::Caps caps;
     caps.compute = true;
     EXPECT_EQ(gles3::create_skinner(api, caps, mesh, options, programs, room, skinner), Status::bad_argument) << i;
-    EXPECT_TRUE(skinner.palettes.empty());
+    EXPECT_TRUE(state_of(skinner).palettes.empty());
   }
   const Reel reel(character.skeleton.view(), {{character.clip.view(), true}}, 10);
   gles3::CrowdMesh crowd;
   EXPECT_EQ(gles3::create_crowd_mesh(api, {}, mesh, {}, reel.frames, 1, room_for(memory, gles3::crowd_mesh_bytes(mesh)),
                                      crowd),
             Status::bad_argument);
-  EXPECT_EQ(crowd.joints, 0u);
+  EXPECT_EQ(crowd.capacity, 0u);
   EXPECT_EQ(driver().made, 0);
-  EXPECT_EQ(programs.count, 0u);
+  EXPECT_EQ(state_of(programs).count, 0u);
   EXPECT_EQ(gl().GetError(), 0u);
 }
 
@@ -177,10 +184,10 @@ TEST(Api, APaletteTooShortIsRefused) {
                                     room_for(memory, gles3::skinner_bytes(mesh, options)), skinner),
               Status::ok);
     ASSERT_EQ(gles3::pose(skinner, 0, joints), Status::ok);
-    const std::vector<Affine> before(skinner.palettes.begin(), skinner.palettes.end());
+    const std::vector<Affine> before(state_of(skinner).palettes.begin(), state_of(skinner).palettes.end());
     EXPECT_EQ(gles3::pose(skinner, 0, {joints.data(), 9}), Status::bad_argument) << gles3::to_string(path);
     EXPECT_EQ(gles3::pose(skinner, 0, {}), Status::bad_argument) << gles3::to_string(path);
-    EXPECT_EQ(std::memcmp(before.data(), skinner.palettes.data, before.size() * sizeof(Affine)), 0);
+    EXPECT_EQ(std::memcmp(before.data(), state_of(skinner).palettes.data, before.size() * sizeof(Affine)), 0);
     gles3::destroy(gl(), skinner);
   }
   gles3::destroy(gl(), programs);

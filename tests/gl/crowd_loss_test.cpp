@@ -8,6 +8,9 @@
 #include "gl/support/models.h"
 #include "gl/support/stage.h"
 #include "gl/support/troop.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
+#include "gles3/program_set.h"
 #include "marrow/marrow.h"
 #include "support/places.h"
 
@@ -76,7 +79,7 @@ struct Parade {
     const gles3::Program& drawing = gles3::crowd_program_of(crowd_mesh, kDeformer, kRead, programs, 0);
     api.UseProgram(drawing.id);
     const Status bound = gles3::bind_crowd(api, crowd, crowd_mesh, 0, kCount, 0, drawing);
-    return bound == Status::ok ? gles3::draw(api, crowd_mesh.gpu, kDeformer, drawing, kCount) : bound;
+    return bound == Status::ok ? gles3::draw(api, crowd_mesh, kDeformer, drawing, kCount) : bound;
   }
   void lose() {
     gles3::on_context_lost(crowd);
@@ -179,7 +182,10 @@ TEST(CrowdLoss, KeepsWhatIsSetMeanwhile) {
     const std::int64_t calls = driver().calls;
     EXPECT_EQ(parade.set(api, 0, kCount), Status::ok);
     EXPECT_EQ(parade.set(api, kCount + 1, 1), Status::bad_argument) << "a gap";
-    const gles3::Program any = {.id = 1, .reads = gles3::Palettes::crowd, .palettes = 1, .crowd = 1};
+    gles3::Program any = {.id = 1};
+    gles3::ProgramState state = {.reads = gles3::Palettes::crowd};
+    state.palettes = state.crowd = 1;
+    set_state(any, state);
     EXPECT_EQ(gles3::blend_crowd(api, parade.crowd, parade.crowd_mesh, 0, kCount, 0, 0, any), Status::gl_error);
     EXPECT_EQ(gles3::bind_crowd(api, parade.crowd, parade.crowd_mesh, 0, kCount, 0, any), Status::gl_error);
     EXPECT_EQ(driver().calls, calls) << "no GL while it is lost";
@@ -269,14 +275,14 @@ TEST(CrowdLoss, ProgramsOfCrowdsAreASets) {
     Parade parade;
     const gles3::Api api = faulty_api(stage.real());
     ASSERT_EQ(parade.create(api, stage.caps()), Status::ok);
-    EXPECT_EQ(parade.programs.count, 2u);
+    EXPECT_EQ(state_of(parade.programs).count, 2u);
     ASSERT_EQ(gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, kDeformer, kRead, parade.programs),
               Status::ok);
-    EXPECT_EQ(parade.programs.count, 2u) << "they are there";
+    EXPECT_EQ(state_of(parade.programs).count, 2u) << "they are there";
     ASSERT_EQ(
         gles3::create_crowd_programs(api, stage.caps(), parade.crowd_mesh, gles3::Deformer::ssd, 255, parade.programs),
         Status::ok);
-    EXPECT_EQ(parade.programs.count, 3u);
+    EXPECT_EQ(state_of(parade.programs).count, 3u);
     EXPECT_NE(gles3::crowd_program_of(parade.crowd_mesh, gles3::Deformer::ssd, 255, parade.programs, 0).id, 0u);
     EXPECT_EQ(gles3::crowd_program_of(parade.crowd_mesh, kDeformer, 0, parade.programs, 0).id, 0u) << "not built";
     EXPECT_EQ(

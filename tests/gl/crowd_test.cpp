@@ -7,6 +7,10 @@
 #include "gl/support/crowd_worst.h"
 #include "gl/support/models.h"
 #include "gl/support/troop.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
@@ -53,7 +57,7 @@ void expect_helper_on_frames(Span<const float> centre) {
   const gles3::CrowdClip& clip = reel.clips[0];
   Troop troop(mesh, reel, 1);
   ASSERT_TRUE(troop.ok());
-  ASSERT_EQ(troop.mesh().joints, 3u);
+  ASSERT_EQ(state_of(troop.mesh()).joints, 3u);
   CrowdInstance instance;
   instance.a = {0, clip.duration_s * 3 / static_cast<float>(clip.steps), 0, 0};
   ASSERT_EQ(troop.set(0, {&instance, 1}), Status::ok);
@@ -320,7 +324,7 @@ TEST(Crowd, MeshesRefuseBadCalls) {
   const MorphTarget target{};
   mesh.geometry.targets = {&target, 1};
   EXPECT_EQ(create(reel.frames, 1), Status::unsupported) << "morph targets";
-  EXPECT_EQ(out.frames_texture, 0u);
+  EXPECT_EQ(state_of(out).frames_texture, 0u);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
 }
 
@@ -364,9 +368,10 @@ TEST(Crowd, CrowdsRefuseBadCalls) {
       << "a program of another kind";
   gles3::PaletteTexture texture;
   texture.capacity = texture.count = 10;
-  gles3::Program for_crowds;
-  for_crowds.palettes = 0;
-  for_crowds.reads = gles3::Palettes::crowd;
+  gles3::Program for_crowds = {.id = 1};
+  gles3::ProgramState state = {.reads = gles3::Palettes::crowd};
+  state.palettes = 0;
+  set_state(for_crowds, state);
   EXPECT_EQ(gles3::bind_palette(gl(), texture, 0, 10, 0, for_crowds), Status::bad_argument);
   EXPECT_EQ(gl().GetError(), static_cast<unsigned>(GL_NO_ERROR));
 }

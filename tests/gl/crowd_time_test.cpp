@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/support/troop.h"
+#include "gles3/crowd/crowd.h"
 #include "support/allocations.h"
 #include "support/rig.h"
 

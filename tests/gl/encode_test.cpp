@@ -1,5 +1,5 @@
 // The compact attributes themselves: sums that are exact, directions that survive.
-#include "gles3/encode.h"
+#include "gles3/mesh/encode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "gl/support/worst.h"
+#include "gles3/mesh/gpu_mesh.h"
 #include "support/rig.h"
 
 namespace marrow::test {

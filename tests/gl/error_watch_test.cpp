@@ -7,6 +7,7 @@
 #include "gl/support/faulty_driver.h"
 #include "gl/support/feedback.h"
 #include "gl/support/reports.h"
+#include "gles3/palettes.h"
 
 namespace marrow::test {
 namespace {

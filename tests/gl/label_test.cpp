@@ -9,6 +9,10 @@
 #include "gl/support/models.h"
 #include "gl/support/self_test_run.h"
 #include "gl/support/troop.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/program.h"
 #include "marrow/gles3_crowd.h"
 #include "support/rig.h"
 
@@ -114,9 +118,9 @@ TEST(CrowdLabels, EveryObjectHasOne) {
   EXPECT_EQ(driver().label_count, driver().live);
   const auto text = [](unsigned kind, unsigned name) { return driver().labels[{kind, name}].text; };
   EXPECT_EQ(text(GL_TEXTURE, crowd.texture), "marrow: crowd");
-  EXPECT_EQ(text(GL_TEXTURE, crowd_mesh.frames_texture), "newt: frames");
-  EXPECT_EQ(text(GL_TEXTURE, crowd_mesh.blended_texture), "newt: blended palettes");
-  EXPECT_EQ(text(GL_FRAMEBUFFER, crowd_mesh.framebuffer), "newt: blended palettes");
+  EXPECT_EQ(text(GL_TEXTURE, state_of(crowd_mesh).frames_texture), "newt: frames");
+  EXPECT_EQ(text(GL_TEXTURE, state_of(crowd_mesh).blended_texture), "newt: blended palettes");
+  EXPECT_EQ(text(GL_FRAMEBUFFER, state_of(crowd_mesh).framebuffer), "newt: blended palettes");
   EXPECT_EQ(text(0x82E2, program.id), "marrow: blending of crowds");
   gles3::destroy(api, crowd);
   gles3::destroy(api, crowd_mesh);

@@ -9,6 +9,9 @@
 #include "gl/support/stage.h"
 #include "gl/support/troop.h"
 #include "gles3/compile.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
+#include "gles3/skinner_state.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
@@ -184,14 +187,14 @@ struct Player {
   // What drawing binds, is then captured with points.
   Both drawn(std::uint32_t character) {
     const gles3::Program& program = gles3::program_of(skinner, programs, 0);
-    EXPECT_TRUE(program.motion);
+    EXPECT_TRUE(state_of(program).motion);
     const Target target;
     gl().UseProgram(program.id);
     EXPECT_EQ(gles3::draw(gl(), skinner, programs, program, character, 1), Status::ok);
     const GLuint array = !skinner.skinned.empty()                          ? skinner.skinned[character].array
-                         : skinner.options.deformer == gles3::Deformer::as ? skinner.gpu.as_array
-                                                                           : skinner.gpu.ssd_array;
-    return capture(array, skinner.gpu.slot_count, 1)[0];
+                         : skinner.options.deformer == gles3::Deformer::as ? state_of(skinner).gpu.as_array
+                                                                           : state_of(skinner).gpu.ssd_array;
+    return capture(array, state_of(skinner).gpu.slot_count, 1)[0];
   }
   void expect(std::uint32_t character, float now_s, float before_s) {
     const double size = diagonal(actor.mesh.geometry);
@@ -477,7 +480,7 @@ TEST(Motion, CrowdsKnowTheFrameBefore) {
             Status::ok);
   const gles3::Program& blending = gles3::blending_program_of(programs);
   const gles3::Program& drawing = gles3::crowd_program_of(crowd_mesh, gles3::Deformer::as, 255, programs, 0);
-  ASSERT_TRUE(drawing.motion);
+  ASSERT_TRUE(state_of(drawing).motion);
   std::vector<gles3::CrowdInstance> instances = some_of_each(reel.frames, kCount, 50, 3), before = instances;
   std::vector<float> coordinates(as_coordinate_count(mesh.geometry));
   ASSERT_EQ(as_coordinates(mesh.geometry, coordinates), Status::ok);
@@ -504,8 +507,8 @@ TEST(Motion, CrowdsKnowTheFrameBefore) {
 
   gl().UseProgram(drawing.id);
   ASSERT_EQ(gles3::bind_crowd(gl(), crowd, crowd_mesh, 0, kCount, 1, drawing), Status::ok);
-  gles3::tell_of_vertices(gl(), crowd_mesh.gpu, drawing);
-  const std::vector<Both> got = capture(crowd_mesh.gpu.as_array, crowd_mesh.gpu.slot_count, kCount);
+  gles3::tell_of_vertices(gl(), state_of(crowd_mesh).gpu, drawing);
+  const std::vector<Both> got = capture(state_of(crowd_mesh).gpu.as_array, state_of(crowd_mesh).gpu.slot_count, kCount);
   Worst worst;
   for (std::uint32_t i = 0; i < kCount; ++i) {
     const auto add = [&](const std::vector<float>& positions, const gles3::CrowdInstance& one, double time_s) {

@@ -16,6 +16,7 @@
 #include "cook/cook.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
+#include "gles3/palettes.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
 #include "support/places.h"

@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "gl/support/feedback.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 #include "support/places.h"
 
 namespace marrow::embedded {

@@ -8,6 +8,8 @@
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
 #include "gl/support/worst.h"
+#include "gles3/mesh/morph.h"
+#include "gles3/palettes.h"
 #include "marrow/gles3_skinner.h"
 #include "support/aligned.h"
 #include "support/morphs.h"

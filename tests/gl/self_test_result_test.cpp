@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "asset/format.h"
+#include "gles3/self_test/self_test_key.h"
 #include "marrow/gles3_self_test.h"
 
 namespace marrow::test {

@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 #include "marrow/gles3_crowd.h"
-#include "marrow/gles3_skinned.h"
+#include "marrow/gles3_skinner.h"
 #include "support/places.h"
 
 namespace marrow::embedded {

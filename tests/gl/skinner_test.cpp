@@ -9,6 +9,8 @@
 #include "gl/support/models.h"
 #include "gl/support/reports.h"
 #include "gl/support/stage.h"
+#include "gles3/program_set.h"
+#include "gles3/skinner_state.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
@@ -242,8 +244,8 @@ void main() { gl_Position = vec4((marrow_skin().position + from_scene.xyz) * fro
       EXPECT_GT(covered(pictures[0]), 500u) << to_string(way);
       for (std::size_t i = 3; i < pictures[0].size(); i += 4)
         ASSERT_EQ(pictures[0][i], pictures[1][i]) << to_string(way);
-      for (std::uint32_t i = 0; i < player.programs.count; ++i) {
-        const gles3::ProgramSetEntry& entry = player.programs.entries[i];
+      for (std::uint32_t i = 0; i < state_of(player.programs).count; ++i) {
+        const gles3::ProgramSetEntry& entry = state_of(player.programs).entries[i];
         if (entry.role == 1) {
           EXPECT_EQ(entry.key.features, 0) << to_string(way);
         }
@@ -316,7 +318,7 @@ TEST(Skinner, LabelsReachTheDriver) {
       EXPECT_EQ(stage.error(), 0u) << to_string(way);
       if (known && get != nullptr) {
         char text[256] = {};
-        get(0x82E0, player.skinner.gpu.index_buffer, sizeof(text), nullptr, text);
+        get(0x82E0, state_of(player.skinner).gpu.index_buffer, sizeof(text), nullptr, text);
         EXPECT_EQ(text, std::string(scene.mesh.name) + ": indices");
       }
       gles3::destroy(api, player.skinner);

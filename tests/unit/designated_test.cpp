@@ -39,10 +39,10 @@ TEST(Designated, WhatIsLeftOutIsTheDefault) {
   EXPECT_EQ(SpringJoint().weight, 1);
   EXPECT_EQ(SpringFrame().weight, 1);
   EXPECT_EQ(JointTransform().rotation[3], 1);
-  EXPECT_EQ(ProgramKey().features, kNormals);
+  EXPECT_EQ(ProgramSet().role_count, 1u);
   EXPECT_EQ(SkinnerOptions().instances, 1u);
   EXPECT_EQ(CrowdInstance().b.clip, kNoClip);
-  EXPECT_TRUE(PrepareOptions().ssd && SelfTestOptions().ssd);
+  EXPECT_TRUE(CrowdMeshOptions().ssd && SelfTestOptions().ssd);
 }
 
 }  // namespace

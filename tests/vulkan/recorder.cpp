@@ -1,4 +1,5 @@
 #include "vulkan/recorder.h"
+#include "gles3/program.h"
 
 #include <cstring>
 
@@ -79,7 +80,7 @@ gles3::Api recording_api() {
   gles3::Api api;
 #define MARROW_NOTHING(Result, Name, Parameters) api.Name = Nothing<Result Parameters>::call;
   MARROW_GLES3_FUNCTIONS(MARROW_NOTHING)
-  MARROW_GLES31_FUNCTIONS(MARROW_NOTHING)
+  MARROW_GLES3_OPTIONAL_FUNCTIONS(MARROW_NOTHING)
 #undef MARROW_NOTHING
   set_uniforms(api);
   set_buffers(api);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "gles3/program.h"
 #include "marrow/gles3.h"
 
 namespace marrow::test {

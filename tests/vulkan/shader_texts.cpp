@@ -7,8 +7,11 @@
 #include <set>
 #include <string>
 
+#include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 #include "marrow/gles3_crowd.h"
-#include "marrow/gles3_skinned.h"
+#include "marrow/gles3_skinner.h"
 #include "vulkan/recorder.h"
 
 namespace marrow::embedded {

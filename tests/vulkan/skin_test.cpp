@@ -12,8 +12,13 @@
 #include <vector>
 
 #include "core/memory.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
 #include "gles3/self_test/self_test_mesh.h"
-#include "marrow/gles3_skinned.h"
+#include "gles3/skinned.h"
+#include "marrow/gles3_skinner.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 #include "vulkan/recorder.h"

@@ -38,6 +38,7 @@ def fields_of(row, lines, at, names, constants):
     """The fields of a struct, in its order."""
     out = []
     for statement in (s.strip() for s in without_initialisers(body_of(lines, at)).split(';')):
+        statement = re.sub(r'^alignas\([^)]*\) ', '', statement)
         pointer = re.search(r'\(\*(\w+)\)', statement)
         if pointer and pointer[1] in row.known:
             out.append((pointer[1], row.known[pointer[1]]))

@@ -18,7 +18,7 @@ STAGES = {
     "poses": ("Poses", "playback sample blend transition local_to_model curve outfit character"),
     "reaching": ("Reaching: inverse kinematics, limits, springs", "limits ik ik_solve feet springs debug_lines"),
     "skinning": ("Skinning", "example_space morph palette bounds skin"),
-    "gles": ("OpenGL ES", "gles3 gles3_skinned gles3_skinner gles3_crowd gles3_self_test gles3_entry gles3_functions egl"),
+    "gles": ("OpenGL ES", "gles3 gles3_skinner gles3_crowd gles3_self_test gles3_functions egl"),
     "clang": ("For C and other languages", "c c_gles3"),
 }
 

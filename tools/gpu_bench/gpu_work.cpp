@@ -91,7 +91,7 @@ class CrowdWork : public GpuWork {
         features_(row.features),
         characters_(row.of->characters) {
     const Mesh& mesh = subject.mesh;
-    gles3::PrepareOptions options;
+    gles3::CrowdMeshOptions options;
     options.ssd = deformer_ == gles3::Deformer::ssd;
     options.as = !options.ssd;
     programs_.roles[0] = {kVertex, kFragment, {}};
@@ -125,7 +125,7 @@ class CrowdWork : public GpuWork {
     const gles3::Program& drawing = gles3::crowd_program_of(mesh_, deformer_, features_, programs_, 0);
     gl_.UseProgram(drawing.id);
     check(gles3::bind_crowd(gl_, crowd_, mesh_, 0, characters_, 0, drawing));
-    check(gles3::draw(gl_, mesh_.gpu, deformer_, drawing, characters_));
+    check(gles3::draw(gl_, mesh_, deformer_, drawing, characters_));
   }
 
  private:

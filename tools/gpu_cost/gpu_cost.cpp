@@ -10,9 +10,12 @@
 #include <regex>
 #include <string>
 
+#include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 #include "marrow/egl.h"
 #include "marrow/gles3_crowd.h"
-#include "marrow/gles3_skinned.h"
+#include "marrow/gles3_skinner.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_depth_vert[], shader_depth_frag[];

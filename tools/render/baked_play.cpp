@@ -38,7 +38,7 @@ BakedPlay::BakedPlay(const Gl& gl, const gles3::ProgramSet& programs, const std:
     meshes_[i].skeleton = mesh.skeleton;
     Reel& reel = reels_[mesh.skeleton];
     if (reel.matrices.empty()) bake(path, file.skeleton(mesh.skeleton), clip ? &*clip : nullptr, reel);
-    gles3::PrepareOptions options;
+    gles3::CrowdMeshOptions options;
     options.as_tangents = tangents[i];
     AlignedBytes& memory = meshes_[i].memory;
     memory = AlignedBytes(gles3::crowd_mesh_bytes(mesh, options));

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "common/failure.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/palettes.h"
 
 namespace marrow::tools {
 namespace {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "common/failure.h"
+#include "gles3/palettes.h"
 #include "render/heat.h"
 #include "render/performance.h"
 

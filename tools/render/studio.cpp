@@ -9,6 +9,7 @@
 
 #include "common/check_status.h"
 #include "common/failure.h"
+#include "gles3/program.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_surface_vert[], shader_surface_frag[], shader_depth_vert[], shader_depth_frag[],
@@ -187,7 +188,7 @@ void Studio::draw(const Drawable& d, const gles3::Program& program) {
   if (d.skinner != nullptr) return check(gles3::draw(gl_, *d.skinner, programs_, program, 0, 1));
   if (d.crowd != nullptr) {
     check(gles3::bind_crowd(gl_, *d.crowd, *d.crowd_mesh, 0, 1, kPaletteUnit, program));
-    return check(gles3::draw(gl_, d.crowd_mesh->gpu, d.crowd_deformer, program, 1));
+    return check(gles3::draw(gl_, *d.crowd_mesh, d.crowd_deformer, program, 1));
   }
   gl_.BindVertexArray(d.vertex_array);
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(d.index_count), d.index_type, nullptr);

@@ -1,5 +1,6 @@
 // Crowds in textures: instances when they change, palettes of all of them once a frame.
 #include "gles3/crowd/crowd.h"
+#include "gles3/program.h"
 
 #include <cstring>
 
@@ -60,20 +61,21 @@ Status make_object(const Api& api, const Caps& caps, Crowd& crowd) {
 // What both programs read: palettes or frames, and instances.
 void bind_textures(const Api& api, const Program& program, std::uint32_t palettes, std::uint32_t instances,
                    std::uint32_t unit) {
+  const ProgramState& at = state_of(program);
   api.ActiveTexture(kGlTexture0 + unit);
   api.BindTexture(kGlTexture2d, palettes);
-  api.Uniform1i(program.palettes, static_cast<int>(unit));
+  api.Uniform1i(at.palettes, static_cast<int>(unit));
   api.ActiveTexture(kGlTexture0 + unit + 1);
   api.BindTexture(kGlTexture2d, instances);
-  if (program.instances >= 0) api.Uniform1i(program.instances, static_cast<int>(unit + 1));
+  if (at.instances >= 0) api.Uniform1i(at.instances, static_cast<int>(unit + 1));
 }
 
 BadCall check_blending(const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                        double time_s, const Program& program) {
-  MARROW_CHECK(program.crowd >= 0 && "a program from create_crowd_program()");
-  MARROW_CHECK(is_there(first, count, crowd) && mesh.joints > 0);
+  MARROW_CHECK(state_of(program).crowd >= 0 && "a program from create_crowd_program()");
+  MARROW_CHECK(is_there(first, count, crowd) && state_of(mesh).joints > 0);
   MARROW_CHECK(has_ticks(time_s));
-  MARROW_CHECK(count == 0 || crowd.frame_count == mesh.frame_count);
+  MARROW_CHECK(count == 0 || crowd.frame_count == mesh.frames.frame_count);
   return {};
 }
 
@@ -88,13 +90,13 @@ Status blend(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, const Bl
              std::uint32_t texture_unit, const Program& program) {
   if (crowd.lost || mesh.lost) return Status::gl_error;
   if (to.first + to.count > mesh.capacity) return Status::unsupported;
-  const std::uint32_t rows = 3 * mesh.joints;
+  const std::uint32_t rows = 3 * state_of(mesh).joints;
   const auto line = static_cast<int>(std::uint64_t{rows} * to.first / kPaletteTextureWidth);
   const auto end = static_cast<int>((std::uint64_t{rows} * (to.first + to.count) - 1) / kPaletteTextureWidth + 1);
-  bind_textures(api, program, mesh.frames_texture, crowd.texture, texture_unit);
+  bind_textures(api, program, state_of(mesh).frames_texture, crowd.texture, texture_unit);
   const int values[4] = {static_cast<int>(ticks_of(time_s)), static_cast<int>(rows), static_cast<int>(to.behind),
                          static_cast<int>(to.least)};
-  api.Uniform1iv(program.crowd, 4, values);
+  api.Uniform1iv(state_of(program).crowd, 4, values);
   api.BindFramebuffer(kGlFramebuffer, to.framebuffer);
   api.Viewport(0, line, static_cast<int>(kPaletteTextureWidth), end - line);
   api.BindVertexArray(0);
@@ -105,8 +107,8 @@ Status blend(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, const Bl
 
 ProgramKey drawing_key(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features, const ProgramSet& programs,
                        std::uint32_t role) {
-  return {deformer, mesh.gpu.influences, features_read(programs, role, mesh.gpu, deformer, features, mesh.motion),
-          Palettes::crowd};
+  return {deformer, state_of(mesh).gpu.influences,
+          features_read(programs, role, state_of(mesh).gpu, deformer, features, mesh.motion), Palettes::crowd};
 }
 
 }  // namespace
@@ -174,6 +176,7 @@ Status create_crowd_program(const Api& api, Program& out, Span<char> log) {
 Status create_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                              std::uint8_t features, ProgramSet& programs) {
   MARROW_ZONE;
+  MARROW_REQUIRE(state_of(mesh).joints > 0 && "a mesh from create_crowd_mesh()");
   MARROW_REQUIRE(in_crowds(deformer));
   MARROW_REQUIRE_GOOD(check_roles(programs));
   Status status = need_program(api, caps, programs, kBlendingKey, kBlendingRole);
@@ -198,16 +201,17 @@ Status blend_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, st
   if (count == 0) return Status::ok;
   // Of all that there are: whole lines, so those of instances that share one with these too.
   const std::uint32_t known = crowd.count < mesh.capacity ? crowd.count : mesh.capacity;
-  return blend(api, crowd, mesh, {mesh.framebuffer, first, count, 0, known}, time_s, texture_unit, program);
+  return blend(api, crowd, mesh, {state_of(mesh).framebuffer, first, count, 0, known}, time_s, texture_unit, program);
 }
 
 void begin_frame(CrowdMesh& mesh) {
+  CrowdMeshState& own = state_of(mesh);
   if (!mesh.motion) return;
-  const std::uint32_t texture = mesh.blended_texture, framebuffer = mesh.framebuffer;
-  mesh.blended_texture = mesh.previous_texture;
-  mesh.framebuffer = mesh.previous_framebuffer;
-  mesh.previous_texture = texture;
-  mesh.previous_framebuffer = framebuffer;
+  const std::uint32_t texture = own.blended_texture, framebuffer = own.framebuffer;
+  own.blended_texture = own.previous_texture;
+  own.framebuffer = own.previous_framebuffer;
+  own.previous_texture = texture;
+  own.previous_framebuffer = framebuffer;
 }
 
 Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first,
@@ -216,27 +220,33 @@ Status blend_previous_crowd(const Api& api, const Crowd& crowd, const CrowdMesh&
   MARROW_REQUIRE(mesh.motion);
   MARROW_REQUIRE_GOOD(check_blending(crowd, mesh, first, count, time_s, program));
   if (count == 0) return Status::ok;
-  return blend(api, crowd, mesh, {mesh.previous_framebuffer, first, count, first, first + count}, time_s, texture_unit,
-               program);
+  return blend(api, crowd, mesh, {state_of(mesh).previous_framebuffer, first, count, first, first + count}, time_s,
+               texture_unit, program);
 }
 
 Status bind_crowd(const Api& api, const Crowd& crowd, const CrowdMesh& mesh, std::uint32_t first, std::uint32_t count,
                   std::uint32_t texture_unit, const Program& program) {
-  MARROW_REQUIRE(program.reads == Palettes::crowd);
-  MARROW_REQUIRE(is_there(first, count, crowd) && mesh.joints > 0);
-  MARROW_REQUIRE(crowd.frame_count == mesh.frame_count);
-  MARROW_REQUIRE(program.previous_palettes < 0 || mesh.motion);
+  const ProgramState& at = state_of(program);
+  const CrowdMeshState& own = state_of(mesh);
+  MARROW_REQUIRE(at.reads == Palettes::crowd);
+  MARROW_REQUIRE(is_there(first, count, crowd) && own.joints > 0);
+  MARROW_REQUIRE(crowd.frame_count == mesh.frames.frame_count);
+  MARROW_REQUIRE(at.previous_palettes < 0 || mesh.motion);
   if (crowd.lost || mesh.lost) return Status::gl_error;
   if (first + count > mesh.capacity) return Status::unsupported;
-  bind_textures(api, program, mesh.blended_texture, crowd.texture, texture_unit);
-  if (program.previous_palettes >= 0) {
+  bind_textures(api, program, own.blended_texture, crowd.texture, texture_unit);
+  if (at.previous_palettes >= 0) {
     api.ActiveTexture(kGlTexture0 + texture_unit + 2);
-    api.BindTexture(kGlTexture2d, mesh.previous_texture);
-    api.Uniform1i(program.previous_palettes, static_cast<int>(texture_unit + 2));
+    api.BindTexture(kGlTexture2d, own.previous_texture);
+    api.Uniform1i(at.previous_palettes, static_cast<int>(texture_unit + 2));
   }
-  const std::uint32_t rows = 3 * mesh.joints;
-  api.Uniform2i(program.first_row, static_cast<int>(rows * first), static_cast<int>(rows));
+  const std::uint32_t rows = 3 * own.joints;
+  api.Uniform2i(at.first_row, static_cast<int>(rows * first), static_cast<int>(rows));
   return Status::ok;
+}
+
+Status draw(const Api& api, const CrowdMesh& mesh, Deformer deformer, const Program& program, std::uint32_t instances) {
+  return draw(api, state_of(mesh).gpu, deformer, program, instances);
 }
 
 }  // namespace marrow::gles3

@@ -5,10 +5,53 @@
 // 1; a rate is a signed share a tick, 2⁻⁴⁸ each, modulo 1.
 #pragma once
 
+#include <type_traits>
+
 #include "core/check.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/palettes.h"
 #include "marrow/gles3_crowd.h"
 
 namespace marrow::gles3 {
+
+// The most frames of a crowd: as many as fit the smallest textures for meshes with one joint.
+inline constexpr std::uint32_t kMaxCrowdFrames = 1u << 20;
+
+// What a CrowdMesh keeps in its state: its palette in every frame (RGBA32F), and the instances' palettes at this moment
+// (RGBA32UI, the bits of floats, since GLES 3.0 cannot render to floats). A texel is a row of a matrix, a line 2048
+// texels.
+struct CrowdMeshState {
+  GpuMesh gpu = {};                   // its vertices
+  std::uint32_t frames_texture = 0;   // palettes of all frames
+  std::uint32_t blended_texture = 0;  // palettes of the instances
+  std::uint32_t framebuffer = 0;      // around the blended texture
+  // Only with motion: the instances' palettes in the previous frame. begin_frame() swaps the two textures.
+  std::uint32_t previous_texture = 0;
+  std::uint32_t previous_framebuffer = 0;  // around the previous texture
+  std::uint32_t joints = 0;                // matrices of a palette
+  Span<Affine> bind = {};                  // what palettes are built with
+  Span<std::byte> scratch = {};            // of prepare(), and of palettes on their way up
+};
+static_assert(sizeof(CrowdMeshState) <= sizeof(CrowdMesh::state) && alignof(CrowdMeshState) <= alignof(void*));
+static_assert(std::is_trivially_copyable_v<CrowdMeshState>);
+
+inline CrowdMeshState& state_of(CrowdMesh& mesh) {
+  return *reinterpret_cast<CrowdMeshState*>(mesh.state);
+}
+inline const CrowdMeshState& state_of(const CrowdMesh& mesh) {
+  return *reinterpret_cast<const CrowdMeshState*>(mesh.state);
+}
+
+// How many palettes of `joints` matrices a texture of the caps' size holds. It limits the frames of a mesh, and the
+// instances.
+std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints);
+
+// The program for blend_crowd(). Errors: gl_error, with the driver's words in `log`. Cost: a compile.
+Status create_crowd_program(const Api& api, Program& out, Span<char> log = {});
+
+// crowd_joint() of all joints; out: at least frames.joint_count.
+Status crowd_pose(const CrowdFrames& frames, const CrowdInstance& instance, double time_s,
+                  Span<Affine> model_from_joint);
 
 // place = phase + rate · clamp(now - start, least, most): of a clip that loops the limits are none.
 struct CrowdClockwork {

@@ -3,7 +3,7 @@
 
 #include "core/check.h"
 #include "core/zone.h"
-#include "marrow/gles3_crowd.h"
+#include "gles3/crowd/crowd.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "pose/fits.h"

@@ -8,7 +8,7 @@
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
 #include "gles3/label.h"
-#include "gles3/prepare.h"
+#include "gles3/mesh/prepare.h"
 #include "gles3/texture.h"
 #include "marrow/palette.h"
 
@@ -32,24 +32,28 @@ std::size_t room_for_palettes(const Mesh& mesh) {
   return kChunk + mesh.palette_size();
 }
 
-void lay_out(Memory& memory, const Mesh& mesh, const PrepareOptions& options, CrowdMesh& out) {
-  out.bind = memory.take<Affine>(mesh.joint_count);
+PrepareOptions prepare_options(const CrowdMeshOptions& options) {
+  return {options.ssd, options.as, options.as_tangents, false};
+}
+
+void lay_out(Memory& memory, const Mesh& mesh, const CrowdMeshOptions& options, CrowdMesh& out) {
+  state_of(out).bind = memory.take<Affine>(mesh.joint_count);
   const std::size_t palettes = room_for_palettes(mesh) * sizeof(Affine);
-  const std::size_t vertices = prepare_scratch_bytes(mesh, options);
-  out.scratch = memory.take<std::byte>(palettes > vertices ? palettes : vertices);
+  const std::size_t vertices = prepare_scratch_bytes(mesh, prepare_options(options));
+  state_of(out).scratch = memory.take<std::byte>(palettes > vertices ? palettes : vertices);
 }
 
 // Palettes of all frames into the texture that is bound, three lines at a time.
 void put_frames(const Api& api, const CrowdMesh& crowd_mesh) {
   const Mesh& mesh = crowd_mesh.mesh;
   const CrowdFrames& frames = crowd_mesh.frames;
-  const Span<Affine> scratch(reinterpret_cast<Affine*>(crowd_mesh.scratch.data), room_for_palettes(mesh));
+  const Span<Affine> scratch(reinterpret_cast<Affine*>(state_of(crowd_mesh).scratch.data), room_for_palettes(mesh));
   const std::uint32_t size = mesh.palette_size();
   std::uint32_t filled = 0, line = 0;
   for (std::uint32_t frame = 0; frame < frames.frame_count; ++frame) {
     const Span<const Affine> joints(frames.character_from_joint.data + std::size_t{frame} * frames.joint_count,
                                     frames.joint_count);
-    static_cast<void>(build_palette({mesh.joints, mesh.joint_count}, crowd_mesh.bind, joints,
+    static_cast<void>(build_palette({mesh.joints, mesh.joint_count}, state_of(crowd_mesh).bind, joints,
                                     {scratch.data + filled, size}, mesh.helpers, mesh.helper_centres));
     filled += size;
     for (; filled >= kChunk; filled -= kChunk, line += kChunkLines) {
@@ -63,24 +67,26 @@ void put_frames(const Api& api, const CrowdMesh& crowd_mesh) {
 }
 
 void forget_objects(CrowdMesh& mesh) {
-  mesh.gpu = {};
-  mesh.frames_texture = mesh.blended_texture = mesh.previous_texture = 0;
-  mesh.framebuffer = mesh.previous_framebuffer = 0;
+  CrowdMeshState& own = state_of(mesh);
+  own.gpu = {};
+  own.frames_texture = own.blended_texture = own.previous_texture = 0;
+  own.framebuffer = own.previous_framebuffer = 0;
 }
 
 void destroy_objects(const Api& api, CrowdMesh& mesh) {
-  const std::uint32_t textures[] = {mesh.frames_texture, mesh.blended_texture, mesh.previous_texture};
-  const std::uint32_t framebuffers[] = {mesh.framebuffer, mesh.previous_framebuffer};
+  CrowdMeshState& own = state_of(mesh);
+  const std::uint32_t textures[] = {own.frames_texture, own.blended_texture, own.previous_texture};
+  const std::uint32_t framebuffers[] = {own.framebuffer, own.previous_framebuffer};
   api.DeleteFramebuffers(2, framebuffers);
   api.DeleteTextures(3, textures);
-  destroy(api, mesh.gpu);
+  destroy(api, own.gpu);
   forget_objects(mesh);
 }
 
 // A texture of the palettes of all instances, and a framebuffer around it. Gives whether it can be drawn to.
 bool make_blended(const Api& api, const CrowdMesh& mesh, std::uint32_t& texture, std::uint32_t& framebuffer) {
   texture = make_texture(api, kGlRgba32ui, kGlRgbaInteger, kGlUnsignedInt, kPaletteTextureWidth,
-                         lines_of(mesh.capacity, mesh.joints));
+                         lines_of(mesh.capacity, state_of(mesh).joints));
   api.BindTexture(kGlTexture2d, 0);
   api.GenFramebuffers(1, &framebuffer);
   api.BindFramebuffer(kGlFramebuffer, framebuffer);
@@ -94,18 +100,20 @@ bool make_blended(const Api& api, const CrowdMesh& mesh, std::uint32_t& texture,
 
 // The textures, and the framebuffers. Errors are GL's to tell, but for the result: whether they can be drawn to.
 bool make_textures(const Api& api, CrowdMesh& mesh) {
-  mesh.frames_texture =
-      make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kPaletteTextureWidth, lines_of(mesh.frame_count, mesh.joints));
+  CrowdMeshState& own = state_of(mesh);
+  own.frames_texture = make_texture(api, kGlRgba32f, kGlRgba, kGlFloat, kPaletteTextureWidth,
+                                    lines_of(mesh.frames.frame_count, own.joints));
   put_frames(api, mesh);
-  const bool complete = make_blended(api, mesh, mesh.blended_texture, mesh.framebuffer);
-  return complete && (!mesh.motion || make_blended(api, mesh, mesh.previous_texture, mesh.previous_framebuffer));
+  const bool complete = make_blended(api, mesh, own.blended_texture, own.framebuffer);
+  return complete && (!mesh.motion || make_blended(api, mesh, own.previous_texture, own.previous_framebuffer));
 }
 
 // Of a mesh that has none; all of them, or none.
 Status make_objects(const Api& api, const Caps& caps, CrowdMesh& mesh) {
-  const std::uint32_t fit = crowd_palettes_that_fit(caps, mesh.joints);
-  if (mesh.frame_count > fit || mesh.capacity > fit) return Status::unsupported;
-  const Status status = prepare(api, caps, mesh.mesh, mesh.options, mesh.scratch, mesh.bind, mesh.gpu);
+  CrowdMeshState& own = state_of(mesh);
+  const std::uint32_t fit = crowd_palettes_that_fit(caps, own.joints);
+  if (mesh.frames.frame_count > fit || mesh.capacity > fit) return Status::unsupported;
+  const Status status = prepare(api, caps, mesh.mesh, prepare_options(mesh.options), own.scratch, own.bind, own.gpu);
   if (status != Status::ok) return status;
   forget_errors(api);
   const bool complete = make_textures(api, mesh);
@@ -113,7 +121,7 @@ Status make_objects(const Api& api, const Caps& caps, CrowdMesh& mesh) {
     destroy_objects(api, mesh);
     return Status::gl_error;
   }
-  label(api, kGlTexture, mesh.frames_texture, {label_of(mesh.mesh), ": frames"});
+  label(api, kGlTexture, own.frames_texture, {label_of(mesh.mesh), ": frames"});
   return Status::ok;
 }
 
@@ -125,26 +133,25 @@ std::uint32_t crowd_palettes_that_fit(const Caps& caps, std::uint32_t joints) {
                                     (std::uint64_t{3} * joints));
 }
 
-std::size_t crowd_mesh_bytes(const Mesh& mesh, const PrepareOptions& options) {
+std::size_t crowd_mesh_bytes(const Mesh& mesh, const CrowdMeshOptions& options) {
   CrowdMesh counted;
   Memory memory;
   lay_out(memory, mesh, options, counted);
   return memory.used;
 }
 
-Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const PrepareOptions& options,
+Status create_crowd_mesh(const Api& api, const Caps& caps, const Mesh& mesh, const CrowdMeshOptions& options,
                          const CrowdFrames& frames, std::uint32_t capacity, Span<std::byte> memory, CrowdMesh& out,
                          bool motion) {
   MARROW_REQUIRE(capacity > 0 && frames.frame_count > 0);
-  MARROW_REQUIRE_GOOD(check_mesh(mesh, options));
+  MARROW_REQUIRE_GOOD(check_mesh(mesh, prepare_options(options)));
   MARROW_REQUIRE_GOOD(check_frames(frames));
   MARROW_REQUIRE(holds(memory, crowd_mesh_bytes(mesh, options)));
   MARROW_REQUIRE_GOOD(check_boundary(memory.data));
   for (std::uint32_t i = 0; i < mesh.joint_count; ++i) MARROW_REQUIRE(mesh.joints[i] < frames.joint_count);
   if (!mesh.geometry.targets.empty()) return Status::unsupported;
   CrowdMesh made;
-  made.joints = mesh.palette_size();
-  made.frame_count = frames.frame_count;
+  state_of(made).joints = mesh.palette_size();
   made.capacity = capacity;
   made.motion = motion;
   made.mesh = mesh;
@@ -168,7 +175,7 @@ void on_context_lost(CrowdMesh& mesh) {
 }
 
 Status on_context_restored(const Api& api, const Caps& caps, CrowdMesh& mesh) {
-  MARROW_REQUIRE(mesh.joints > 0 && "a mesh from create_crowd_mesh()");
+  MARROW_REQUIRE(state_of(mesh).joints > 0 && "a mesh from create_crowd_mesh()");
   const Status status = make_objects(api, caps, mesh);
   mesh.lost = status != Status::ok;
   return status;

@@ -8,9 +8,11 @@
 #include "core/zone.h"
 #include "gles3/errors.h"
 #include "gles3/gl_constants.h"
+#include "gles3/palettes.h"
 #include "gles3/self_test/self_test_key.h"
 #include "gles3/self_test/self_test_mesh.h"
 #include "gles3/self_test/self_test_target.h"
+#include "gles3/skinner_state.h"
 #include "marrow/palette.h"
 #include "marrow/skin.h"
 
@@ -166,7 +168,7 @@ Verdict try_frame(Probe& p, const Mesh& mesh, std::uint32_t frame, Skinner& s, P
 
 Verdict make_skinner(Probe& p, const Mesh& mesh, const SkinnerOptions& options, Skinner& out) {
   const Status made = create_skinner(p.api, p.caps, mesh, options, p.programs[0], p.skinner, out);
-  out.gpu.primitive = kGlPoints;
+  state_of(out).gpu.primitive = kGlPoints;
   return made == Status::ok ? Verdict::usable : made == Status::unsupported ? Verdict::unsupported : Verdict::refused;
 }
 

@@ -1,7 +1,7 @@
 // At start-up: small meshes and poses to try the paths with. Rational numbers instead of square roots throughout.
 #include "gles3/self_test/self_test_mesh.h"
 
-#include "marrow/gles3.h"
+#include "gles3/palettes.h"
 #include "math/affine.h"
 #include "math/quaternion.h"
 

@@ -5,6 +5,7 @@
 #include "core/builtins.h"
 #include "core/check.h"
 #include "gles3/gl_constants.h"
+#include "gles3/palettes.h"
 #include "gles3/self_test/self_test_key.h"
 
 namespace marrow::embedded {

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x08a22864u
+#define MRW_ABI 0x5feb457au
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1119,9 +1119,6 @@ void mrw_sample_options_init(mrw_sample_options* out);
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
 
-// Bytes of mrw_sample_cache's state.
-#define MRW_SAMPLE_STATE_BYTES 24u
-
 // What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new cache is empty.
 typedef struct mrw_sample_cache mrw_sample_cache;
 struct MRW_ALIGN(8) mrw_sample_cache {
@@ -1995,9 +1992,6 @@ struct mrw_foot_ground {
   bool planted;  // the sole stays where it is for as long as this is true
 };
 void mrw_foot_ground_init(mrw_foot_ground* out);
-
-// Bytes of mrw_foot_motion's state.
-#define MRW_FOOT_STATE_BYTES 112u
 
 // What mrw_place_feet() keeps of one foot from frame to frame. A new motion begins where the animation has the foot. So
 // does one whose numbers are out of range. On a moving platform, use the platform's space as the world.

@@ -36,15 +36,12 @@ struct FootGround {
   bool planted = false;         // the sole stays where it is for as long as this is true
 };
 
-// Bytes of FootMotion's state.
-inline constexpr std::size_t kFootStateBytes = 112;
-
 // What place_feet() keeps of one foot from frame to frame. A new motion begins where the animation has the foot. So
 // does one whose numbers are out of range. On a moving platform, use the platform's space as the world.
 struct FootMotion {
-  float place[3] = {};                               // of the sole, as shown last; world
-  alignas(4) std::byte state[kFootStateBytes] = {};  // place_feet()'s own
-  bool reached = false;                              // whether the leg was long enough
+  float place[3] = {};                   // of the sole, as shown last; world
+  alignas(4) std::byte state[112] = {};  // place_feet()'s own
+  bool reached = false;                  // whether the leg was long enough
 };
 
 // What place_feet() is told of a frame.

@@ -1,98 +1,148 @@
-// The OpenGL ES functions that marrow::gles3 calls, and those for a game's uniforms: X(return type, name without "gl",
-// parameters). Those of 3.0 must be there, those of 3.1 and of extensions may be missing.
-//
-// Spelt in plain C types, which are what the GL types are on every platform, so that neither Khronos' headers nor a
-// particular loader are needed to include this.
+// The OpenGL ES functions that marrow::gles3 calls, and those for a game's uniforms; and who watches calls for errors.
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
+#include "marrow/api.h"
+
+// X(return type, name without "gl", parameters), in plain C types, which are what the GL types are on every platform.
 // OpenGL ES 3.0: all must be there.
-#define MARROW_GLES3_FUNCTIONS(X)                                                                              \
-  X(const unsigned char*, GetString, (unsigned name))                                                          \
-  X(void, GetIntegerv, (unsigned name, int* values))                                                           \
-  X(unsigned, GetError, ())                                                                                    \
-  X(void, GenBuffers, (int count, unsigned* buffers))                                                          \
-  X(void, DeleteBuffers, (int count, const unsigned* buffers))                                                 \
-  X(void, BindBuffer, (unsigned target, unsigned buffer))                                                      \
-  X(void, BufferData, (unsigned target, std::ptrdiff_t bytes, const void* data, unsigned usage))               \
-  X(void, BufferSubData, (unsigned target, std::ptrdiff_t offset, std::ptrdiff_t bytes, const void* data))     \
-  X(void, BindBufferRange,                                                                                     \
-    (unsigned target, unsigned index, unsigned buffer, std::ptrdiff_t offset, std::ptrdiff_t bytes))           \
-  X(void, GenVertexArrays, (int count, unsigned* arrays))                                                      \
-  X(void, DeleteVertexArrays, (int count, const unsigned* arrays))                                             \
-  X(void, BindVertexArray, (unsigned array))                                                                   \
-  X(void, EnableVertexAttribArray, (unsigned location))                                                        \
-  X(void, VertexAttribPointer,                                                                                 \
-    (unsigned location, int size, unsigned type, unsigned char normalized, int stride, const void* offset))    \
-  X(void, VertexAttribIPointer, (unsigned location, int size, unsigned type, int stride, const void* offset))  \
-  X(unsigned, CreateShader, (unsigned type))                                                                   \
-  X(void, ShaderSource, (unsigned shader, int count, const char* const* texts, const int* lengths))            \
-  X(void, CompileShader, (unsigned shader))                                                                    \
-  X(void, GetShaderiv, (unsigned shader, unsigned name, int* value))                                           \
-  X(void, GetShaderInfoLog, (unsigned shader, int size, int* length, char* text))                              \
-  X(void, DeleteShader, (unsigned shader))                                                                     \
-  X(unsigned, CreateProgram, ())                                                                               \
-  X(void, AttachShader, (unsigned program, unsigned shader))                                                   \
-  X(void, TransformFeedbackVaryings, (unsigned program, int count, const char* const* names, unsigned mode))   \
-  X(void, LinkProgram, (unsigned program))                                                                     \
-  X(void, GetProgramiv, (unsigned program, unsigned name, int* value))                                         \
-  X(void, GetProgramInfoLog, (unsigned program, int size, int* length, char* text))                            \
-  X(void, DeleteProgram, (unsigned program))                                                                   \
-  X(int, GetUniformLocation, (unsigned program, const char* name))                                             \
-  X(void, Uniform1f, (int location, float value))                                                              \
-  X(void, Uniform2f, (int location, float x, float y))                                                         \
-  X(void, Uniform3f, (int location, float x, float y, float z))                                                \
-  X(void, Uniform4f, (int location, float x, float y, float z, float w))                                       \
-  X(void, Uniform1fv, (int location, int count, const float* values))                                          \
-  X(void, Uniform2fv, (int location, int count, const float* values))                                          \
-  X(void, Uniform3fv, (int location, int count, const float* values))                                          \
-  X(void, UniformMatrix3fv, (int location, int count, unsigned char transpose, const float* values))           \
-  X(void, UniformMatrix4fv, (int location, int count, unsigned char transpose, const float* values))           \
-  X(unsigned, GetUniformBlockIndex, (unsigned program, const char* name))                                      \
-  X(void, UniformBlockBinding, (unsigned program, unsigned index, unsigned binding))                           \
-  X(void, DrawElements, (unsigned mode, int count, unsigned type, const void* offset))                         \
-  X(void, DrawElementsInstanced, (unsigned mode, int count, unsigned type, const void* offset, int instances)) \
-  X(void, DrawArrays, (unsigned mode, int first, int count))                                                   \
-  X(void, UseProgram, (unsigned program))                                                                      \
-  X(void, Enable, (unsigned capability))                                                                       \
-  X(void, Disable, (unsigned capability))                                                                      \
-  X(void, BeginTransformFeedback, (unsigned mode))                                                             \
-  X(void, EndTransformFeedback, ())                                                                            \
-  X(void, BindBufferBase, (unsigned target, unsigned index, unsigned buffer))                                  \
-  X(void, Uniform2i, (int location, int x, int y))                                                             \
-  X(void, Uniform1iv, (int location, int count, const int* values))                                            \
-  X(void, ActiveTexture, (unsigned unit))                                                                      \
-  X(void, GenTextures, (int count, unsigned* textures))                                                        \
-  X(void, DeleteTextures, (int count, const unsigned* textures))                                               \
-  X(void, BindTexture, (unsigned target, unsigned texture))                                                    \
-  X(void, TexParameteri, (unsigned target, unsigned name, int value))                                          \
-  X(void, TexImage2D,                                                                                          \
-    (unsigned target, int level, int internal_format, int width, int height, int border, unsigned format,      \
-     unsigned type, const void* texels))                                                                       \
-  X(void, TexSubImage2D,                                                                                       \
-    (unsigned target, int level, int x, int y, int width, int height, unsigned format, unsigned type,          \
-     const void* texels))                                                                                      \
-  X(void, Uniform1i, (int location, int value))                                                                \
-  X(void, Uniform4fv, (int location, int count, const float* values))                                          \
-  X(void, GenFramebuffers, (int count, unsigned* framebuffers))                                                \
-  X(void, DeleteFramebuffers, (int count, const unsigned* framebuffers))                                       \
-  X(void, BindFramebuffer, (unsigned target, unsigned framebuffer))                                            \
-  X(void, FramebufferTexture2D, (unsigned target, unsigned point, unsigned kind, unsigned texture, int level)) \
-  X(unsigned, CheckFramebufferStatus, (unsigned target))                                                       \
-  X(void, Viewport, (int x, int y, int width, int height))                                                     \
-  X(void, ClearBufferuiv, (unsigned buffer, int index, const unsigned* value))                                 \
-  X(void, ReadPixels, (int x, int y, int width, int height, unsigned format, unsigned type, void* out))        \
-  X(void, ColorMask, (unsigned char red, unsigned char green, unsigned char blue, unsigned char alpha))        \
+#define MARROW_GLES3_FUNCTIONS(X)                                                              \
+  X(const unsigned char*, GetString, (unsigned))                                               \
+  X(void, GetIntegerv, (unsigned, int*))                                                       \
+  X(unsigned, GetError, ())                                                                    \
+  X(void, GenBuffers, (int, unsigned*))                                                        \
+  X(void, DeleteBuffers, (int, const unsigned*))                                               \
+  X(void, BindBuffer, (unsigned, unsigned))                                                    \
+  X(void, BufferData, (unsigned, std::ptrdiff_t, const void*, unsigned))                       \
+  X(void, BufferSubData, (unsigned, std::ptrdiff_t, std::ptrdiff_t, const void*))              \
+  X(void, BindBufferRange, (unsigned, unsigned, unsigned, std::ptrdiff_t, std::ptrdiff_t))     \
+  X(void, GenVertexArrays, (int, unsigned*))                                                   \
+  X(void, DeleteVertexArrays, (int, const unsigned*))                                          \
+  X(void, BindVertexArray, (unsigned))                                                         \
+  X(void, EnableVertexAttribArray, (unsigned))                                                 \
+  X(void, VertexAttribPointer, (unsigned, int, unsigned, unsigned char, int, const void*))     \
+  X(void, VertexAttribIPointer, (unsigned, int, unsigned, int, const void*))                   \
+  X(unsigned, CreateShader, (unsigned))                                                        \
+  X(void, ShaderSource, (unsigned, int, const char* const*, const int*))                       \
+  X(void, CompileShader, (unsigned))                                                           \
+  X(void, GetShaderiv, (unsigned, unsigned, int*))                                             \
+  X(void, GetShaderInfoLog, (unsigned, int, int*, char*))                                      \
+  X(void, DeleteShader, (unsigned))                                                            \
+  X(unsigned, CreateProgram, ())                                                               \
+  X(void, AttachShader, (unsigned, unsigned))                                                  \
+  X(void, TransformFeedbackVaryings, (unsigned, int, const char* const*, unsigned))            \
+  X(void, LinkProgram, (unsigned))                                                             \
+  X(void, GetProgramiv, (unsigned, unsigned, int*))                                            \
+  X(void, GetProgramInfoLog, (unsigned, int, int*, char*))                                     \
+  X(void, DeleteProgram, (unsigned))                                                           \
+  X(int, GetUniformLocation, (unsigned, const char*))                                          \
+  X(void, Uniform1f, (int, float))                                                             \
+  X(void, Uniform4f, (int, float, float, float, float))                                        \
+  X(void, Uniform1fv, (int, int, const float*))                                                \
+  X(void, Uniform2fv, (int, int, const float*))                                                \
+  X(void, Uniform3fv, (int, int, const float*))                                                \
+  X(void, UniformMatrix3fv, (int, int, unsigned char, const float*))                           \
+  X(void, UniformMatrix4fv, (int, int, unsigned char, const float*))                           \
+  X(unsigned, GetUniformBlockIndex, (unsigned, const char*))                                   \
+  X(void, UniformBlockBinding, (unsigned, unsigned, unsigned))                                 \
+  X(void, DrawElements, (unsigned, int, unsigned, const void*))                                \
+  X(void, DrawElementsInstanced, (unsigned, int, unsigned, const void*, int))                  \
+  X(void, DrawArrays, (unsigned, int, int))                                                    \
+  X(void, UseProgram, (unsigned))                                                              \
+  X(void, Enable, (unsigned))                                                                  \
+  X(void, Disable, (unsigned))                                                                 \
+  X(void, BeginTransformFeedback, (unsigned))                                                  \
+  X(void, EndTransformFeedback, ())                                                            \
+  X(void, BindBufferBase, (unsigned, unsigned, unsigned))                                      \
+  X(void, Uniform2i, (int, int, int))                                                          \
+  X(void, Uniform1iv, (int, int, const int*))                                                  \
+  X(void, ActiveTexture, (unsigned))                                                           \
+  X(void, GenTextures, (int, unsigned*))                                                       \
+  X(void, DeleteTextures, (int, const unsigned*))                                              \
+  X(void, BindTexture, (unsigned, unsigned))                                                   \
+  X(void, TexParameteri, (unsigned, unsigned, int))                                            \
+  X(void, TexImage2D, (unsigned, int, int, int, int, int, unsigned, unsigned, const void*))    \
+  X(void, TexSubImage2D, (unsigned, int, int, int, int, int, unsigned, unsigned, const void*)) \
+  X(void, Uniform1i, (int, int))                                                               \
+  X(void, Uniform4fv, (int, int, const float*))                                                \
+  X(void, GenFramebuffers, (int, unsigned*))                                                   \
+  X(void, DeleteFramebuffers, (int, const unsigned*))                                          \
+  X(void, BindFramebuffer, (unsigned, unsigned))                                               \
+  X(void, FramebufferTexture2D, (unsigned, unsigned, unsigned, unsigned, int))                 \
+  X(unsigned, CheckFramebufferStatus, (unsigned))                                              \
+  X(void, Viewport, (int, int, int, int))                                                      \
+  X(void, ClearBufferuiv, (unsigned, int, const unsigned*))                                    \
+  X(void, ReadPixels, (int, int, int, int, unsigned, unsigned, void*))                         \
+  X(void, ColorMask, (unsigned char, unsigned char, unsigned char, unsigned char))             \
   X(void, Finish, ())
+// Of OpenGL ES 3.1, GL_KHR_debug and GL_EXT_robustness: these may be missing.
+#define MARROW_GLES3_OPTIONAL_FUNCTIONS(X)                     \
+  X(void, DispatchCompute, (unsigned, unsigned, unsigned))     \
+  X(void, MemoryBarrier, (unsigned))                           \
+  X(void, ObjectLabel, (unsigned, unsigned, int, const char*)) \
+  X(unsigned, GetGraphicsResetStatus, ())
 
-// OpenGL ES 3.1: compute shaders.
-#define MARROW_GLES31_FUNCTIONS(X)                               \
-  X(void, DispatchCompute, (unsigned x, unsigned y, unsigned z)) \
-  X(void, MemoryBarrier, (unsigned barriers))
+namespace marrow::gles3 {
 
-// GL_KHR_debug or OpenGL ES 3.2.
-#define MARROW_KHR_DEBUG_FUNCTIONS(X) X(void, ObjectLabel, (unsigned kind, unsigned name, int size, const char* text))
+// Is told of every GL error and of the call that caused it: for debugging, see watch_errors(). One an Api and thread.
+struct ErrorWatch {
+  // call: "glBindBuffer", a static string. May be null.
+  void (*report)(void* user, const char* call, unsigned error) = nullptr;
+  void* user = nullptr;               // what `report` gets
+  unsigned pending = 0;               // what the Api's GetError has yet to tell, as it would without a watch
+  unsigned (*get_error)() = nullptr;  // the driver's glGetError
+};
 
-// GL_EXT_robustness, GL_KHR_robustness or OpenGL ES 3.2.
-#define MARROW_ROBUSTNESS_FUNCTIONS(X) X(unsigned, GetGraphicsResetStatus, ())
+// What the Api's GetError returns under a watch.
+MARROW_API unsigned take_error(ErrorWatch& watch);
+
+// Before a call under a watch: keeps errors from before it pending. Gives an error that GL does not clear, or none.
+MARROW_API unsigned begin_watched(ErrorWatch& watch);
+// After it: reports the errors that it has left behind, but for `stuck`, which begin_watched() gave.
+MARROW_API void end_watched(ErrorWatch& watch, const char* call, unsigned stuck);
+
+// A function of the driver, called and assigned like a function pointer.
+template <class Function>
+struct Entry;
+template <class Result, class... Arguments>
+// A function of this result and these arguments.
+struct Entry<Result(Arguments...)> {
+  // What the driver gives.
+  using Pointer = Result (*)(Arguments...);
+
+  Pointer function = nullptr;   // null: the driver has it not
+  const char* name;             // "glBindBuffer"; a static string
+  ErrorWatch* watch = nullptr;  // null: nobody watches
+
+  // A function that is not there yet.
+  explicit constexpr Entry(const char* of) : name(of) {}
+  // Another function in its place.
+  Entry& operator=(Pointer to) {
+    function = to;
+    return *this;
+  }
+  // Whether the driver has it not.
+  bool operator==(std::nullptr_t) const { return function == nullptr; }
+
+  // Calls it. Precondition: it is there.
+  Result operator()(Arguments... arguments) const {
+    if (watch == nullptr) [[likely]]
+      return function(arguments...);
+    if constexpr (std::is_same_v<Pointer, unsigned (*)()>) {
+      if (function == watch->get_error) return take_error(*watch);
+    }
+    const unsigned stuck = begin_watched(*watch);
+    if constexpr (std::is_void_v<Result>) {
+      function(arguments...);
+      end_watched(*watch, name, stuck);
+    } else {
+      const Result result = function(arguments...);
+      end_watched(*watch, name, stuck);
+      return result;
+    }
+  }
+};
+
+}  // namespace marrow::gles3

@@ -14,16 +14,13 @@ struct SampleOptions {
   Span<const std::uint32_t> joints = {};
 };
 
-// Bytes of SampleCache's state.
-inline constexpr std::size_t kSampleStateBytes = 24;
-
 // What an instance that plays a clip keeps between two calls of sample_cached(). A new cache is empty.
 struct SampleCache {
   // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
   // unpacking. If it is smaller than sample_cache_bytes() of a clip, or empty, only what does not move in the clip is
   // kept.
   Span<std::byte> memory = {};
-  alignas(8) std::byte state[kSampleStateBytes] = {};  // sample_cached()'s own
+  alignas(8) std::byte state[24] = {};  // sample_cached()'s own
 };
 
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:

@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
       stage.gl.UseProgram(program.id);
       stage.gl.UniformMatrix4fv(stage.gl.GetUniformLocation(program.id, "clip_from_model"), 1, 0, front);
       must(bind_crowd(stage.gl, crowd, mesh, 0, kCount, 0, program), "binding");
-      must(gles3::draw(stage.gl, mesh.gpu, gles3::Deformer::ssd, program, kCount), "drawing");
+      must(gles3::draw(stage.gl, mesh, gles3::Deformer::ssd, program, kCount), "drawing");
     }
     // Where a lantern goes that number 3 holds: by the arithmetic of the GPU, without asking it.
     const std::uint32_t hand = asset.file.find_joint(asset.file.skeleton(0), "hand.L");

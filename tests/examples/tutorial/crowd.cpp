@@ -60,7 +60,7 @@ struct Crowd {
       window.use(program.id, mesh.mesh.base_colour);
       (mesh.mesh.double_sided ? window.gl.Disable : window.gl.Enable)(GL_CULL_FACE);
       must(bind_crowd(window.gl, instances, mesh, 0, kNewts, 0, program), "binding the crowd");
-      must(gles3::draw(window.gl, mesh.gpu, gles3::Deformer::ssd, program, kNewts), "drawing the crowd");
+      must(gles3::draw(window.gl, mesh, gles3::Deformer::ssd, program, kNewts), "drawing the crowd");
     }
   }
 };

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "gl/misuse/paper_driver.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/mesh/prepare.h"
 #include "marrow/gles3_crowd.h"
 #include "marrow/gles3_self_test.h"
 #include "support/family.h"
@@ -10,7 +12,7 @@
 
 namespace marrow::test {
 
-std::vector<MisuseRow> rows_of_gl_meshes();
+std::vector<MisuseRow> rows_of_loading();
 std::vector<MisuseRow> rows_of_skinners();
 std::vector<MisuseRow> rows_of_crowds();
 
@@ -31,7 +33,7 @@ const GlStage& gl_stage();
 
 // A mesh, or none; without what it may lack.
 Mesh gl_mesh_of(Misuse& m);
-gles3::PrepareOptions prepare_options_of(Misuse& m);
+gles3::CrowdMeshOptions crowd_mesh_options_of(Misuse& m);
 gles3::Caps caps_of(Misuse& m);
 
 }  // namespace marrow::test

@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "gl/misuse/misuse_gl.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/program.h"
+#include "gles3/program_set.h"
 
 namespace marrow::test {
 namespace {
@@ -110,19 +114,9 @@ std::vector<MisuseRow> rows_of_frames() {
          Affine& out = m.one(Affine{});
          m.returned(crowd_joint(frames_of(m), instance_of(m), static_cast<double>(m.number(3)), m.index(5), out));
        }},
-      {"crowd_pose",
-       [](Misuse& m) {
-         const Span<Affine> out = m.out<Affine>(stage().joints.size());
-         m.returned(crowd_pose(frames_of(m), instance_of(m), static_cast<double>(m.number(3)), out));
-       }},
-      {"crowd_palettes_that_fit",
-       [](Misuse& m) {
-         (void)crowd_palettes_that_fit(caps_of(m), m.index(20));
-         m.returned_ok();
-       }},
       {"crowd_mesh_bytes",
        [](Misuse& m) {
-         (void)crowd_mesh_bytes(gl_mesh_of(m), prepare_options_of(m));
+         (void)crowd_mesh_bytes(gl_mesh_of(m), crowd_mesh_options_of(m));
          m.returned_ok();
        }},
   };
@@ -133,7 +127,7 @@ std::vector<MisuseRow> rows_of_instances() {
       {"create_crowd_mesh",
        [](Misuse& m) {
          const Mesh mesh = m.either(Marching::stage_mesh(), gl_mesh_of(m));
-         const PrepareOptions options = prepare_options_of(m);
+         const CrowdMeshOptions options = crowd_mesh_options_of(m);
          const Span<std::byte> memory = m.memory(crowd_mesh_bytes(mesh, options));
          CrowdMesh& out = m.one(CrowdMesh{});
          m.returned(create_crowd_mesh(gl_stage().api, caps_of(m), mesh, options, frames_of(m), m.index(4), memory, out,
@@ -184,9 +178,17 @@ std::vector<MisuseRow> rows_of_instances() {
        [](Misuse& m) {
          Marching marching(m, m.truth(true));
          Program program = gl_stage().program;
-         program.reads = m.kind(Palettes::crowd);
+         ProgramState state = state_of(program);
+         state.reads = m.kind(Palettes::crowd);
+         set_state(program, state);
          m.returned(bind_crowd(gl_stage().api, m.either(marching.crowd, Crowd{}), m.either(marching.mesh, CrowdMesh{}),
                                m.index(1), m.index(2), m.index(0), program));
+       }},
+      {"draw",
+       [](Misuse& m) {
+         Marching marching(m);
+         m.returned(draw(gl_stage().api, m.either(marching.mesh, CrowdMesh{}), m.kind(Deformer::ssd),
+                         m.either(gl_stage().program, Program{}), m.index(2)));
        }},
       {"on_context_lost",
        [](Misuse& m) {
@@ -213,18 +215,13 @@ std::vector<MisuseRow> rows_of_instances() {
 
 std::vector<MisuseRow> rows_of_crowd_programs() {
   return {
-      {"create_crowd_program",
-       [](Misuse& m) {
-         Program& out = m.one(Program{});
-         m.returned(create_crowd_program(gl_stage().api, out, m.room<char>(4, Length::any)));
-       }},
       {"create_crowd_programs",
        [](Misuse& m) {
          Marching marching(m);
          ProgramSet programs;
          programs.roles[0] = {m.pointer("vertex"), m.pointer("fragment"), {}};
          programs.role_count = m.index(1);
-         programs.count = m.truth(true) ? 0 : kMostPrograms;
+         state_of(programs).count = m.truth(true) ? 0 : kMostPrograms;
          m.returned(create_crowd_programs(gl_stage().api, caps_of(m), m.either(marching.mesh, CrowdMesh{}),
                                           m.kind(Deformer::ssd), static_cast<std::uint8_t>(m.index(255)), programs));
        }},

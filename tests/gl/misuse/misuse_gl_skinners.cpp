@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "gl/misuse/misuse_gl.h"
+#include "gles3/program.h"
+#include "gles3/program_set.h"
 
 namespace marrow::test {
 namespace {
@@ -58,7 +60,7 @@ SelfTest tested(Misuse& m) {
 }
 
 SelfTestOptions self_test_options(Misuse& m) {
-  return {.paths = m.index(kAllPaths),
+  return {.paths = m.index((1u << kPathCount) - 1),
           .crashed = m.index(0),
           .ssd = m.truth(true),
           .as = m.truth(true),
@@ -136,7 +138,7 @@ std::vector<MisuseRow> rows_of_dressing() {
          ProgramSet programs;
          programs.roles[0] = {m.pointer("vertex"), m.pointer("fragment"), {}};
          programs.role_count = m.index(1);
-         programs.count = m.truth(true) ? 0 : kMostPrograms;
+         state_of(programs).count = m.truth(true) ? 0 : kMostPrograms;
          const Span<std::byte> memory = m.memory(skinner_bytes(mesh, options));
          Skinner& out = m.one(Skinner{});
          m.returned(create_skinner(gl_stage().api, caps_of(m), mesh, options, programs, memory, out));
@@ -183,7 +185,9 @@ std::vector<MisuseRow> rows_of_dressing() {
        [](Misuse& m) {
          Dressed dressed(m, path_of(m), m.round() % 2 == 0, deformer_of(m));
          Program program = program_of(dressed.skinner, dressed.programs, 0);
-         program.motion = m.truth(program.motion);
+         ProgramState state = state_of(program);
+         state.motion = m.truth(state.motion);
+         set_state(program, state);
          const ProgramSet none;
          Skinner cleared;
          m.returned(draw(gl_stage().api, skinner_of(m, dressed, cleared), m.either(dressed.programs, none),

@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "gl/misuse/misuse_gl.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/mesh/prepare.h"
 
 namespace marrow::test {
 namespace {
 
 std::vector<MisuseRow> all_rows() {
-  std::vector<MisuseRow> out = rows_of_gl_meshes();
+  std::vector<MisuseRow> out = rows_of_loading();
   for (const auto& rows : {rows_of_skinners(), rows_of_crowds()}) out.insert(out.end(), rows.begin(), rows.end());
   for (MisuseRow& row : out) {
     row.call = [call = row.call](Misuse& m) {

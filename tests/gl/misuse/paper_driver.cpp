@@ -100,7 +100,7 @@ gles3::Api paper_api() {
   gles3::Api api;
 #define MARROW_NOTHING(Result, Name, Parameters) api.Name = Nothing<Result Parameters>::call;
   MARROW_GLES3_FUNCTIONS(MARROW_NOTHING)
-  MARROW_GLES31_FUNCTIONS(MARROW_NOTHING)
+  MARROW_GLES3_OPTIONAL_FUNCTIONS(MARROW_NOTHING)
 #undef MARROW_NOTHING
   set_reading(api);
   set_giving(api);
@@ -113,7 +113,7 @@ void* paper_proc(const char* name) {
     const gles3::Api api = paper_api();
 #define MARROW_NAMED(Result, Name, Parameters) out["gl" #Name] = reinterpret_cast<void*>(api.Name.function);
     MARROW_GLES3_FUNCTIONS(MARROW_NAMED)
-    MARROW_GLES31_FUNCTIONS(MARROW_NAMED)
+    MARROW_GLES3_OPTIONAL_FUNCTIONS(MARROW_NAMED)
 #undef MARROW_NAMED
     return out;
   }();

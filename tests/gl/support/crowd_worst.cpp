@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "gles3/crowd/crowd.h"
 #include "marrow/marrow.h"
 #include "support/rig.h"
 

@@ -5,6 +5,7 @@
 
 #include "gl/support/troop.h"
 #include "gl/support/worst.h"
+#include "gles3/crowd/crowd.h"
 
 namespace marrow::test {
 

@@ -143,9 +143,7 @@ gles3::Api faulty_api(const gles3::Api& real) {
   Through<&gles3::Api::Name, decltype(gles3::Api::Name)>::name = #Name; \
   if (real.Name != nullptr) api.Name = Through<&gles3::Api::Name, decltype(gles3::Api::Name)>::call;
   MARROW_GLES3_FUNCTIONS(MARROW_THROUGH)
-  MARROW_GLES31_FUNCTIONS(MARROW_THROUGH)
-  MARROW_KHR_DEBUG_FUNCTIONS(MARROW_THROUGH)
-  MARROW_ROBUSTNESS_FUNCTIONS(MARROW_THROUGH)
+  MARROW_GLES3_OPTIONAL_FUNCTIONS(MARROW_THROUGH)
 #undef MARROW_THROUGH
   catch_objects(api);
   catch_memory(api);

@@ -11,6 +11,12 @@
 
 #include "common/failure.h"
 #include "gles3/compile.h"
+#include "gles3/mesh/morph.h"
+#include "gles3/mesh/pose_examples.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/palettes.h"
+#include "gles3/program.h"
+#include "gles3/skinned.h"
 #include "marrow/palette.h"
 
 namespace marrow::test {

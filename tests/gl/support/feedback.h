@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "marrow/gles3_skinned.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/palettes.h"
+#include "marrow/gles3_skinner.h"
 #include "render/gl.h"
 
 namespace marrow::test {

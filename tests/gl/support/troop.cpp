@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "gles3/compile.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/mesh/prepare.h"
+#include "gles3/program.h"
 
 namespace marrow::test {
 namespace {
@@ -41,7 +44,7 @@ Reel::Reel(const Skeleton& of, std::vector<gles3::CrowdSource> what, float rate_
 }
 
 Troop::Troop(const Mesh& mesh, const Reel& reel, std::uint32_t capacity, Span<const float> tangents) : reel_(reel) {
-  gles3::PrepareOptions options;
+  gles3::CrowdMeshOptions options;
   options.as_tangents = tangents;
   const gles3::Caps caps;  // the least that GLES 3.0 promises
   ok_ = gles3::create_crowd_mesh(gl(), caps, mesh, options, reel.frames, capacity,

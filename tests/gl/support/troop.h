@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "gl/support/feedback.h"
+#include "gles3/crowd/crowd.h"
+#include "gles3/mesh/gpu_mesh.h"
 #include "marrow/gles3_crowd.h"
 
 namespace marrow::test {
@@ -34,7 +36,7 @@ class Troop {
   Troop& operator=(const Troop&) = delete;
 
   bool ok() const { return ok_; }
-  const gles3::GpuMesh& gpu() const { return crowd_mesh_.gpu; }
+  const gles3::GpuMesh& gpu() const { return state_of(crowd_mesh_).gpu; }
   const gles3::CrowdMesh& mesh() const { return crowd_mesh_; }
   gles3::Crowd& crowd() { return crowd_; }
   Status set(std::uint32_t first, Span<const gles3::CrowdInstance> instances);

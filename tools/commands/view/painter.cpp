@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "common/failure.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/program.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_panel_vert[], shader_panel_frag[];

@@ -6,6 +6,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "common/failure.h"
+#include "gles3/mesh/gpu_mesh.h"
+#include "gles3/program.h"
 
 namespace marrow::embedded {
 extern const unsigned char shader_strokes_vert[], shader_strokes_frag[];

@@ -2,15 +2,16 @@
 //
 // The texture holds one rectangle of whole lines per target, with one texel for each row and attribute. Only slots that
 // some target moves have a row; any other slot costs four bytes and one comparison.
-#include "gles3/morph.h"
+#include "gles3/mesh/morph.h"
+#include "gles3/program.h"
 
 #include <cstring>
 
 #include "core/check.h"
 #include "core/zone.h"
-#include "gles3/changes.h"
 #include "gles3/gl_constants.h"
 #include "gles3/gl_size.h"
+#include "gles3/mesh/changes.h"
 #include "gles3/texture.h"
 
 namespace marrow::gles3 {
@@ -145,15 +146,16 @@ Status make_morphs(const Api& api, const Geometry& g, float half_extent, Span<st
 Status set_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu, Span<const float> weights,
                   std::uint32_t texture_unit, const Program& program) {
   MARROW_ZONE;
-  MARROW_REQUIRE(program.morph_changes >= 0 && "a program with kMorphs, in use");
+  const ProgramState& at = state_of(program);
+  MARROW_REQUIRE(at.morph_changes >= 0 && "a program with kMorphs, in use");
   TargetValues targets;
   MARROW_REQUIRE_GOOD(choose_targets(mesh, gpu, weights, targets));
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, gpu.morph_texture);
-  api.Uniform1i(program.morph_changes, static_cast<int>(texture_unit));
-  api.Uniform1i(program.morph_shift, gpu.morph_shift);
-  api.Uniform1i(program.morph_per_row, gpu.morph_per_row);
-  set_targets(api, targets, program.morph_count, program.morph_targets);
+  api.Uniform1i(at.morph_changes, static_cast<int>(texture_unit));
+  api.Uniform1i(at.morph_shift, gpu.morph_shift);
+  api.Uniform1i(at.morph_per_row, gpu.morph_per_row);
+  set_targets(api, targets, at.morph_count, at.morph_targets);
   return Status::ok;
 }
 
@@ -161,7 +163,7 @@ Status set_previous_morphs(const Api& api, const Mesh& mesh, const GpuMesh& gpu,
                            const Program& program) {
   TargetValues targets;
   MARROW_REQUIRE_GOOD(choose_targets(mesh, gpu, weights, targets));
-  set_targets(api, targets, program.previous_count, program.previous_targets);
+  set_targets(api, targets, state_of(program).previous_count, state_of(program).previous_targets);
   return Status::ok;
 }
 

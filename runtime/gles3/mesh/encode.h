@@ -1,7 +1,7 @@
 // Bind vertices as floats → the compact attributes of GpuMesh. Pure arithmetic; prepare.cpp uploads what this writes.
 #pragma once
 
-#include "marrow/gles3.h"
+#include "gles3/mesh/gpu_mesh.h"
 
 namespace marrow::gles3 {
 

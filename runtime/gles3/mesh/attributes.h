@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "gles3/gl_constants.h"
-#include "marrow/gles3.h"
+#include "gles3/mesh/gpu_mesh.h"
 
 namespace marrow::gles3 {
 

@@ -1,5 +1,5 @@
 // Bind vertices as floats → the compact attributes of GpuMesh.
-#include "gles3/encode.h"
+#include "gles3/mesh/encode.h"
 
 #include <cmath>
 #include <cstring>

@@ -2,14 +2,15 @@
 //
 // The texture holds the changes of one vertex next to each other, a texel for each example that moves it, so a vertex
 // reads what moves it and no more. What no example moves costs four bytes and one comparison.
-#include "gles3/pose_examples.h"
+#include "gles3/mesh/pose_examples.h"
+#include "gles3/program.h"
 
 #include <cstring>
 
 #include "core/check.h"
 #include "core/zone.h"
-#include "gles3/changes.h"
 #include "gles3/gl_constants.h"
+#include "gles3/mesh/changes.h"
 #include "gles3/texture.h"
 #include "marrow/skin.h"
 
@@ -159,31 +160,33 @@ Status pack_distances(const Geometry& g, Span<const Affine> palette, Span<Affine
 Status bind_examples(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances, std::uint32_t first,
                      std::uint32_t texture_unit, const Program& program) {
   MARROW_ZONE;
+  const ProgramState& at = state_of(program);
   MARROW_REQUIRE(mesh.example_texture != 0 && "prepared for this deformer");
-  MARROW_REQUIRE(program.examples >= 0 && "a program of Deformer::psd, in use");
+  MARROW_REQUIRE(at.examples >= 0 && "a program of Deformer::psd, in use");
   MARROW_REQUIRE(first < distances.count && mesh.distances <= distances.count - first);
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, mesh.example_texture);
-  api.Uniform1i(program.examples, static_cast<int>(texture_unit));
+  api.Uniform1i(at.examples, static_cast<int>(texture_unit));
   api.ActiveTexture(kGlTexture0 + texture_unit + 1);
   api.BindTexture(kGlTexture2d, distances.textures[distances.current]);
-  api.Uniform1i(program.distances, static_cast<int>(texture_unit + 1));
+  api.Uniform1i(at.distances, static_cast<int>(texture_unit + 1));
   const int row[] = {static_cast<int>(3 * first), static_cast<int>(3 * mesh.distances),
                      static_cast<int>(mesh.distance_texels)};
-  api.Uniform1iv(program.distance_row, 3, row);
-  api.Uniform1f(program.example_step, mesh.example_step);
+  api.Uniform1iv(at.distance_row, 3, row);
+  api.Uniform1f(at.example_step, mesh.example_step);
   return Status::ok;
 }
 
 Status bind_previous_distances(const Api& api, const GpuMesh& mesh, const PaletteTexture& distances,
                                std::uint32_t first, bool kept, std::uint32_t texture_unit, const Program& program) {
-  MARROW_REQUIRE(program.examples >= 0 && "a program of Deformer::psd, in use");
+  const ProgramState& at = state_of(program);
+  MARROW_REQUIRE(at.examples >= 0 && "a program of Deformer::psd, in use");
   const std::uint32_t count = kept ? distances.previous_count : distances.count;
   MARROW_REQUIRE(first < count && mesh.distances <= count - first);
-  if (program.previous_distances < 0) return Status::ok;
+  if (at.previous_distances < 0) return Status::ok;
   api.ActiveTexture(kGlTexture0 + texture_unit);
   api.BindTexture(kGlTexture2d, distances.textures[(distances.current + (kept ? 2 : 0)) % 3]);
-  api.Uniform1i(program.previous_distances, static_cast<int>(texture_unit));
+  api.Uniform1i(at.previous_distances, static_cast<int>(texture_unit));
   return Status::ok;
 }
 
