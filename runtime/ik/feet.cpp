@@ -231,19 +231,12 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
 // Whether a motion's numbers are in range. Games may hand in any bytes.
 bool is_sound(const FootMotion& m) {
   constexpr float kMostPlace = 1e9f, kMostSpeed = 1e18f;
-  static constexpr struct {
-    float (FootState::*member)[3];
-    float most;
-  } kVectors[] = {{&FootState::offset, kMostPlace},     {&FootState::offset_speed, kMostSpeed},
-                  {&FootState::lean, kMostPlace},       {&FootState::lean_speed, kMostSpeed},
-                  {&FootState::point, kMostPlace},      {&FootState::normal, kMostPlace},
-                  {&FootState::heading, kMostPlace}};
+  const auto is_near = [](const float(&v)[3]) { return is_smaller(load_wide(v), kMostPlace); };
+  const auto is_slow = [](const float(&v)[3]) { return is_smaller(load_wide(v), kMostSpeed); };
   const FootState& s = state_of(m);
-  if (!is_smaller(load_wide(m.place), kMostPlace)) return false;
-  for (const auto& v : kVectors)
-    if (!is_smaller(load_wide(s.*v.member), v.most)) return false;
-  return is_smaller(load(s.turn), 1.01f) && absolute(s.turn_share) < kMostPlace &&
-         absolute(s.turn_share_speed) < kMostSpeed && s.axis < 3;
+  return is_near(m.place) && is_near(s.offset) && is_slow(s.offset_speed) && is_near(s.lean) && is_slow(s.lean_speed) &&
+         is_near(s.point) && is_near(s.normal) && is_near(s.heading) && is_smaller(load(s.turn), 1.01f) &&
+         absolute(s.turn_share) < kMostPlace && absolute(s.turn_share_speed) < kMostSpeed && s.axis < 3;
 }
 
 // follow(), beginning anew where the motion is not sound before or after.
@@ -271,7 +264,8 @@ f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, Wide
 // the animation has it longer, it may be that long less the distance by which its ankle is moved.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const f32x4 hip = place_of(call, foot.hip), knee = place_of(call, foot.knee), ankle = place_of(call, foot.ankle);
-  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, state_of(m))), animated = hip - ankle;
+  const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, state_of(m))),
+              animated = hip - ankle;
   const float most = call.feet.leg_extension * (length3(knee - hip) + length3(ankle - knee));
   const float own = length3(animated) - length3(leg - animated), longest = most > own ? most : own;
   const float down = dot3(leg, call.up), square = longest * longest - (squared3(leg) - down * down);

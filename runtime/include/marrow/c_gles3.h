@@ -28,14 +28,14 @@ typedef void (*mrw_gles3_error_report)(void* user, const char* call, uint32_t er
 
 typedef uint32_t (*mrw_gles3_get_error)(void);
 
-// Is told of every GL error and of the call that caused it: for debugging, see mrw_gles3_watch_errors(). One an
+// Is told of every GL error and of the call that caused it, as "glBindBuffer": see mrw_gles3_watch_errors(). One an
 // mrw_gles3_api and thread.
 typedef struct mrw_gles3_error_watch mrw_gles3_error_watch;
 struct mrw_gles3_error_watch {
-  // call: "glBindBuffer", a static string. May be null.
+  // May be null. call: a static string.
   // what `report` gets
   mrw_gles3_error_report report;
-  // call: "glBindBuffer", a static string. May be null.
+  // May be null. call: a static string.
   // what `report` gets
   void* user;
   uint32_t pending;  // what the mrw_gles3_api's GetError has yet to tell, as it would without a watch
@@ -62,8 +62,8 @@ struct mrw_gles3_api {
   size_t words[216];
 };
 
-// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: with four influences it needs 192 bytes a
-// vertex, more than attributes hold.
+// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: attributes do not hold its 192 bytes a
+// vertex.
 typedef uint8_t mrw_gles3_deformer;
 enum {
   MRW_GLES3_DEFORMER_NONE = 0,  // not at all: Marrow's own, of vertices that are skinned already
@@ -95,12 +95,7 @@ void mrw_gles3_caps_init(mrw_gles3_caps* out);
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
 // (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
-//
-//   void main() {
-//     MarrowVertex v = marrow_skin();
-//     gl_Position = clip_from_model * vec4(v.position, 1.0);
-//   }
-//
+// Examples: docs/gles/shaders.md.
 // Both texts may test these macros with #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR, MARROW_MOTION: 1
 // if the program was built to read it, else 0. MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:
@@ -138,14 +133,13 @@ mrw_status mrw_gles3_load_api(mrw_gles3_api* api, mrw_gles3_load_proc load_proc,
 
 // Whether the GPU was reset, so that the context is lost with all that is in it. Ask once a frame: GL may report a
 // reset only once. If so, call mrw_gles3_…_on_context_lost() for each object that has that function, destroy the
-// context, make another, and call mrw_gles3_…_on_context_restored(). Always false where GetGraphicsResetStatus is
-// missing or the context was not created with EGL_LOSE_CONTEXT_ON_RESET; platforms have signs of their own
-// (EGL_CONTEXT_LOST of eglSwapBuffers).
+// context, make another, and call mrw_gles3_…_on_context_restored(). Always false without GetGraphicsResetStatus and
+// EGL_LOSE_CONTEXT_ON_RESET.
 bool mrw_gles3_context_was_reset(const mrw_gles3_api* api);
 
-// Reports to `watch` every GL error that a call through `api` or a copy of it causes; null ends the reports. The watch
-// must live as long as `api` and its copies. GetError of `api` still returns the errors. For debugging: a watched call
-// costs two calls of glGetError.
+// For debugging: reports to `watch` every GL error that a call through `api` or a copy of it causes; null ends that.
+// The watch must live as long as they. GetError of `api` still returns the errors. A call costs two more, of
+// glGetError.
 // May be null: watch.
 void mrw_gles3_watch_errors(mrw_gles3_api* api, mrw_gles3_error_watch* watch);
 
@@ -177,11 +171,9 @@ enum {
   MRW_GLES3_SKINNING_PATH_CPU = 4,  // once a frame, by the CPU
 };
 
-// How many values mrw_gles3_skinning_path has.
-#define MRW_GLES3_PATH_COUNT 5u
+#define MRW_GLES3_PATH_COUNT 5u  // how many values mrw_gles3_skinning_path has
 
-// The most roles of an mrw_gles3_program_set.
-#define MRW_GLES3_MOST_ROLES 4u
+#define MRW_GLES3_MOST_ROLES 4u  // of an mrw_gles3_program_set
 
 // The programs of a context: each role for each kind of mesh, compiled once, at most 192. A game fills in all but the
 // state.
@@ -308,8 +300,8 @@ mrw_status mrw_gles3_draw(const mrw_gles3_api* api, const mrw_gles3_skinner* ski
 void mrw_gles3_programs_on_context_lost(mrw_gles3_program_set* programs);
 void mrw_gles3_skinner_on_context_lost(mrw_gles3_skinner* skinner);
 
-// Builds everything anew in the context that is current. What had been posed is there at the next mrw_gles3_update().
-// Errors: as mrw_gles3_create_skinner(); then it may be tried again.
+// Builds everything anew in the current context; poses are kept. Errors: as mrw_gles3_create_skinner(); then it may be
+// tried again.
 mrw_status mrw_gles3_programs_on_context_restored(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
 mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const mrw_gles3_caps* caps,
@@ -334,8 +326,7 @@ mrw_status mrw_gles3_skinner_on_context_restored(const mrw_gles3_api* api, const
 // mirror want a draw call of their own, with its glFrontFace. Layout of the textures, precision, costs:
 // docs/performance.md, "Crowds".
 
-// Bytes of memory an instance for mrw_gles3_create_crowd().
-#define MRW_GLES3_CROWD_INSTANCE_BYTES 128u
+#define MRW_GLES3_CROWD_INSTANCE_BYTES 128u  // of memory an instance for mrw_gles3_create_crowd()
 
 // What is baked, and how it ends.
 typedef struct mrw_gles3_crowd_source mrw_gles3_crowd_source;
@@ -425,8 +416,7 @@ struct mrw_gles3_crowd {
 };
 void mrw_gles3_crowd_init(mrw_gles3_crowd* out);
 
-// How many frames it takes to bake clips at `rate_hz` or a little more; 30 are enough for most motion. out: at least as
-// many as sources.
+// How many frames it takes to bake clips at `rate_hz` or a little more; mostly 30 will do. out: as many as sources.
 // Errors: MRW_BAD_ARGUMENT (no sources, a rate that is not finite or not above 0, an additive clip, a list too short);
 // MRW_UNSUPPORTED (more than 65535 steps of a clip, or 1 048 576 frames). Written only on success.
 mrw_status mrw_gles3_plan_crowd(const mrw_gles3_crowd_source* sources, size_t source_count, float rate_hz,
@@ -471,7 +461,7 @@ void mrw_gles3_destroy_crowd_mesh(const mrw_gles3_api* api, mrw_gles3_crowd_mesh
 
 // Room for `capacity` instances. memory: MRW_GLES3_CROWD_INSTANCE_BYTES each, 4-byte aligned, the crowd's until
 // mrw_gles3_destroy_…(). Errors: MRW_BAD_ARGUMENT (zero, memory too short or askew); MRW_UNSUPPORTED (more than 256 ×
-// the caps' texture size: 524 288); MRW_GL_ERROR. Leaves the active unit's 2D texture at 0.
+// the caps' texture size); MRW_GL_ERROR. Leaves the active unit's 2D texture at 0.
 mrw_status mrw_gles3_create_crowd(const mrw_gles3_api* api, const mrw_gles3_caps* caps, uint32_t capacity, void* memory,
     size_t memory_bytes, mrw_gles3_crowd* out) MRW_NODISCARD;
 
@@ -481,8 +471,8 @@ void mrw_gles3_destroy_crowd(const mrw_gles3_api* api, mrw_gles3_crowd* crowd);
 // Sets the instances from `first` on: replaces existing ones, or adds more right behind them; also while the context is
 // lost. Errors: MRW_BAD_ARGUMENT (a gap before `first`, frames other than those of the instances before, an
 // instance as mrw_gles3_crowd_joint() refuses it); MRW_UNSUPPORTED (more than the capacity). Nothing is changed then.
-// Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance, in at
-// most three pieces; where the GPU still draws from the texture the driver may wait or copy it.
+// Leaves the active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance;
+// where the GPU still draws from the texture the driver may wait or copy it.
 mrw_status mrw_gles3_set_instances(const mrw_gles3_api* api, mrw_gles3_crowd* crowd,
     const mrw_gles3_crowd_frames* frames, uint32_t first, const mrw_gles3_crowd_instance* instances,
     size_t instance_count) MRW_NODISCARD;
@@ -495,11 +485,9 @@ mrw_status mrw_gles3_create_crowd_programs(const mrw_gles3_api* api, const mrw_g
     const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer, uint8_t features,
     mrw_gles3_program_set* programs) MRW_NODISCARD;
 
-// The program of a role that was compiled with the same arguments, never null.
+// The program of a role that was compiled with the same arguments; and the one for mrw_gles3_blend_crowd(). Never null.
 const mrw_gles3_program* mrw_gles3_crowd_program_of(const mrw_gles3_crowd_mesh* mesh, mrw_gles3_deformer deformer,
     uint8_t features, const mrw_gles3_program_set* programs, uint32_t role);
-
-// The program for mrw_gles3_blend_crowd(), never null.
 const mrw_gles3_program* mrw_gles3_blending_program_of(const mrw_gles3_program_set* programs);
 
 // With motion: once a frame, before mrw_gles3_blend_crowd(). What was blended last becomes the previous frame's. No
@@ -582,8 +570,7 @@ enum {
   MRW_GLES3_GPU_FAMILY_NVIDIA = 4,
 };
 
-// Bytes of a result that a game stores.
-#define MRW_GLES3_SAVED_SELF_TEST_BYTES 128u
+#define MRW_GLES3_SAVED_SELF_TEST_BYTES 128u  // of a result that a game stores
 
 typedef double (*mrw_gles3_clock)(void* user);
 
@@ -618,7 +605,7 @@ struct mrw_gles3_self_test_options {
   uint32_t crashed;  // paths during which the process ended: they are not tried again; see about_to_try
   bool ssd;  // the deformers that the game uses
   bool as;  // the deformers that the game uses
-  mrw_gles3_clock seconds;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+  mrw_gles3_clock seconds;  // a clock that never goes back; null: nothing is timed, and nothing is slow
   float slow;  // times the fastest path's time
   // What is timed, by SSD if `ssd`: state what the game draws most of.
   // of a mesh, 16 … 65 520, of which a multiple of 16 is taken
@@ -628,7 +615,7 @@ struct mrw_gles3_self_test_options {
   // mrw_gles3_run_self_test() has returned. What it finds stored at its next start it adds to `crashed`.
   // what the two functions above get
   mrw_gles3_about_to_try about_to_try;
-  void* user;  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
+  void* user;  // a clock that never goes back; null: nothing is timed, and nothing is slow
 };
 void mrw_gles3_self_test_options_init(mrw_gles3_self_test_options* out);
 

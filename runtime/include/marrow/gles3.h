@@ -32,13 +32,12 @@ MARROW_API Status load_api(Api& api, void* (*load_proc)(const char* name), const
 
 // Whether the GPU was reset, so that the context is lost with all that is in it. Ask once a frame: GL may report a
 // reset only once. If so, call on_context_lost() for each object that has that function, destroy the context, make
-// another, and call on_context_restored(). Always false where GetGraphicsResetStatus is missing or the context was not
-// created with EGL_LOSE_CONTEXT_ON_RESET; platforms have signs of their own (EGL_CONTEXT_LOST of eglSwapBuffers).
+// another, and call on_context_restored(). Always false without GetGraphicsResetStatus and EGL_LOSE_CONTEXT_ON_RESET.
 MARROW_API bool context_was_reset(const Api& api);
 
-// Reports to `watch` every GL error that a call through `api` or a copy of it causes; null ends the reports. The watch
-// must live as long as `api` and its copies. GetError of `api` still returns the errors. For debugging: a watched call
-// costs two calls of glGetError.
+// For debugging: reports to `watch` every GL error that a call through `api` or a copy of it causes; null ends that.
+// The watch must live as long as they. GetError of `api` still returns the errors. A call costs two more, of
+// glGetError.
 MARROW_API void watch_errors(Api& api, ErrorWatch* watch);
 
 // What the context can do. The defaults are the least that GLES 3.0 allows; tests force them on any driver.
@@ -53,8 +52,8 @@ struct Caps {
 // Errors: unsupported below OpenGL ES 3.0; gl_error.
 MARROW_API Status query_caps(const Api& api, Caps& caps);
 
-// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: with four influences it needs 192 bytes a
-// vertex, more than attributes hold.
+// How the GPU skins vertices. Multi-weight enveloping is for the CPU only: attributes do not hold its 192 bytes a
+// vertex.
 enum class Deformer : std::uint8_t {
   none,   // not at all: Marrow's own, of vertices that are skinned already
   rigid,  // the joint with the largest weight
@@ -74,12 +73,7 @@ inline constexpr std::uint8_t kMotion = 64;          // of programs: where verti
 
 // The role's own texts, ESSL 3.00 without #version, zero-terminated. The vertex text comes after the skinning text
 // (shaders/skin.glsl), which ends where main() is to begin; the fragment text after the same #version and defines.
-//
-//   void main() {
-//     MarrowVertex v = marrow_skin();
-//     gl_Position = clip_from_model * vec4(v.position, 1.0);
-//   }
-//
+// Examples: docs/gles/shaders.md.
 // Both texts may test these macros with #if: MARROW_NORMAL, MARROW_TANGENT, MARROW_UV, MARROW_COLOUR, MARROW_MOTION: 1
 // if the program was built to read it, else 0. MARROW_PALETTES: 2 in programs for crowds.
 // What the vertex text may use:

@@ -42,8 +42,7 @@ struct CrowdFrames {
   std::uint32_t frame_count = 0;                 // of all clips
 };
 
-// How many frames it takes to bake clips at `rate_hz` or a little more; 30 are enough for most motion. out: at least as
-// many as sources.
+// How many frames it takes to bake clips at `rate_hz` or a little more; mostly 30 will do. out: as many as sources.
 // Errors: bad_argument (no sources, a rate that is not finite or not above 0, an additive clip, a span too short);
 // unsupported (more than 65535 steps of a clip, or 1 048 576 frames). Written only on success.
 MARROW_API Status plan_crowd(Span<const CrowdSource> sources, float rate_hz, Span<CrowdClip> out,
@@ -127,12 +126,11 @@ struct Crowd {
   Span<std::byte> records = {};   // as the texture has them
 };
 
-// Bytes of memory an instance for create_crowd().
-inline constexpr std::size_t kCrowdInstanceBytes = 128;
+inline constexpr std::size_t kCrowdInstanceBytes = 128;  // of memory an instance for create_crowd()
 
 // Room for `capacity` instances. memory: kCrowdInstanceBytes each, 4-byte aligned, the crowd's until destroy().
-// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size:
-// 524 288); gl_error. Leaves the active unit's 2D texture at 0.
+// Errors: bad_argument (zero, memory too short or askew); unsupported (more than 256 × the caps' texture size);
+// gl_error. Leaves the active unit's 2D texture at 0.
 MARROW_API Status create_crowd(const Api& api, const Caps& caps, std::uint32_t capacity, Span<std::byte> memory,
                                Crowd& out);
 // Deletes the texture and clears the struct; the memory is the caller's again.
@@ -141,8 +139,8 @@ MARROW_API void destroy(const Api& api, Crowd& crowd);
 // Sets the instances from `first` on: replaces existing ones, or adds more right behind them; also while the context is
 // lost. Errors: bad_argument (a gap before `first`, frames other than those of the instances before, an
 // instance as crowd_joint() refuses it); unsupported (more than the capacity). Nothing is changed then. Leaves the
-// active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance, in at most three
-// pieces; where the GPU still draws from the texture the driver may wait or copy it.
+// active unit's 2D texture at 0, GL_PIXEL_UNPACK_BUFFER must be 0. Cost: 30 ns and 128 B an instance;
+// where the GPU still draws from the texture the driver may wait or copy it.
 MARROW_API Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames& frames, std::uint32_t first,
                                 Span<const CrowdInstance> instances);
 
@@ -152,10 +150,9 @@ MARROW_API Status set_instances(const Api& api, Crowd& crowd, const CrowdFrames&
 // programs.log.
 MARROW_API Status create_crowd_programs(const Api& api, const Caps& caps, const CrowdMesh& mesh, Deformer deformer,
                                         std::uint8_t features, ProgramSet& programs);
-// The program of a role that was compiled with the same arguments, never null.
+// The program of a role that was compiled with the same arguments; and the one for blend_crowd(). Never null.
 MARROW_API const Program& crowd_program_of(const CrowdMesh& mesh, Deformer deformer, std::uint8_t features,
                                            const ProgramSet& programs, std::uint32_t role);
-// The program for blend_crowd(), never null.
 MARROW_API const Program& blending_program_of(const ProgramSet& programs);
 
 // Writes the palettes of `count` instances from `first` on, at time_s of the crowd's clock, placed in the scene. It

@@ -86,9 +86,10 @@
 
 namespace marrow::gles3 {
 
-// Is told of every GL error and of the call that caused it: for debugging, see watch_errors(). One an Api and thread.
+// Is told of every GL error and of the call that caused it, as "glBindBuffer": see watch_errors(). One an Api and
+// thread.
 struct ErrorWatch {
-  // call: "glBindBuffer", a static string. May be null.
+  // May be null. call: a static string.
   void (*report)(void* user, const char* call, unsigned error) = nullptr;
   void* user = nullptr;               // what `report` gets
   unsigned pending = 0;               // what the Api's GetError has yet to tell, as it would without a watch

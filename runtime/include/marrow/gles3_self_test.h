@@ -57,9 +57,8 @@ struct SelfTestOptions {
   std::uint32_t paths = (1u << kPathCount) - 1;  // those to try, by bit_of(); all
   std::uint32_t crashed = 0;   // paths during which the process ended: they are not tried again; see about_to_try
   bool ssd = true, as = true;  // the deformers that the game uses
-  // Seconds of a clock that never goes back. Null: nothing is timed, and nothing is slow.
-  double (*seconds)(void* user) = nullptr;
-  float slow = 4;  // times the fastest path's time
+  double (*seconds)(void* user) = nullptr;  // a clock that never goes back; null: nothing is timed, and nothing is slow
+  float slow = 4;                           // times the fastest path's time
   // What is timed, by SSD if `ssd`: state what the game draws most of.
   std::uint32_t timed_vertices = 2048;  // of a mesh, 16 … 65 520, of which a multiple of 16 is taken
   std::uint32_t timed_characters = 4;   // of that mesh, 1 … 256
@@ -103,8 +102,7 @@ struct PathNeed {
 // Errors: unsupported (none is usable). `out` is written only on success.
 MARROW_API Status choose(const SelfTest& test, const PathNeed& need, SkinningPath& out);
 
-// Bytes of a result that a game stores.
-inline constexpr std::size_t kSavedSelfTestBytes = 128;
+inline constexpr std::size_t kSavedSelfTestBytes = 128;  // of a result that a game stores
 // Writes kSavedSelfTestBytes. Errors: bad_argument (`out` too short).
 MARROW_API Status save(const SelfTest& test, Span<std::byte> out);
 

@@ -23,19 +23,17 @@ enum class SkinningPath : std::uint8_t {
   compute,   // once a frame, by compute shader; OpenGL ES 3.1
   cpu,       // once a frame, by the CPU
 };
-// How many values SkinningPath has.
-inline constexpr std::uint32_t kPathCount = 5;
+inline constexpr std::uint32_t kPathCount = 5;  // how many values SkinningPath has
 // "ubo", …
 MARROW_API const char* to_string(SkinningPath path);
 
-// The most roles of a ProgramSet.
-inline constexpr std::uint32_t kMostRoles = 4;
+inline constexpr std::uint32_t kMostRoles = 4;  // of a ProgramSet
 
 // The programs of a context: each role for each kind of mesh, compiled once, at most 192. A game fills in all but the
 // state.
 struct ProgramSet {
   ProgramSource roles[kMostRoles] = {{}, {}, {}, {}};  // texts that live as long as the set
-  std::uint32_t role_count = 1;  // of `roles`, that are used
+  std::uint32_t role_count = 1;                        // of `roles`, that are used
   // For each role, which features of a mesh its texts read: for a shadow none, or kUvs where it has holes. kMotion:
   // whether they read previous_position, of skinners and crowds that keep it.
   std::uint8_t role_features[kMostRoles] = {255, 255, 255, 255};
@@ -133,8 +131,8 @@ MARROW_API Status draw(const Api& api, const Skinner& skinner, const ProgramSet&
 MARROW_API void on_context_lost(ProgramSet& programs);
 MARROW_API void on_context_lost(Skinner& skinner);
 
-// Builds everything anew in the context that is current. What had been posed is there at the next update(). Errors: as
-// create_skinner(); then it may be tried again.
+// Builds everything anew in the current context; poses are kept. Errors: as create_skinner(); then it may be tried
+// again.
 MARROW_API Status on_context_restored(const Api& api, const Caps& caps, ProgramSet& programs);
 MARROW_API Status on_context_restored(const Api& api, const Caps& caps, Skinner& skinner);
 
