@@ -1,4 +1,4 @@
-// Holds sections to their descriptions (sections/*.h) and to what check_*.cpp asks of them beyond those.
+// Checks that sections keep to their descriptions (sections/*.h), and to the further rules of check_*.cpp.
 #pragma once
 
 #include <type_traits>
@@ -8,20 +8,20 @@
 
 namespace marrow {
 
-// The least that a unit quaternion's squares may add up to, and the least product with the key before it of one between
-// which and that key others are found: so that neither they nor their blends come to nothing.
+// The least squared length of a quaternion that counts as a rotation. The least dot product of two consecutive keys of
+// a LINEAR rotation. Both keep quaternions, and what is interpolated between them, away from length 0.
 inline constexpr float kShortestSquare = 0.5f, kLeastProduct = -0.25f;
-// The least number that is beyond format::kFarthest.
+// The next float above format::kFarthest.
 inline constexpr float kBeyondFarthest = bit_cast<float>(bit_cast<std::uint32_t>(format::kFarthest) + 1);
-// Of a part of a unit quaternion, but for rounding.
+// A component of a unit quaternion is below this, rounding included.
 inline constexpr float kMostOfUnit = 1.01f;
 inline constexpr const char *kNotFinite = "a number that is not finite",
                             *kNotBounded = "a number that is not finite, or beyond 1e12",
                             *kNoUnit = "a rotation that is no unit quaternion",
                             *kWrongSize = "section size differs from its counts";
 
-// A block under examination. It keeps the first broken rule with its place, and goes on: what it is asked after that
-// changes nothing, so descriptions need not look.
+// Checks one block. It keeps the first broken rule and where it is broken. It can be called on after that; nothing
+// changes then, so descriptions need not ask after each call whether all is well.
 class Checker {
  public:
   using Field = format::Field;
@@ -40,19 +40,19 @@ class Checker {
     return false;
   }
 
-  // Goes on with a section: whether it is long enough for a header, and its codec one of those up to `last_codec`.
+  // Begins a section. Returns whether it is long enough for a header, and its codec is no greater than `last_codec`.
   bool begin(const File::Section& s, std::uint32_t header_bytes, std::uint32_t last_codec);
   const File::Section& section() const { return *section_; }
-  // Whether the section has just so many bytes.
+  // Whether the section has exactly so many bytes.
   bool has_size(std::uint64_t bytes);
-  // The one before it in the file has its type.
+  // Whether the section before it in the file has the same type.
   bool follows_its_like() const { return section_ != sections_.data && section_[-1].type == section_->type; }
   const void* header() const { return base_; }
   template <class Header>
   const Header& header_before() const {
     return *reinterpret_cast<const Header*>(block_.data + section_[-1].offset);
   }
-  // What stands in the section, which is known to hold it.
+  // What stands at an offset in the section. The section must be known to be long enough.
   template <class T>
   const T& at(std::uint64_t offset) const {
     return *reinterpret_cast<const T*>(base_ + offset);
@@ -61,18 +61,19 @@ class Checker {
   Span<const T> in(const format::Array<T>& array) const {
     return array.in(header());
   }
-  // The header of a section by its kind and number, which are those of one.
+  // The header of section number n of a kind. There must be such a section.
   template <class Header>
   const Header& nth(format::Kind kind, std::uint32_t n) const {
     return *reinterpret_cast<const Header*>(block_.data + sections_[first_[kind] + n].offset);
   }
   std::uint32_t bytes_of(format::Kind kind, std::uint32_t n) const { return sections_[first_[kind] + n].bytes; }
-  // Of the section, while its header is looked at before its size is known: what stands in arrays is left alone.
+  // alone: whether `array` and `records` skip what stands in arrays. For a header that is checked before its section's
+  // size is known.
   void leave_arrays(bool alone) { leaves_arrays_ = alone; }
   // The skeleton that the section is for.
   const format::SkeletonHeader& owner() const { return *owner_; }
 
-  // Whether all floats are, without their signs, below one; else the first that is not. What is not finite is not.
+  // The first float whose magnitude is not below `limit`; null if there is none. Infinities and NaN are never below it.
   static const float* first_from(float limit, const float* first, std::uint64_t count);
   bool floats_below(float limit, const float* first, std::uint64_t count, const char* rule);
 
@@ -171,13 +172,13 @@ class Checker {
   const std::uint32_t* first_;
   const std::uint32_t* counts_;
   const File::Section* section_ = nullptr;
-  const std::byte* base_ = nullptr;  // where that begins
+  const std::byte* base_ = nullptr;  // where the section begins
   const format::SkeletonHeader* owner_ = nullptr;
   bool leaves_arrays_ = false;
   DataError error_;
 };
 
-// Of two quaternions of which each number stands `stride` behind the one before it.
+// The dot product of two quaternions whose components are `stride` floats apart.
 inline float dot_of_rotations(const float* a, const float* b, std::size_t stride = 1) {
   return a[0] * b[0] + a[stride] * b[stride] + a[2 * stride] * b[2 * stride] + a[3 * stride] * b[3 * stride];
 }
@@ -188,7 +189,7 @@ inline std::uint32_t count_bits(std::uint32_t bits) {
   return count;
 }
 
-// Whether a section is as large as its arrays, and what its description says.
+// Whether a section is as large as its header and arrays are, and keeps to its description.
 template <class Header>
 bool check_fields(Checker& c, const Header& h, typename format::LayoutOf<Header>::Type& l) {
   lay_out(h, l);
@@ -197,7 +198,7 @@ bool check_fields(Checker& c, const Header& h, typename format::LayoutOf<Header>
   return c.good();
 }
 
-// A kind of which nothing is asked beyond its description.
+// The check of a kind that has no rules beyond its description.
 template <class Header>
 void check(Checker& c, const Header& h) {
   typename format::LayoutOf<Header>::Type l;
@@ -219,7 +220,7 @@ void check(Checker& c, const format::BoundsHeader& h);
 struct SectionKind {
   std::uint32_t kind, type;
   std::uint32_t header_bytes, last_codec;
-  void (*check)(Checker&, const void* header);  // null: nothing is looked at but where it stands
+  void (*check)(Checker&, const void* header);  // null: only the section's place is checked
 };
 template <class Header>
 constexpr SectionKind section_kind(std::uint32_t kind, std::uint32_t type, std::uint32_t last_codec) {
@@ -233,8 +234,9 @@ constexpr SectionKind section_kind(std::uint32_t kind, std::uint32_t type, std::
 // Those of kind.h, in the order of a file.
 extern const Span<const SectionKind> kSectionKinds;
 
-// A whole file, of sections of these kinds, of which the last is names'. Tells for each kind, by number, the first
-// section and how many there are.
+// Checks a whole file, whose sections are of these kinds; the last section must be the names. Sets first[kind] and
+// counts[kind] for each kind that the file has, by the kind's number: its first section, and how many there are. All
+// counts must be 0 before.
 DataError check_file(Span<const std::byte> block, Span<const SectionKind> kinds, std::uint32_t* first,
                      std::uint32_t* counts);
 

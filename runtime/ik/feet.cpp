@@ -14,9 +14,9 @@ namespace marrow {
 namespace {
 
 constexpr float kFarthest = 1e6f;
-constexpr float kTooFar = 1000000.0625f;     // the next float
+constexpr float kTooFar = 1000000.0625f;     // the next float: `< kTooFar` is `<= kFarthest`
 constexpr float kAllButTwoPercent = 5.834f;  // x at which (1 + x) e^-x = 0.02
-constexpr float kLeastRise = 0.173648178f;   // cos 80°
+constexpr float kLeastRise = 0.173648178f;   // cos 80°: of the steepest ground that counts as hit
 
 // What all feet of a call share.
 struct FeetCall {
@@ -45,7 +45,7 @@ bool in_range(const Affine& a) {
   return in_range(load_aligned(a.rows[0])) && in_range(load_aligned(a.rows[1])) && in_range(load_aligned(a.rows[2]));
 }
 
-// A direction through a matrix; and a point through a matrix and then to the world.
+// turned_by(): a direction through a matrix. at(): a point through a matrix and then to the world.
 f32x4 turned_by(const Affine& a, f32x4 v) {
   return turn(columns(a), v);
 }
@@ -141,7 +141,7 @@ WideRotation level_turn(const FeetCall& call, f32x4 from, f32x4 to) {
   return normalised(quaternion(call.up * s, w));
 }
 
-// The ground's normal, or one less steep if the foot leans less far.
+// The ground's normal or, if the ground is steeper than Feet::slope_rad, a normal of that slope.
 f32x4 leaning(const FeetCall& call, f32x4 normal) {
   const float c = dot3(normal, call.up);
   if (c >= call.slope.cos) return normal;
@@ -174,7 +174,7 @@ void change_ground(const FeetCall& call, const Ground& now, f32x4 sole, FootStat
   store_wide(s.lean, load_three(s.lean) + leaning(call, was.normal) - leaning(call, now.normal));
 }
 
-// Takes the heading of a foot that is planted now, holds it, or lets it die away once the foot is released.
+// Heading of a foot: stored when the foot is planted, held while it stays planted, faded out once it is released.
 void follow_heading(const FeetCall& call, const Columns& ankle, bool planted, FootState& s) {
   if (s.planted != 0) {
     store(s.turn, level_turn(call, level(call, ankle.axis[s.axis]), load_three(s.heading)).v);
@@ -215,7 +215,8 @@ void follow(const FeetCall& call, const Foot& foot, const FootGround& given, Foo
     const f32x4 place = load_three(m.place);
     shown = place + call.up * dot3(shown - place, call.up);
     const f32x4 offset = shown - target;
-    if (call.frame.dt_s > 0) {  // level: the speed at which it is left behind; along up: that of dying away
+    // Across `up`: the speed at which the target leaves the sole behind. Along `up`: what die_away() has made of it.
+    if (call.frame.dt_s > 0) {
       const f32x4 speed = (offset - was) * (1.0f / call.frame.dt_s);
       store_wide(s.offset_speed, speed + call.up * dot3(load_three(s.offset_speed) - speed, call.up));
     }
@@ -248,20 +249,21 @@ void follow_soundly(const FeetCall& call, const Foot& foot, const FootGround& gi
   follow(call, foot, given, m);
 }
 
-// The turn from the animated attitude of a foot to the shown one.
+// The turn from the animated orientation of a foot to the shown one.
 WideRotation shown_turn(const FeetCall& call, const FootState& s) {
   const f32x4 normal = unit3_or(leaning(call, load_three(s.normal)) + load_three(s.lean), call.up);
   return shortest_arc(call.up, normal) * share_of(WideRotation{load(s.turn)}, s.turn_share);
 }
 
-// Where the ankle is to be, so that the sole is at its place when the foot is turned so.
+// Where the ankle has to be for the sole to stand at its place once the foot is turned by `turned`.
 f32x4 ankle_of(const FeetCall& call, const Foot& foot, const FootMotion& m, WideRotation turned) {
   const f32x4 sole = turned_by(call.pose.model_from_joint[foot.ankle], load_three(foot.sole));
   return load_three(m.place) - rotate(turned, turn(call.world, sole));
 }
 
-// How far the pelvis, once lifted, is too high for the leg. The leg may be Feet::leg_extension of its bones long. If
-// the animation has it longer, it may be that long less the distance by which its ankle is moved.
+// How far the pelvis, once lifted, is too high for the leg to reach. The longest that the leg may get is
+// Feet::leg_extension of its bones' length. If the animated leg is longer than that, it may be as long as it is, less
+// the distance by which the ankle moves as seen from the hip.
 float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, float lift) {
   const f32x4 hip = place_of(call, foot.hip), knee = place_of(call, foot.knee), ankle = place_of(call, foot.ankle);
   const f32x4 leg = hip + call.up * lift - ankle_of(call, foot, m, shown_turn(call, state_of(m))),
@@ -273,7 +275,7 @@ float too_high(const FeetCall& call, const Foot& foot, const FootMotion& m, floa
   return down > highest ? down - highest : 0.0f;
 }
 
-// How far the pelvis is lifted: as far as the lowest sole, and less as legs need it.
+// How far the pelvis is lifted: as far as the sole that rises least, less what the legs need to reach their soles.
 float pelvis_lift(const FeetCall& call, Span<const FootMotion> motion) {
   const float most = call.feet.lower_m;
   float lift = 0, excess = 0;
@@ -318,8 +320,8 @@ void turn_leg(const FeetCall& call, const Foot& foot, const TwoBone& goal, const
   const Affine& ankle = call.pose.model_from_joint[foot.ankle];
   if (solve_limb_of_pose(call.pose, {foot.hip, foot.knee, foot.ankle}, goal, &reached)) return;
   const WideRotation q = rotation_between(right_axes(call.world, ankle), want);
-  const float mirror =
-      inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;  // right_axes() has turned the third axis round
+  // right_axes() has negated the third axis of a mirrored ankle.
+  const float mirror = inverse_of_linear(ankle).determinant < 0 ? -1.0f : 1.0f;
   float own[4];
   store(own, q.v * lanes(mirror, mirror, 1.0f, 1.0f));
   turn_joint(call.pose.local, foot.ankle, own);
@@ -335,7 +337,7 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
   Columns want = right_axes(call.world, call.pose.model_from_joint[foot.ankle]);
   for (f32x4& axis : want.axis) axis = rotate(turned, axis);
   f32x4 target = ankle_of(call, foot, m, whole);
-  // Again only under uneven scale, where the foot has another shape once the leg has turned.
+  // More than one pass is needed only under uneven scale, where the foot has another shape once the leg has turned.
   for (int i = 0; i < 3; ++i) {
     const f32x4 in_model = to_space_of(call.frame.world_from_model, target - call.world.origin);
     if (!in_range(in_model)) return;

@@ -21,8 +21,9 @@ Columns local_frame(Span<const SoaTransform> local, std::size_t joint) {
   return f;
 }
 
-// Folds into `above` all joints from `joint` up to the node that `node` hangs on, or to model space. Before that it is
-// the map from the node's axes to the space of `joint`.
+// Sets the node's parent: the nearest node above `joint`, that joint included. Extends `above` by all joints on the way
+// there. At first `above` maps the node's axes to the space of `joint`; afterwards it maps them to the parent's frame,
+// or to model space if there is no parent. Sets above_turned to the rotation on that way.
 void set_above(const Pose& pose, const std::uint16_t* node_of, std::uint16_t joint, IkNode& node) {
   const Skeleton& skeleton = pose.skeleton;
   const Span<const SoaTransform> local = pose.local;
@@ -80,7 +81,7 @@ void set_translation(Span<SoaTransform> local, std::size_t joint, f32x4 to) {
   set_three_of_lane(&local[joint / 4].translation[0][joint % 4], to);
 }
 
-// Scales the translations of all joints from the goal's up to the one below the first that turns.
+// Stretches a tree with one goal: scales the translations of all joints below its first node, down to the goal's joint.
 void stretch_bones(const Pose& pose, const IkTree& tree, float factor) {
   for (std::uint16_t j = tree.tips[0].joint; j != tree.nodes[0].joint; j = pose.skeleton.parents[j])
     set_translation(pose.local, j, wide_translation_of(pose.local, j) * factor);

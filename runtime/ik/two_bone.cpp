@@ -46,7 +46,7 @@ inline bool solve_one(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneT
   return solve_one<false>(joints, goal, out);
 }
 
-// The kernel, for joints that are there.
+// The kernel. No pointer in `joints` may be null.
 [[gnu::noinline, gnu::flatten]] BadCall solve_limb(const TwoBoneJoints& joints, const TwoBone& goal,
                                                    TwoBoneTurns& out) {
   MARROW_CHECK(is_share(goal.weight) && is_share(goal.soft));
@@ -68,7 +68,8 @@ Vector<One> through(const Affine& m, Vector<One> v) {
   return transposed_times(wide_rows(m), v);
 }
 
-// Whether a map is not a turn and one scale. It is one just if its rows are at right angles and of one length.
+// Whether a map is more than a turn, or a mirror, and one scale. If it is no more than that, its rows are perpendicular
+// and of one length.
 [[gnu::noinline]] bool is_uneven(const Affine& m) {
   const Vector<One> first = wide(m.rows[0]);
   const One squared = dot(first, first);
@@ -93,8 +94,9 @@ Vector<One> through(const Affine& m, Vector<One> v) {
   return out;
 }
 
-// A limb under uneven scale, which changes its shape as its joints turn. Each joint turns it rigidly in the space of
-// that joint's parent: so the limb is bent in the space above the middle joint, and turned in that above the start.
+// A limb under uneven scale: it changes its shape as its joints turn. Yet in the space of a joint's parent, that joint
+// turns what is below it rigidly. So the limb is bent in the space of the middle joint's parent, and turned in that of
+// the start joint's parent.
 struct UnevenLimb {
   const Pose& pose;
   const TwoBoneLimb& limb;
@@ -113,8 +115,8 @@ struct UnevenLimb {
   return !solve_limb({seen, seen + 1, seen + 2}, goal, turns);
 }
 
-// Bends the limb until start and end are as far apart as start and target, both measured above the start joint. Secant
-// steps, each solved above the middle joint.
+// Bends the limb until start and end are as far apart as start and target. Both distances are measured in the space of
+// the start joint's parent. Steps of the secant method, each solved in the space of the middle joint's parent.
 void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   const Vector<One> start = wide_origin(*u.at.start);
   const auto length_through = [](const Affine& m, Vector<One> v) {
@@ -124,19 +126,19 @@ void bend_uneven(const UnevenLimb& u, const TwoBone& goal) {
   const float want = length_through(u.start_parent_from_model, wide(goal.target) - start);
   TwoBone bent;
   store(bent.bend_axis, vector3(goal.bend_axis));
-  float was_long = 0, was_seen = 0;
+  float old_length = 0, old_seen = 0;
   for (int step = 0; step < kMostSteps; ++step) {
     const Vector<One> now = wide_origin(*u.at.end) - start;
-    const float is_long = length_through(u.mid_parent_from_model, now),
+    const float length = length_through(u.mid_parent_from_model, now),
                 seen = length_through(u.start_parent_from_model, now);
-    const float off = want - seen, even = is_long / seen, slope = (is_long - was_long) / (seen - was_seen);
+    const float off = want - seen, even = length / seen, slope = (length - old_length) / (seen - old_seen);
     if (absolute(off) <= 1e-6f * want) return;
     const float by = off * (within(slope, 0.25f * even, 4 * even) ? slope : even);
     TwoBoneTurns turns;
-    if (!solve_through(u, u.mid_parent_from_model, bent, start + now * all_lanes<One>(1 + by / is_long), turns)) return;
+    if (!solve_through(u, u.mid_parent_from_model, bent, start + now * all_lanes<One>(1 + by / length), turns)) return;
     turn_joint(u.pose.local, u.limb.mid, turns.mid);
     update_below(u.pose, u.limb.mid);
-    was_long = is_long, was_seen = seen;
+    old_length = length, old_seen = seen;
   }
 }
 
@@ -145,14 +147,14 @@ void turn_limb(Span<SoaTransform> local, const TwoBoneLimb& limb, const TwoBoneT
   turn_joint(local, limb.mid, turns.mid);
 }
 
-// Sets a joint's rotation to a mix of `from` and the one it has, by `share` of the latter.
+// Blends a joint's rotation with `from`: the share `share` of the rotation that it has, and the rest of `from`.
 [[gnu::noinline]] void blend_back(Span<SoaTransform> local, std::size_t joint, Quaternion<One> from, float share) {
   const Quaternion<One> to = wide_rotation_of(local, joint);
   const One same = {sum_of_lanes(from.v * to.v)};
   set_direction(local, joint, {from.v * splat(1 - share) + to.v * flip(all_lanes<One>(share), same).v});
 }
 
-// Whether the limb, once stretched, reaches the target. It may not, where the secants have not converged.
+// Whether the limb, once stretched, reaches the target. It may not if the secant method has not converged.
 bool is_reached(const UnevenLimb& u, const TwoBone& goal, float stretch) {
   const Vector<One> start = wide_origin(*u.at.start), upper = wide_origin(*u.at.mid) - start,
                     way = wide_origin(*u.at.end) - start, lower = way - upper,
@@ -162,7 +164,7 @@ bool is_reached(const UnevenLimb& u, const TwoBone& goal, float stretch) {
 }
 
 // Bends the limb and turns it to the target, then mixes both turns with the pose by the goal's weight. The stretch is
-// left in `turns`.
+// not applied: turns.stretch says what it is to be.
 void turn_uneven(const UnevenLimb& u, const TwoBone& goal, TwoBoneTurns& turns) {
   const Quaternion<One> start = wide_rotation_of(u.pose.local, u.limb.start),
                         mid = wide_rotation_of(u.pose.local, u.limb.mid);

@@ -6,7 +6,7 @@ namespace marrow {
 namespace {
 
 constexpr float kTurn = 6.2831853f, kHalfTurn = 3.14159265f, kQuarterTurn = 1.57079633f;
-// How far rounding may put an angle beyond a bound, or a range short of a turn.
+// Room for rounding: how far an angle may be beyond a bound, and how far short of a whole turn a range counts as whole.
 constexpr float kRounding = 1e-6f;
 
 // tan(angle / 4), for angles of at most half a turn.

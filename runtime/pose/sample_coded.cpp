@@ -13,7 +13,7 @@
 namespace marrow {
 namespace {
 
-// Stored in place of the step, which is above 0, if the two frames are alike.
+// Marks a pair whose two frames are alike: stored in FramePair::step[0], which is 0 or more otherwise.
 constexpr float kAlike = -1.0f;
 inline bool are_alike(const FramePair& two) {
   std::int32_t bits;
@@ -21,8 +21,9 @@ inline bool are_alike(const FramePair& two) {
   return bits < 0;
 }
 
-// Stores a pair in the cache. Returns whether its frames are alike, and were not before: then write_alike() follows.
-// kFollows: the cache holds the pair before, whose later frame is now the earlier one.
+// Stores a pair in the cache. Returns whether its frames have just become alike; then the caller calls write_alike().
+// kFollows: the cache holds the preceding pair, whose later frame is now the earlier one, so only the new later frame
+// is stored. first: which half of a FramePair holds the earlier frame.
 template <bool kFollows>
 inline bool keep(const Unpacked& four, std::uint32_t first, FramePair& to) {
   const f32x4(&a)[3] = four.frame[0], (&b)[3] = four.frame[1];
@@ -119,7 +120,8 @@ struct FrameBlend {
               lanes, rotation);
 }
 
-// Of a pair, whichever the earlier is.
+// rotate_rest() for a pair from the cache. weight: of the even frame (a) and the odd frame (b), whichever of them is
+// earlier.
 inline void rotate_kept(const LaneTables& t, const FramePair& two, const SlerpWeights<f32x4>& weight,
                         const SoaTransform& rest, std::uint32_t lanes, SoaTransform& out) {
   Rotations r;
@@ -130,7 +132,8 @@ inline void rotate_kept(const LaneTables& t, const FramePair& two, const SlerpWe
   rotate_rest(t, r, weight, rest.rotation, lanes, out.rotation);
 }
 
-// Translations or scales. first: which frame of `four` is the earlier.
+// Writes rest + blended translations, or scales, into the lanes in `lanes`. first: which frame of `four` is the
+// earlier.
 template <class Four>
 inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t first, f32x4 u, const float (&rest)[3][4],
                         std::uint32_t lanes, float (&vector)[3][4]) {
@@ -142,7 +145,7 @@ inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t fir
   store_lanes(t, out, lanes, vector);
 }
 
-// What is alike in both frames goes into the pose here, once: set_kept() passes it over.
+// Writes a pair whose frames are alike into the pose, once, and marks it: set_kept() passes it over from then on.
 [[gnu::noinline]] void write_alike(FramePair& two, std::uint32_t kind, const SoaTransform& rest, std::uint32_t lanes,
                                    SoaTransform& out) {
   const LaneTables& t = lane_tables();
@@ -156,7 +159,7 @@ inline void add_to_rest(const LaneTables& t, const Four& four, std::uint32_t fir
   two.step[0] = kAlike;
 }
 
-// The arguments of set_moving() and set_kept().
+// The arguments of set_moving() and set_kept(): of a call of sample_coded().
 struct Moving {
   const Skeleton& skeleton;
   const CodedTracks& coded;
@@ -166,9 +169,10 @@ struct Moving {
   std::uint32_t first;          // which of the two in a FramePair is the earlier
 };
 
-// Unpacks both frames. With kFollows only the later one: the cache holds the frame before, of the same segment. Writes
-// to the pose what is not cached, and pairs that have just become alike. One loop serves all kinds, since they are
-// unpacked alike.
+// Unpacks the moving tracks. With kFollows, only their later frame: the cache holds the frame before, of the same
+// segment. With a cache the frames go there, and only pairs that have just become alike are written to the pose.
+// Without one, the blended frames are written to the pose. One loop serves rotations, translations and scales (kinds 0,
+// 1, 2), since they are unpacked in the same way.
 template <bool kFollows>
 void set_moving(const Moving& m, TrackCursor& cursor, SoaTransform* out) {
   const LaneTables& t = lane_tables();

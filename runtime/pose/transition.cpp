@@ -21,7 +21,8 @@ struct Offset {
   f32x4 at[9];
 };
 
-// turn: set to the quaternion with w ≥ 0 or, if `like` is given, to the one in the hemisphere of `like`.
+// What `from` is off `to`. turn: set to the rotational part, a unit quaternion. Of q and -q it is the one with w ≥ 0
+// or, if `like` is given, the one in the hemisphere of `like`. `turn` and `like` may be the same.
 Offset difference(const SoaTransform& from, const SoaTransform& to, const Quaternion<f32x4>* like,
                   Quaternion<f32x4>& turn) {
   const Quaternion<f32x4> either = load_rotations(from.rotation) * conjugate(load_rotations(to.rotation));
@@ -36,8 +37,9 @@ Offset difference(const SoaTransform& from, const SoaTransform& to, const Quater
   return out;
 }
 
-// The fade is the quintic (1 - s)⁴ (x + (4 x + v) s), with v the velocity over the whole fade. For x ≥ 0 it stays ≥ 0
-// if v ≥ -5 x; otherwise the fade is shortened until that holds. A v > 0 adds at most 0.082 v, at s = 1/5.
+// The fade is the quintic (1 - s)⁴ (x + (4 x + v) s). x is the offset's magnitude at the start, v its velocity times
+// the fade's duration. For x ≥ 0 the fade stays ≥ 0 if v ≥ -5 x; otherwise it is shortened until that holds. A v > 0
+// adds at most 0.082 v, at s = 1/5: so v of a turn is limited to 12 (π - x), which keeps the fade at or below π.
 void set_fade(f32x4 start, f32x4 velocity, f32x4 slowest, bool is_turn, int i, InertialOffset& out) {
   const f32x4 zero = splat(0.0f), most = splat(1e9f);
   const f32x4 x = flip(start, start);  // |start|; the rest is mirrored with it

@@ -5,10 +5,11 @@
 namespace marrow {
 namespace {
 
-// A squared sine. Below it an entry counts as linearly dependent on the entries before it.
+// The squared sine of the angle between an entry and the span of the entries before it. If it is not above this, the
+// entry counts as linearly dependent on them.
 constexpr float kLeastNewness = 1e-3f;
 
-// An entry as shares of joints.
+// A palette entry as the joints that it blends, one or two, and the share of each.
 struct JointShares {
   std::uint32_t joint[2];
   float share[2];
@@ -42,7 +43,8 @@ std::uint32_t StandIns::place_of(std::uint32_t other_slot, std::uint32_t joint) 
   return place;
 }
 
-// Lists the vertex's joints, and makes its entries' directions orthonormal by Gram–Schmidt.
+// Lists the joints that the vertex's entries blend. Makes an orthonormal basis of the entries, as vectors of joint
+// shares, by Gram–Schmidt.
 void StandIns::prepare() {
   const Mesh& mesh = *surface_.part(slot_).mesh;
   float entry_weights[kMaxInfluences];
@@ -78,7 +80,8 @@ void StandIns::prepare() {
   prepared_ = true;
 }
 
-// The vertex's joint that a neighbour follows most; the vertex's heaviest if the neighbour follows none of them.
+// The joint that takes over the shares of joints that the vertex lacks: of the vertex's joints the one that the
+// neighbour follows most, or the vertex's heaviest if the neighbour follows none of them.
 std::uint32_t StandIns::heir_of(std::uint32_t neighbour, const AsVertex& n) const {
   float followed[kMostJoints + 1] = {};
   for (std::uint32_t e = 0; e < n.influences; ++e) {
@@ -90,6 +93,8 @@ std::uint32_t StandIns::heir_of(std::uint32_t neighbour, const AsVertex& n) cons
   return followed[most] > 0 ? most : place_of_greatest(weights_, joint_count_);
 }
 
+// Sets x to the shares of the vertex's entries that stand in for an entry of the neighbour. They add up to 1: what is
+// missing goes to the heaviest entry.
 void StandIns::find_shares(std::uint32_t neighbour, std::uint32_t entry, std::uint32_t heir,
                            float (&x)[kMaxInfluences]) const {
   const JointShares shares = joint_shares_of(*surface_.part(neighbour).mesh, entry);

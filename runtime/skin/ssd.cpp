@@ -15,6 +15,7 @@ struct Ssd {
     const f32x4 mirror = directions == Directions::blended_tangents ? determinant(joints.last) : splat(1.0f);
     for (; blocks > 0; --blocks) {
       joints.stay(directions, influences);
+      // A block: the positions x[4] y[4] z[4], then four weights for each influence but the last.
       const float* const weights = at.stream + 12;
       const Vector<f32x4> v = load_block(at.stream);
       Blend m = joints.last;

@@ -16,19 +16,20 @@ T* at(Span<std::byte> section, std::uint64_t offset) {
   return reinterpret_cast<T*>(section.data + offset);
 }
 
-// 0: the next new name; else an offset, plus one.
+// Reads a name's offset in the pool. Code 0 stands for the next new name, any other for an offset plus one.
 std::uint32_t take_name(ByteReader& reader, NameReader& names) {
   const std::uint32_t code = reader.take_varint();
   return code == 0 ? names.next() : code - 1;
 }
 
-// 0, -1, 1, -2 … as 0, 1, 2, 3 …
+// Reads a signed number in zigzag code: 0, -1, 1, -2 … are stored as 0, 1, 2, 3 …
 std::int32_t take_signed(ByteReader& reader) {
   const std::uint32_t code = reader.take_varint();
   return static_cast<std::int32_t>(code >> 1 ^ (0 - (code & 1)));
 }
 
-// Two bits a number say which is 0, 1 or -1; others follow.
+// Reads a matrix. Of two bits for each of its 12 numbers, lowest first, 0, 1 and 2 stand for 0, 1 and -1; 3: a float
+// follows.
 Affine take_map(ByteReader& reader) {
   constexpr float kKnown[] = {0, 1, -1};
   std::uint32_t codes = reader.take<std::uint16_t>();
@@ -99,12 +100,12 @@ bool take_mesh_header(ByteReader& reader, std::uint32_t flags, format::MeshHeade
   const std::uint32_t lod_count = (flags & packed::kMeshHasLods) != 0 ? reader.take_varint() : 0;
   h.lod_count = static_cast<std::uint8_t>(lod_count);
   for (float& c : h.base_colour) c = (flags & packed::kMeshHasColour) != 0 ? reader.take<float>() : 1.0f;
-  constexpr std::uint32_t kMostTargets = 1 << 16;  // as of geometries
+  constexpr std::uint32_t kMostTargets = 1 << 16;  // the same limit as for a geometry's targets
   return h.joint_count <= kMaxJoints && helper_count <= kMaxJoints && lod_count <= 255 &&
          h.target_count <= kMostTargets;
 }
 
-// Each joint is stored less (the joint before it + 1). False if a joint is not of the skeleton.
+// Each joint is stored as its difference from (the joint before it + 1). False if the skeleton has no such joint.
 bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::uint16_t> joints) {
   std::uint32_t joint = 0xFFFFFFFF;
   for (std::uint16_t& out : joints) {
@@ -115,7 +116,8 @@ bool take_mesh_joints(ByteReader& reader, const Skeleton& skeleton, Span<std::ui
   return true;
 }
 
-// Reads the inverse binds that the file gives; the others follow from the rest pose. model: its matrices of the joints.
+// Reads the inverse bind matrices that the file gives, and computes the others from the rest pose. model: the rest
+// pose's model_from_joint.
 void take_inverse_binds(ByteReader& reader, std::uint32_t flags, Span<const std::uint16_t> joints, const Affine* model,
                         const Affine& model_from_mesh, Affine* inverse_bind) {
   const Span<const std::byte> given =
@@ -253,7 +255,8 @@ const char* unpack_skeleton(Span<const std::byte> record, NameReader& names, Spa
 
 Affine derived_inverse_bind(const Affine& model, const Affine& model_from_mesh) {
   const Linear<float> m = linear(model), c = cofactors(m);
-  const float volume = m.x.x * c.x.x + m.y.x * c.y.x + m.z.x * c.z.x;  // by the first row: cooked files depend on it
+  // Expanded by the first row: cooked files depend on how this rounds.
+  const float volume = m.x.x * c.x.x + m.y.x * c.y.x + m.z.x * c.z.x;
   const Linear<float> rows = {c.x / volume, c.y / volume, c.z / volume};
   const Vector3 at = -transposed_times(rows, origin(model));
   const Affine inverse = {{{rows.x.x, rows.x.y, rows.x.z, at.x},

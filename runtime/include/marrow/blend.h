@@ -24,13 +24,15 @@ struct BlendLayer {
 };
 
 // out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
-// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+// as quaternions and normalised. Rotations must be unit quaternions; a sum in one hemisphere (see below) then never has
+// length 0.
 //
 // Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it. So two layers
 // blend along the shorter arc, and no number of layers cancels out; the result's sign is arbitrary. Where Σ w is below
 // `threshold`, the rest pose is added with the missing weight; so without layers the result is the rest pose. A single
-// layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are layers below
-// 1e-12 of the sum or of `threshold`. The result is finite for poses with translations and scales up to 1e15.
+// layer without a mask is copied bit for bit. Layers of weight 0 are not read. If no layer has a mask, and at most four
+// layers have more than 1e-12 of the sum of weights (or of `threshold`, if that is greater), the other layers are not
+// read either. The result is finite for poses with translations and scales up to 1e15.
 //
 // layers: any number; out: at least skeleton.soa_size(), and may be the pose of a layer. threshold: 1e-6 …
 // kMaxBlendWeight.
@@ -44,13 +46,14 @@ MARROW_API Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers,
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
-// A mask of a joint and of all that hangs on it, for layers that move a part of the body. Other joints keep what the
-// mask has, so that calls add up: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2:
-// `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
+// Masks a joint and all that hangs on it, for layers that move a part of the body. Each of these joints gets its new
+// value or keeps the one in the mask, whichever is greater; all other joints keep theirs. So several calls can build
+// one mask: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2: `joint` has 1/3, its
+// children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
 //
-// mask: at least 4 · skeleton.soa_size(). A joint that has more keeps it.
-// Errors: bad_argument if `joint` is no joint or the mask is too short; nothing is written. Cost: for each joint
-// behind `joint` a walk up to its root; once a load.
+// mask: at least 4 · skeleton.soa_size().
+// Errors: bad_argument if `joint` is no joint or the mask is too short; nothing is written. Cost: for each joint with a
+// higher index than `joint`, a walk up the hierarchy. Call it once a load.
 MARROW_API Status mask_below(const Skeleton& skeleton, std::uint32_t joint, std::uint32_t falloff, Span<float> mask);
 
 // A change, and how much of it.
@@ -66,8 +69,8 @@ struct AdditiveLayer {
 MARROW_API Status make_additive(const Skeleton& skeleton, Span<const SoaTransform> pose,
                                 Span<const SoaTransform> reference, Span<AdditiveTransform> out);
 
-// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
-// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+// Adds the share w = weight · mask of a change to `pose`. Translation: + w Δ. Rotation: multiplied from the left by the
+// normalised (1 - w) · identity + w · change. Scale: · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 MARROW_API Status add(const Skeleton& skeleton, const AdditiveLayer& layer, Span<SoaTransform> pose);
 

@@ -125,7 +125,7 @@ void mrw_bytes_init(mrw_bytes* out);
 typedef struct mrw_mesh_decoder mrw_mesh_decoder;
 struct mrw_mesh_decoder {
   uint32_t codec;  // as packed files name it
-  void (*decode)(void);  // the codec
+  void (*decode)(void);  // Decompresses the bytes of one mesh into the streams.
 };
 
 // Bytes of mrw_unpacking's state.
@@ -141,16 +141,17 @@ struct mrw_unpack_sizes {
 // Whether these are the first bytes of a packed file. If not, hand them to mrw_load().
 bool mrw_is_packed(const void* bytes, size_t byte_count);
 
-// How much memory unpacking takes, computed from the counts in the records. MRW_BAD_DATA if the header claims any other
-// size, or if a clip or bounds claim more than their bytes can hold. A mesh's counts are only the file's claim: with
-// some codecs few bytes may truly hold many vertices. So set a limit of your own for files of strangers. Errors:
-// MRW_BAD_MAGIC, MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_TRUNCATED, MRW_BAD_DATA. Cost: the checksum.
+// How much memory unpacking takes, computed from the counts in the records. A mesh's counts are only what the file
+// claims: with some codecs, few bytes can really hold many vertices. So set a limit of your own for files from
+// untrusted sources. Errors: MRW_BAD_MAGIC, MRW_BAD_VERSION, MRW_BAD_CHECKSUM, MRW_TRUNCATED; MRW_BAD_DATA, also if the
+// header claims any other size, or if a clip or bounds claim more than their bytes can hold. Cost: the checksum.
 // May be null: error.
 mrw_status mrw_find_unpack_sizes(const void* packed, size_t packed_bytes, mrw_unpack_sizes* out,
     mrw_data_error* error) MRW_NODISCARD;
 
-// Unpacks into `memory` (16-byte aligned, at least memory_bytes). `file` becomes the front part of memory, which
-// mrw_load() must still check, decoded counts, indices and joints included. What lies behind `file` is free again.
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes). `file` becomes the front part of memory. Unpacking
+// does not check it: mrw_load() does, decoded counts, indices and joints included. What lies behind `file` is free
+// again.
 //
 // packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as
 // mrw_find_unpack_sizes(); MRW_BAD_DATA; MRW_UNSUPPORTED if a mesh's codec is not among `decoders` (mrw_data_error.rule
@@ -173,7 +174,7 @@ typedef struct mrw_unpacking mrw_unpacking;
 struct MRW_ALIGN(8) mrw_unpacking {
   const void* file;  // empty until the last step is done; then as of mrw_unpack()
   size_t file_bytes;
-  uint32_t done_bytes;  // of total_bytes, for a bar
+  uint32_t done_bytes;  // of total_bytes; for a progress bar
   uint32_t total_bytes;  // of the unpacked file
   uint8_t state[512];  // mrw_unpack_step()'s own
 };
@@ -1108,13 +1109,14 @@ void mrw_sample_options_init(mrw_sample_options* out);
 
 // Evaluates `clip` at `time_s`, clamped to each track's first and last key, as glTF 2.0 defines its interpolations:
 // STEP, LINEAR (spherical along the shortest arc for rotations) and CUBICSPLINE (Hermite, rotations normalised). Coded
-// tracks are blended between their two nearest frames, rotations on the sphere; they keep the cooker's --clip-error.
+// (compressed) tracks are blended between their two nearest frames, rotations by spherical interpolation; their error
+// stays within the cooker's --clip-error.
 //
 // out: at least mrw_skeleton_soa_size(skeleton) elements, caller's memory; joints that the clip leaves alone get their
 // rest pose. Errors: MRW_BAD_ARGUMENT if `out` or the set of joints is too short, the clip belongs to a skeleton with
 // other joints or is additive, or time_s is not a number. Rotations differ from exact spherical interpolation by at
-// most 1e-6 rad plus float rounding. Cost: a binary search a distinct key-time list and a few dozen operations a track,
-// wherever time_s is. Stateless; thread-safe on different outputs.
+// most 1e-6 rad plus float rounding. Cost: one binary search for each distinct list of key times and a few dozen
+// operations for each track, whatever time_s is. Stateless; thread-safe on different outputs.
 // May be null: options.
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, const mrw_sample_options* options) MRW_NODISCARD;
@@ -1122,9 +1124,9 @@ mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float 
 // What an instance that plays a clip keeps between two calls of mrw_sample_cached(). A new cache is empty.
 typedef struct mrw_sample_cache mrw_sample_cache;
 struct MRW_ALIGN(8) mrw_sample_cache {
-  // The caller's, 16-byte aligned. It holds two unpacked frames of the clip, so that times between them need no
-  // unpacking. If it is smaller than mrw_sample_cache_bytes() of a clip, or empty, only what does not move in the clip
-  // is kept.
+  // The caller's, 16-byte aligned. It holds the two unpacked frames of the clip that the time lies between, so that
+  // times between them need no unpacking. If it is empty, or smaller than mrw_sample_cache_bytes() of the clip, each
+  // call unpacks both frames; only what does not move in the clip is still skipped.
   void* memory;
   size_t memory_bytes;
   uint8_t state[24];  // mrw_sample_cached()'s own
@@ -1139,19 +1141,19 @@ size_t mrw_sample_cache_bytes(const mrw_clip* clip);
 // this cache has already done. The cache notices a changed clip, skeleton or `out` and starts anew. It knows an
 // mrw_file's clip by mrw_clip.id, a clip made by hand by the addresses of its tracks.
 //
-// out: as in mrw_sample(). Nobody else may write to it while the cache is in use, not even to joints that move: what
-// rests between two frames is not written again. To change the pose afterwards, copy it or let mrw_blend() read it.
-// cache: one for each `out`. If others wrote to `out`, replace it by a new cache with the same memory. Errors: as
-// mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of 16 bytes; the cache then stays as it
-// is. Cost: in the worst case that of mrw_sample() and a copy of the frames; playing at 60 Hz over keys at 30 Hz about
-// half.
+// out: as in mrw_sample(). Nobody else may write to it while the cache is in use, not even to joints that move: a joint
+// whose two frames are alike is written once and then skipped until the frames change. To change the pose afterwards,
+// copy it or let mrw_blend() read it. cache: one for each `out`. If others wrote to `out`, replace the cache by a new
+// one with the same memory. Errors: as mrw_sample(), and MRW_BAD_ARGUMENT if the cache's memory is not on a boundary of
+// 16 bytes; the cache then stays as it is. Cost: at most that of mrw_sample() and a copy of the frames; about half of
+// mrw_sample() for keys at 30 Hz that are played at 60 Hz.
 mrw_status mrw_sample_cached(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,
     size_t out_count, mrw_sample_cache* cache) MRW_NODISCARD;
 
 // Evaluates a clip cooked as additive (`marrow cook --additive`). out: the change for mrw_add(), from the clip's
 // reference pose to the pose that mrw_sample() would give of an ordinary clip. Added to the reference with weight 1 it
-// gives that pose, within the cooker's --clip-error. A joint that the clip leaves alone does not change if the
-// reference has it in its rest pose.
+// gives that pose, within the cooker's --clip-error. A joint that the clip leaves alone is sampled in its rest pose: it
+// does not change if the reference has it in its rest pose, too.
 //
 // out: at least mrw_skeleton_soa_size(skeleton) elements, caller's memory. Errors: as mrw_sample(), and
 // MRW_BAD_ARGUMENT if the clip is not additive. Cost: mrw_sample() and mrw_make_additive(). Stateless; thread-safe on
@@ -1163,8 +1165,8 @@ mrw_status mrw_sample_additive(const mrw_skeleton* skeleton, const mrw_clip* cli
 //
 // out: at least clip.channel_count floats. mrw_file_find_channel says which channel is which. A number that the clip
 // does not drive has no channel and keeps the value that the game gives it. Channels of an additive clip are values,
-// too, not changes. Errors: MRW_BAD_ARGUMENT if `out` is too short or time_s is not a number. Cost: a binary search a
-// distinct key-time list and a few operations a channel.
+// too, not changes. Errors: MRW_BAD_ARGUMENT if `out` is too short or time_s is not a number. Cost: one binary search
+// for each distinct list of key times and a few operations for each channel.
 mrw_status mrw_sample_channels(const mrw_clip* clip, float time_s, float* out, size_t out_count) MRW_NODISCARD;
 
 // ---- Part curve -----------------------------------------------------------------------------------------------------
@@ -1392,13 +1394,15 @@ struct mrw_additive_layer {
 void mrw_additive_layer_init(mrw_additive_layer* out);
 
 // out = Σ w x / Σ w for each joint, with w = weight · mask: translations and scales are averaged, rotations are summed
-// as quaternions and normalised. Rotations must be unit quaternions, of which no sum can be 0 then.
+// as quaternions and normalised. Rotations must be unit quaternions; a sum in one hemisphere (see below) then never has
+// length 0.
 //
 // Hemisphere: a layer's quaternion is negated where it points away from the sum of the layers before it. So two layers
 // blend along the shorter arc, and no number of layers cancels out; the result's sign is arbitrary. Where Σ w is below
 // `threshold`, the rest pose is added with the missing weight; so without layers the result is the rest pose. A single
-// layer without a mask is copied bit for bit. Layers of weight 0 are not read; without masks, neither are layers below
-// 1e-12 of the sum or of `threshold`. The result is finite for poses with translations and scales up to 1e15.
+// layer without a mask is copied bit for bit. Layers of weight 0 are not read. If no layer has a mask, and at most four
+// layers have more than 1e-12 of the sum of weights (or of `threshold`, if that is greater), the other layers are not
+// read either. The result is finite for poses with translations and scales up to 1e15.
 //
 // layers: any number; out: at least mrw_skeleton_soa_size(skeleton), and may be the pose of a layer. threshold: 1e-6 …
 // MRW_MAX_BLEND_WEIGHT.
@@ -1413,13 +1417,14 @@ mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers
 mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
 
-// A mask of a joint and of all that hangs on it, for layers that move a part of the body. Other joints keep what the
-// mask has, so that calls add up: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2:
-// `joint` has 1/3, its children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
+// Masks a joint and all that hangs on it, for layers that move a part of the body. Each of these joints gets its new
+// value or keeps the one in the mask, whichever is greater; all other joints keep theirs. So several calls can build
+// one mask: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2: `joint` has 1/3, its
+// children 2/3, and what is below those 1, so that a spine bends evenly into the layer.
 //
-// mask: at least 4 · mrw_skeleton_soa_size(skeleton). A joint that has more keeps it.
+// mask: at least 4 · mrw_skeleton_soa_size(skeleton).
 // Errors: MRW_BAD_ARGUMENT if `joint` is no joint or the mask is too short; nothing is written. Cost: for each joint
-// behind `joint` a walk up to its root; once a load.
+// with a higher index than `joint`, a walk up the hierarchy. Call it once a load.
 mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
     size_t mask_count) MRW_NODISCARD;
 
@@ -1430,8 +1435,8 @@ mrw_status mrw_make_additive(const mrw_skeleton* skeleton, const mrw_soa_transfo
     const mrw_soa_transform* reference, size_t reference_count, mrw_additive_transform* out,
     size_t out_count) MRW_NODISCARD;
 
-// Lays w = weight · mask of a change on `pose`: translation + w Δ; rotation multiplied from the left by the normalised
-// mean of identity and change; scale · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
+// Adds the share w = weight · mask of a change to `pose`. Translation: + w Δ. Rotation: multiplied from the left by the
+// normalised (1 - w) · identity + w · change. Scale: · (1 + w (ratio - 1)). Where w is 0 the pose keeps its bits.
 // Errors: MRW_BAD_ARGUMENT if a list is too short, or the weight is not in 0 … 1.
 mrw_status mrw_add(const mrw_skeleton* skeleton, const mrw_additive_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
@@ -1584,8 +1589,9 @@ struct mrw_limit_description {
 };
 void mrw_limit_description_init(mrw_limit_description* out);
 
-// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower begins anew, and
-// so does one with numbers that no call could have left: the next call puts it on its target, at rest.
+// A rotation that follows a target with limited speed and acceleration: plain numbers. The next call puts a new
+// follower on its target, at rest. It does the same with one that holds numbers out of range, which no call can have
+// stored.
 typedef struct mrw_rotation_follower mrw_rotation_follower;
 struct mrw_rotation_follower {
   float rotation[4];  // x y z w
@@ -1614,7 +1620,7 @@ mrw_status mrw_make_angle_range(float least_rad, float most_rad, mrw_angle_range
 // `out` is written only on success.
 // Errors: MRW_BAD_ARGUMENT if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least
 // is above most, an angle is beyond ±2π, a swing not in 0 … MRW_WIDEST_SWING_RAD or not symmetric, the second angle of
-// an euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+// an euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is no value of its enum.
 mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joint, mrw_joint_limit* out) MRW_NODISCARD;
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
@@ -1626,15 +1632,17 @@ mrw_status mrw_make_limit(const mrw_limit_description* description, uint16_t joi
 // swing. Euler: the clamped angles, improved by one round of exact searches along each angle; docs/ik/limits.md says
 // how near that is.
 //
-// Clamping is discontinuous half way round, where both ends of the range are equally far. So over the last quarter
-// before that point the result eases through the middle of the range. For a turn about an axis that point is the angle
-// opposite the middle. For a swing it is 180°, where the twist is undefined. For euler angles it is ±90° of the second
-// angle, where the first and the third turn about the same axis. Distances are measured as tangents of a quarter of the
-// angle. A range of all angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second
-// angle may be ±90° jumps there, by no more than twice the angle by which the rotation is outside.
+// The nearest rotation jumps half way round, where both ends of the range are equally far. To avoid the jump, the
+// result moves from the range's end to its middle over the last quarter of the way from that end to that point. For a
+// turn about an axis that point is the angle opposite the middle. For a swing it is 180°, where the twist is undefined.
+// For euler angles it is ±90° of the second angle, where the first and the third turn about the same axis. Distances
+// are measured as tangents of a quarter of the angle. Two jumps remain. A range of all angles has no middle: its result
+// jumps at a swing of 180°. A euler limit whose second angle may be ±90° jumps there, by no more than twice the angle
+// by which the rotation is outside.
 //
 // Errors: MRW_BAD_ARGUMENT if the rotation has no length or is not finite; nothing is written.
-// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
+// Cost: 5 to 15 products of quaternions and a few square roots; 3 products for a rotation that is inside. No
+// trigonometry. Thread-safe.
 mrw_status mrw_clamp_rotation(const mrw_joint_limit* limit, float local[4]) MRW_NODISCARD;
 
 // The angle by which mrw_clamp_rotation() would turn the rotation, in radians; 0 if the rotation would keep its bits or
@@ -1655,10 +1663,11 @@ const mrw_joint_limit* mrw_find_limit(const mrw_joint_limit* limits, size_t limi
 //
 // A follower on its target stays on it, to the bit, as long as the target keeps within the limits. Otherwise it takes
 // the quickest way that the limits allow, and brakes in time: it does not overshoot a target at rest, unless it was too
-// fast already or moved sideways. Braking uses nine tenths of the acceleration; the last 0.9 acceleration / 120² s⁻² of
-// the way is approached as exp(-120 t / s). Without a limit of acceleration it moves at the speed limit until it is
-// there; without any limit it is always on its target. Rotations go the shorter way round, from rest along the great
-// circle. While the target passes by sideways they may exceed the acceleration by a few per cent.
+// fast already or moved sideways. It brakes at 0.9 of the acceleration; within 0.9 acceleration / (120 s⁻¹)² of the
+// target the distance falls as exp(-120 s⁻¹ · time) instead. Without a limit of acceleration it moves at the speed
+// limit until it is there; without any limit it is always on its target. Rotations go the shorter way round, from rest
+// along the great circle. While their target passes by sideways, rotations may exceed the acceleration by a few per
+// cent.
 //
 // The path does not depend on the frame rate, except for how that samples the target: time advances in even steps of at
 // most 1/960 s with constant acceleration. At rates that divide 960 Hz, paths to a target at rest agree to rounding; at
@@ -1693,9 +1702,9 @@ mrw_status mrw_follow_pose(const mrw_joint_limit* limits, size_t limit_count, mr
 // struct.
 //
 // Every vector says its space: model space is that of model_from_joint, local space is the joint's own. Directions may
-// be of any length. Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does
-// not turn rigidly: kernels and aims are then approximate, mrw_solve_two_bone() is not. The same call gives the same
-// bits on every processor. Thread-safe on different outputs; no allocation.
+// be of any length. Results are exact under uniform scale, and for scales of the joints themselves. Under uneven scale
+// of a joint above, a joint does not turn rigidly: kernels and aims are then approximate; mrw_solve_two_bone() stays
+// exact. The same call gives the same bits on every processor. Thread-safe on different outputs; no allocation.
 
 // The goal of a limb, whose joints are start, middle and end: hip, knee and ankle, say.
 typedef struct mrw_two_bone mrw_two_bone;
@@ -1704,8 +1713,8 @@ struct MRW_ALIGN(16) mrw_two_bone {
   float weight;  // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
   // The direction from the start joint in which the middle joint is to point; model space. Zero: the middle joint stays
   // on its side in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
-  // pole counts less and less, and a side 37° away from the limb's own is mixed in. So when the target passes over the
-  // pole, the limb swings round and does not jump.
+  // pole counts less and less. There a second direction is mixed in: 37° from the side that the shortest arc alone
+  // would give. So when the target passes over the pole, the limb swings round and does not jump.
   float pole[3];
   float twist_rad;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
@@ -1724,7 +1733,7 @@ typedef struct mrw_two_bone_turns mrw_two_bone_turns;
 struct MRW_ALIGN(16) mrw_two_bone_turns {
   float start[4];  // of the start joint
   float mid[4];  // of the middle joint
-  float stretch;  // the factor on the translations of all joints from below start down to end
+  float stretch;  // the factor on the translations of all joints below start, as far as end
   bool reached;  // Whether, at weight 1, the end joint comes within 1e-4 of the limb's length of the target.
 };
 
@@ -1766,19 +1775,22 @@ void mrw_aim_init(mrw_aim* out);
 typedef struct mrw_aim_turn mrw_aim_turn;
 struct MRW_ALIGN(16) mrw_aim_turn {
   float turn[4];  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
-  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: the
-  // target is nearer to the joint than the ray ever gets; it is nearer than the offset; or forward has no length.
+  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: all
+  // of the ray is farther from the joint than the target is; the target is at the joint; or forward has no length.
   bool reached;
 };
 
 // Method: half-angles by the law of cosines from (s - x)(s + x) and (x - m)(x + m), with s and m the sum and difference
-// of the bones' lengths, x the distance to the target; then the shortest arc to the target and a turn about it, in one
-// quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes infinite. A target at the
-// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, the
-// caller must change signs in its turn: of x where exactly one of the scale's y and z is negative, of y where exactly
-// one of z and x is, of z where exactly one of x and y is. mrw_solve_two_bone() does so. Errors: MRW_BAD_ARGUMENT, and
-// nothing is written, for a matrix that is not there, numbers that are not finite (or too large to be squared), a
-// weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// of the bones' lengths, x the distance to the target; then the shortest arc to the target, and a turn about the
+// target's direction, in one quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes
+// infinite. A target at the start joint folds the limb.
+//
+// The turns refer to the axes of the given matrices, which include the joints' own scales. If a joint's own scale has
+// negative components, the caller must change signs in its turn: of x where exactly one of the scale's y and z is
+// negative, of y where exactly one of z and x is, of z where exactly one of x and y is. mrw_solve_two_bone() does so.
+//
+// Errors: MRW_BAD_ARGUMENT, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
 // the target is more than 140° off or near the pole, or there is a twist.
 mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bone* goal,
@@ -1789,11 +1801,12 @@ mrw_status mrw_turn_two_bone(const mrw_two_bone_joints* joints, const mrw_two_bo
 mrw_status mrw_turn_two_bone_x4(const mrw_two_bone_joints joints[4], const mrw_two_bone goals[4],
     mrw_two_bone_turns out[4]) MRW_NODISCARD;
 
-// Solves a limb of a pose. Both forms are changed, unless the weight is 0. reached: may be null; see
-// mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or the joints are not a chain;
-// nothing is written. Cost: the kernel's, and mrw_local_to_model_below(start).
-// Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
-// five times the cost, at most twelve. The target is still reached, or `reached` is false.
+// Solves a limb of a pose. Changes mrw_pose.local and mrw_pose.model_from_joint, unless the weight is 0. reached: may
+// be null; see mrw_two_bone_turns. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or the joints are not
+// a chain; nothing is written.
+// Cost: the kernel's, and mrw_local_to_model_below(start). Under uneven scale, above the limb or of its start joint,
+// the secant method finds the bend, and the limb is then turned: three to five times the cost, at most twelve. The
+// target is still reached, or `reached` is false.
 // May be null: reached.
 mrw_status mrw_solve_two_bone(const mrw_pose* pose, const mrw_two_bone_limb* limb, const mrw_two_bone* goal,
     bool* reached) MRW_NODISCARD;
@@ -1805,8 +1818,8 @@ mrw_status mrw_solve_two_bone(const mrw_pose* pose, const mrw_two_bone_limb* lim
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 mrw_status mrw_turn_aim(const mrw_affine* joint, const mrw_aim* goal, mrw_aim_turn* out) MRW_NODISCARD;
 
-// Aims a joint of a pose. Both forms are changed, unless the weight is 0. reached: may be null.
-// Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such joint; nothing is written.
+// Aims a joint of a pose. Changes mrw_pose.local and mrw_pose.model_from_joint, unless the weight is 0. reached: may be
+// null. Errors: as above, and MRW_BAD_ARGUMENT if a list is too short or there is no such joint; nothing is written.
 // Cost: the kernel's, and mrw_local_to_model_below(joint).
 // May be null: reached.
 mrw_status mrw_solve_aim(const mrw_pose* pose, uint32_t joint, const mrw_aim* goal, bool* reached) MRW_NODISCARD;
@@ -1957,8 +1970,8 @@ mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* prob
 // Feet on the ground, for poses after mrw_local_to_model(). Soles stand where the game's rays hit, planted feet stay in
 // place, and the pelvis moves so that the legs reach.
 
-// A leg. Other joints may lie between the three, and keep their local rotations: of a hind leg of three bones name hip,
-// knee and paw.
+// A leg. Other joints may lie between the three; those keep their local rotations. For a hind leg, which has three
+// bones, set hip, knee and paw.
 typedef struct mrw_foot mrw_foot;
 struct mrw_foot {
   uint32_t hip;  // joints of the skeleton
@@ -1976,10 +1989,10 @@ struct mrw_feet {
   const mrw_foot* feet;  // two or more
   size_t foot_count;
   uint32_t pelvis;  // moves up and down with all below it, hips included; MRW_NO_JOINT: no joint moves
-  float lower_m;  // ≥ 0: the most that the pelvis goes down, or up; world
+  float lower_m;  // ≥ 0: the most that the pelvis moves from its animated place, down or up; world
   float leg_extension;  // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
   float slope_rad;  // 0 … 1.5: the steepest slope that a foot follows
-  float ease_s;  // > 0: after this time 2 % is left of a step in the ground, or of a release
+  float ease_s;  // > 0: time in which an offset, from a step in the ground or a release, falls to 2 %
 };
 void mrw_feet_init(mrw_feet* out);
 
@@ -2007,7 +2020,7 @@ void mrw_foot_motion_init(mrw_foot_motion* out);
 typedef struct mrw_feet_frame mrw_feet_frame;
 struct mrw_feet_frame {
   float dt_s;  // since the last frame
-  mrw_affine world_from_model;  // Where the character stands: a turn, one scale above 0, a shift.
+  mrw_affine world_from_model;  // The character's placement: a rotation, one uniform scale above 0 and a translation.
   float up[3];  // a unit vector; world
   bool teleported;  // feet begin anew, none is planted where it was
   float weight;  // 0 … 1, times each foot's; motions go on at 0 too
@@ -2024,12 +2037,13 @@ mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_mode
 //
 // pose: the animated one. ground, motion: one a foot.
 //
-// The sole's target is its animated place, lifted by the height of the ground's plane there. The foot tilts with the
-// plane, about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
-// so that a heel can rise. When the ground's plane changes, or a foot is released, the sole keeps its offset from the
-// target. The offset starts with the foot's speed and dies away as a critically damped spring does: exact at any frame
-// rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
-// too short. Ankles keep their animated attitude except for lean and heading. See docs/ik/feet.md.
+// The sole's target is its animated place, lifted by the height of the ground's plane there above the level ground of
+// the animation. The foot tilts with the plane, about its sole. A planted foot keeps its place across `up`, and its
+// heading; along `up` it moves as animated, so that a heel can rise. When the ground's plane changes, or a foot is
+// released, the target jumps but the sole does not: the difference becomes the sole's offset from the target. The
+// offset goes on at the foot's speed, so that neither place nor speed jumps, and dies away as a critically damped
+// spring does, exactly at any frame rate. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
+// too short. Ankles keep their animated orientation except for lean and heading. See docs/ik/feet.md.
 //
 // Errors: MRW_BAD_ARGUMENT if a list is too short, joints are not as they should be, or a number is not finite, out of
 // its range or beyond 1e6; nothing is written.
@@ -2051,7 +2065,8 @@ mrw_status mrw_place_feet(const mrw_pose* pose, const mrw_feet* feet, const mrw_
 
 #define MRW_MIN_SPRING_FRAME_S 0.001f  // shorter frames are added up until they are this long
 
-// Settings and motion of four bones, and of one chain: plain bytes in the caller's memory. Defined in
+// mrw_spring_group: settings and motion of four bones. mrw_spring_root: motion of one chain's first joint, and what its
+// bones share. mrw_joint_range: joints with consecutive numbers. Plain bytes in the caller's memory, defined in
 // springs/spring_state.h.
 typedef struct mrw_spring_group mrw_spring_group;
 typedef struct mrw_spring_root mrw_spring_root;
@@ -2075,7 +2090,8 @@ void mrw_springs_init(mrw_springs* out);
 typedef struct mrw_spring_frame mrw_spring_frame;
 struct mrw_spring_frame {
   float dt_s;  // since the last frame
-  // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
+  // The character's placement: a rotation, one uniform scale and a translation. Springs feel motion in the world, which
+  // comes from this and from the pose.
   mrw_affine world_from_model;
   float gravity[3];  // m/s², world
   float wind[3];  // m/s, world; acts through mrw_spring_joint.drag
@@ -2111,23 +2127,26 @@ void mrw_reset_springs(mrw_springs* springs);
 //
 // pose: the animated one, in every frame: springs never read what they have written.
 //
-// Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+// Model. A bone is a damped pendulum about its joint. Its direction d in the world is a unit vector; u is the velocity
+// of d:
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
-// without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
-// the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
-// chain's first joint, from a parabola through its last three places. mrw_spring_joint.most_pull, if set, limits how
-// hard the first two terms together turn the bone: under a greater load it yields. The pull ω² t grows with the sine of
-// the angle. So it is a linear spring's at small angles, and nothing at half a turn. A bone feels the bones above it;
-// they do not feel it. So in a chain of equal bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as
-// the one above: less if ζ is above ½. The joint turns by the shortest arc that takes the bone to its direction. A
-// chain below a joint of another chain is carried along, but does not feel that chain's swing.
+// without the part along d, which the bone bears: its length L never changes. ω is 2π mrw_spring_joint.frequency_hz, ζ
+// is mrw_spring_joint.damping_ratio. t is the animated direction, turned with the bones above as they swing; t' is the
+// animated direction alone. V and A are velocity and acceleration of the chain's first joint, from a parabola through
+// its last three places. mrw_spring_joint.most_pull, if set, limits how hard the first two terms together turn the
+// bone: under a greater load it yields. The pull ω² t grows with the sine of the angle. So it is a linear spring's at
+// small angles, and nothing at half a turn. A bone feels the bones above it; they do not feel it. So in a chain of
+// equal bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as the one above: less if ζ is above ½.
+// The joint turns by the shortest arc that takes the bone to its direction. A chain below a joint of another chain is
+// carried along, but does not feel that chain's swing.
 //
 // Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), with half of the damping
 // before and half after. Drift and kicks are scaled so that small swings have the exact frequency and decay at any
 // step. So the frame rate changes a path only through how it samples the animation. The energy |u|²/2 - F·d may grow by
-// no more than the work done, so it never grows without input. What hangs on a bone turns by a rotation that takes the
-// animated direction to the simulated one; of all such rotations by the one nearest to its parent's: a projection (P.
-// Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), and one product of matrix and vector a joint.
+// no more than the work done, so it never grows without input. The rotation that a bone hands down to the bones below
+// takes its animated direction to its simulated one. Of all such rotations it is the one nearest to the rotation of the
+// bone above: a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), at the cost of one product of
+// matrix and vector a joint.
 //
 // Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
 // stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.
@@ -2303,21 +2322,24 @@ mrw_status mrw_bounds_lines(const mrw_bounds* bounds, mrw_debug_lines* lines) MR
 // Errors: MRW_BAD_ARGUMENT if a list is too short, a joint out of range or a share not between 0 and 1.
 //
 // helpers: written behind the joints' entries. Entry joint_count + h blends the entries `first` and `second`, the
-// latter at `share`. Each of the two matrices is taken as a stretch and then a turn. The turns are blended as
-// quaternions, the shorter way, the stretches linearly. The two entries take the origin of joint `second` to two
-// places; the helper takes it where dual quaternions blend the two (L. Kavan et al., Geometric skinning with
-// approximate dual quaternion blending, 2008). Between a joint and its parent that is a turn about the joint.
+// latter at `share`. Each of the two matrices is split into a rotation and a stretch: matrix = rotation · stretch. The
+// rotations are blended as quaternions, the shorter way, the stretches linearly. The two entries take the origin of
+// joint `second` to two places. The helper takes it to the place that dual quaternion blending of the two entries gives
+// (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a joint and its parent
+// that is a turn about the joint.
 //
 // centres: none, or three numbers a helper: a point in the space of joint `second`. Both entries take it somewhere; the
 // helper takes it to the mean of the two places, by shares (B. Le, J. Hodgins, Real-time skeletal skinning with
 // optimized centers of rotation, 2016).
 //
-// A turn of 180° goes round the axis whose largest component is positive. Where an entry mirrors, its stretch mirrors.
-// Where an entry has lost its volume, or is not finite, the two matrices are blended element by element.
+// If the two rotations are 180° apart, the blend turns about the axis whose largest component is positive. If an entry
+// mirrors, its stretch mirrors and its rotation does not. Where an entry has lost its volume, or is not finite, the two
+// matrices are blended element by element.
 //
 // The same palette serves SSD and animation space (docs/decisions.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
-// centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64. A helper takes 198 on x86-64, with a
+// centre 248. Helpers are computed four at a time: if the two entries of one of them differ in their stretches, each of
+// the four takes 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 mrw_status mrw_build_palette_of_joints(const uint16_t* joints, size_t joint_count, const mrw_affine* bind,
     size_t bind_count, const mrw_affine* model_from_joint, size_t model_from_joint_count, mrw_affine* out,
@@ -2400,11 +2422,12 @@ mrw_status mrw_palette_bounds(const mrw_mesh_extents* extents, const mrw_affine*
 // ---- Part skin ------------------------------------------------------------------------------------------------------
 // Skin on the CPU: bind vertices and a palette → deformed vertices.
 //
-// Every deformer writes whole slots (mrw_geometry.slot_count, padding included), so that indices can be used as they
-// are. Positions are in the palette's space (model space after mrw_local_to_model). All are thread-safe on different
-// outputs.
+// Every deformer writes all mrw_geometry.slot_count slots, padding included, so that the geometry's indices can be used
+// as they are. Positions are in the palette's space (model space after mrw_local_to_model). All are thread-safe on
+// different outputs.
 //
-// Costs are instructions a vertex with four influences, in runs of about 150, x86-64 (SSE2) / AArch64 with g++ 12 -O3.
+// Costs are CPU instructions for each vertex with four influences, in runs of about 150 vertices: first x86-64 (SSE2),
+// then AArch64, by g++ 12 -O3.
 
 // How normals and tangents of the bind pose are deformed. M is the 3×3 part of the vertex's blended matrix.
 typedef uint8_t mrw_normal_transform;
@@ -2426,9 +2449,9 @@ struct mrw_skin_output {
   size_t position_count;
   float* normals;  // 3 a slot; leave empty to skip
   size_t normal_count;
-  // 4 a slot: xyz, then the handedness, which changes sign where the blend mirrors. (With blended_matrix, SSD and
-  // animation space ask the run's last joint instead of the blend: the two differ only at a vertex between mirrored and
-  // unmirrored joints.) Needs normals. Leave empty to skip.
+  // 4 a slot: xyz, then the handedness, which changes sign where the blend mirrors. With blended_matrix, mrw_skin_ssd()
+  // and mrw_skin_as() take that from the determinant of the run's last joint instead of the blend's: the two differ
+  // only at a vertex that follows both mirrored and unmirrored joints. Needs normals. Leave empty to skip.
   float* tangents;
   size_t tangent_count;
   mrw_normal_transform normal_transform;  // of tangents, too
@@ -2449,29 +2472,30 @@ void mrw_as_part_init(mrw_as_part* out);
 // Each vertex follows the joint with its largest weight.
 //   position = M_j (v, 1)
 // palette: mrw_mesh_palette_size(mesh) entries. Errors, here and below: MRW_BAD_ARGUMENT if a list is too short, if the
-// geometry follows more entries than the mesh has (then it is another mesh's), if normals or tangents are asked of a
-// mesh without them, or if the geometry's floats do not stand on 16-byte boundaries.
+// geometry refers to palette entries that the mesh does not have (then it is another mesh's), if normals or tangents
+// are asked of a mesh without them, or if the geometry's floats do not stand on 16-byte boundaries.
 // Cost: positions 50 / 32; with exact normals 78 / 49.
 mrw_status mrw_skin_rigid(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
 
 // Skeletal subspace deformation, also called linear blend skinning.
 //   position = (Σ_j w_j M_j) (v, 1)
-// Cost: positions 38 / 29; with normals through the blended matrix 47 / 34, and tangents 59 / 42; through the inverse
-// transpose 66 / 47 and 83 / 56. That is 12 multiply-adds an influence but the last, 9 for the position, 9 for a normal
-// or tangent through the matrix, 27 multiplications and a square root and a division for a normal through its inverse
-// transpose.
+// Cost: positions 38 / 29. Through the blended matrix: with normals 47 / 34, with tangents too 59 / 42. Through the
+// inverse transpose: 66 / 47 and 83 / 56. In multiply-adds that is 12 for each influence except the last, 9 for the
+// position, and 9 for each normal or tangent through the matrix. A normal through the inverse transpose takes 27
+// multiplications, a square root and a division.
 mrw_status mrw_skin_ssd(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
 
-// How many floats mrw_as_coordinates() writes: 3 a slot, and 4 for each influence but the last.
+// How many floats mrw_as_coordinates() writes: 3 a slot, and 4 more for each of its influences except the last.
 size_t mrw_as_coordinate_count(const mrw_geometry* geometry);
 
-// Animation-space coordinates of every slot, from lift and residual: q_j = (w_j v + d_j, w_j + δ_j), Σ_j (q_j)_w = 1.
-// In the notation of Merry, Marais and Gain (ACM TOG 25(4), 2006) p_j = B_j⁻¹ q_j; B_j⁻¹ stands in the palette here.
+// Animation-space coordinates of every slot: q_j = (w_j v + d_j, w_j + δ_j), with Σ_j (q_j)_w = 1. (w_j v, w_j) is the
+// lift of SSD's weights; (d_j, δ_j) is mrw_geometry.as_residual. In the notation of Merry, Marais and Gain (ACM TOG
+// 25(4), 2006) p_j = B_j⁻¹ q_j, with B_j⁻¹ the joint's inverse bind matrix; here B_j⁻¹ is part of the palette's M_j.
 //
-// As with the weights of SSD, the last influence is what the others leave: a block holds the sum Σ_j q_j as
-// x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
+// As with the weights of SSD, the last influence is not stored, since it is what the others leave: a block holds the
+// sum Σ_j q_j as x[4] y[4] z[4] (its w is 1), then x[4] y[4] z[4] w[4] of each q_j but the last.
 // out: mrw_as_coordinate_count() floats. Done once a mesh, not a frame.
 mrw_status mrw_as_coordinates(const mrw_geometry* geometry, float* out, size_t out_count) MRW_NODISCARD;
 
@@ -2484,20 +2508,21 @@ size_t mrw_as_tangent_scratch_bytes(const mrw_as_part* parts, size_t part_count)
 // Two tangents of the surface at every slot as animation-space vectors, as in Merry, Marais and Gain:
 //   t = Σ_k c_k (p_k - p) over the vertex's neighbours k, so t = Σ_j M_j τ_j with τ_j = Σ_k c_k (q_kj - q_j),
 //   Σ_j (τ_j)_w = 0
-// They are derivatives along two directions, means over the triangles weighed by area. In the bind pose, unless
-// residuals change that, they are perpendicular unit vectors: t₀ × t₁ is the mesh's normal, and t₀ points along its
-// tangent if it has one. The part of a derivative that the triangles do not explain goes through the blend; that is all
-// of it if they have no area.
+// Each is the derivative of the surface along one of two directions: the mean over the triangles round the vertex,
+// weighted by area. In the bind pose, unless residuals change that, the two are perpendicular unit vectors: t₀ × t₁ is
+// the mesh's normal, and t₀ points along its tangent if it has one. Where the triangles' own derivative in the bind
+// pose is not that unit vector, the difference goes through the blended matrix; it is all of t if the triangles have no
+// area.
 //
-// A neighbour may follow an entry that the vertex does not. That entry counts as a sum of the vertex's own entries: the
-// sum that blends the same joints at the same shares, or comes closest. A joint that none of the vertex's entries
-// blends counts as the vertex's joint that the neighbour follows most.
+// A neighbour may follow a palette entry that the vertex does not follow. It is replaced by the linear combination of
+// the vertex's own entries that blends the same joints at the same shares, or comes closest. Before that, a joint that
+// none of the vertex's entries blends is replaced by the vertex's joint that the neighbour follows most.
 //
 // parts: the meshes that make up a surface, such as the primitives of one mesh of the source. Slots in one place, with
 // the same weights and normals less than 25° apart, are one vertex, whichever part they are in; so seams do not show.
 // scratch: mrw_as_tangent_scratch_bytes(), on a 4-byte boundary, free again afterwards. Errors: MRW_BAD_ARGUMENT if a
-// mesh has no normals or a list is too short. Done once, not a frame: some 11 000 instructions a vertex, beside helpers
-// 23 000.
+// mesh has no normals or a list is too short. Call it once, not every frame: it takes about 11 000 instructions for
+// each vertex, and 23 000 where helpers are involved.
 mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* scratch,
     size_t scratch_bytes) MRW_NODISCARD;
 
@@ -2506,13 +2531,14 @@ mrw_status mrw_as_tangents(const mrw_as_part* parts, size_t part_count, void* sc
 //            = M_last Σ_j q_j + Σ_{j<last} (M_j - M_last) q_j
 // Normals and tangents go through the blend Σ_j (q_j)_w M_j, which equals SSD's where the residual is zero.
 // coordinates: from mrw_as_coordinates() of this geometry.
-// Cost: positions 40 / 31; with normals through the blended matrix 73 / 56, and tangents 85 / 62; through the inverse
-// transpose 92 / 69 and 108 / 77. That is 12 multiply-adds an influence but the last and 9 for the sum; with normals 9
-// more an influence but the last.
+// Cost: positions 40 / 31. Through the blended matrix: with normals 73 / 56, with tangents too 85 / 62. Through the
+// inverse transpose: 92 / 69 and 108 / 77. In multiply-adds that is 12 for each influence except the last and 9 for the
+// sum; with normals 9 more for each influence except the last.
 //
-// tangents: from mrw_as_tangents() of this geometry, or empty. With them normals are the deformed surface's own,
-// t₀' × t₁' with t' = Σ_j M_j τ_j, and tangents t₀', unit, whatever out.normal_transform says; turned round where the
-// run's last joint mirrors. They know nothing of morph targets. Cost, x86-64: 140, and with tangents 151.
+// tangents: from mrw_as_tangents() of this geometry, or empty. With them, normals are those of the deformed surface
+// itself, t₀' × t₁' with t' = Σ_j M_j τ_j, negated where the run's last joint mirrors. Tangents are t₀', whose
+// handedness changes sign there. Both are unit vectors, whatever out.normal_transform says. `tangents` are of the
+// surface without morph targets. Cost, x86-64: 140, and with tangents 151.
 mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t coordinate_count,
     const mrw_affine* palette, size_t palette_count, const mrw_skin_output* out, const float* tangents,
     size_t tangent_count) MRW_NODISCARD;
@@ -2532,33 +2558,33 @@ mrw_status mrw_skin_as(const mrw_mesh* mesh, const float* coordinates, size_t co
 mrw_status mrw_skin_mwe(const mrw_mesh* mesh, const mrw_affine* palette, size_t palette_count,
     const mrw_skin_output* out) MRW_NODISCARD;
 
-// How many floats mrw_psd_distances() writes: one for each palette entry and example, and one more an entry; 0 without
-// examples.
+// How many floats mrw_psd_distances() writes: for each palette entry one for each example and one for the bind pose; 0
+// without examples.
 size_t mrw_psd_distance_count(const mrw_geometry* geometry);
 
 // How far a pose is from the examples, joint by joint; mrw_skin_psd() takes the mean for each vertex by its weights.
 // For palette entry j and example k it is D_jk = 1 - (q_j · q_jk)² = sin²(half the angle between), with q_j the
 // rotation of M_j relative to its parent's, rotations as in mrw_skin_mwe(); 0 for an entry without a parent.
-// out, for each palette entry: -D_jk / 2σ² for each k, then the same of the bind pose. Once a mesh and frame. Errors:
-// MRW_BAD_ARGUMENT if a list is too short.
+// out, for each palette entry j: -D_jk / 2σ² for each example k, then the same for the bind pose in place of an
+// example. Call it once for each mesh and frame. Errors: MRW_BAD_ARGUMENT if a list is too short.
 // Cost: 34 instructions a palette entry and example, x86-64.
 mrw_status mrw_psd_distances(const mrw_geometry* geometry, const mrw_affine* palette, size_t palette_count, float* out,
     size_t out_count) MRW_NODISCARD;
 
 // Weighted pose-space deformation: Lewis, Cordner, Fong, "Pose space deformation", SIGGRAPH 2000, with distances
-// weighted a vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
+// weighted for each vertex as in Kurihara and Miyata, "Modeling deformable human hands from medical images", SCA 2004.
 //   position = (Σ_j w_j M_j) (v + (1 - φ_bind) Σ_k φ_k d_k, 1)        d_k: mrw_geometry.pose_space
 //   φ_k = exp(-Σ_j w_j D_jk / 2σ²)
 // The factor 1 - φ_bind makes the deltas vanish in the bind pose. Normals and tangents go through the blend, as in SSD.
 // distances: from mrw_psd_distances() of this geometry and palette. Errors: also MRW_BAD_ARGUMENT if they are too few.
-// A geometry without examples is SSD's.
-// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 a
-// vertex for each example that moves its block.
+// A geometry without examples is deformed as by mrw_skin_ssd().
+// Cost, x86-64: positions 49, with normals through the blended matrix 61, through the inverse transpose 74; and 30 more
+// a vertex for each example that moves the vertex's block of four.
 mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t distance_count, const mrw_affine* palette,
     size_t palette_count, const mrw_skin_output* out) MRW_NODISCARD;
 
 // ---- Part character -------------------------------------------------------------------------------------------------
-// A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
+// A whole file as one character: takes all its skeletons and meshes through the stages of marrow.h, in their order.
 //
 //   once a load       mrw_make_animations
 //   once a character  mrw_make_character
@@ -2568,8 +2594,8 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 // A file may hold several skeletons, such as a rider's and a horse's; they are posed together. Arrays with one element
 // a skeleton or mesh are in the order of the file.
 //
-// Local poses may come from anyone. Instead of mrw_pose_character(): write mrw_pose.local of each skeleton and
-// mrw_character_mesh.weights, then call mrw_character_to_model().
+// Local poses may come from elsewhere. Then, instead of calling mrw_pose_character(), write mrw_pose.local of each
+// skeleton and mrw_character_mesh.weights, and call mrw_character_to_model().
 //
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
 // only read, and serve any number of them.
@@ -2578,12 +2604,12 @@ mrw_status mrw_skin_psd(const mrw_mesh* mesh, const float* distances, size_t dis
 typedef struct mrw_animation mrw_animation;
 struct mrw_animation {
   const char* name;  // of its clips; may be empty
-  mrw_file clips;  // that they are from: the character's file, or a clip pack
+  mrw_file clips;  // the file that its clips are from: the character's file, or a clip pack
   float duration_s;  // of the longest
   const uint32_t* clip_of_skeleton;  // One a skeleton of the character: which clip it plays; MRW_NO_CLIP: it rests.
   size_t clip_of_skeleton_count;
-  // One a morph target of the character, mesh after mesh: from mrw_find_weight_channels() with the clip that the mesh's
-  // skeleton plays.
+  // One a morph target of the character, mesh after mesh: its channel in the clip that the mesh's skeleton plays, or
+  // MRW_NO_CHANNEL. From mrw_find_weight_channels().
   const uint32_t* channels;
   size_t channel_count;
 };
@@ -2591,8 +2617,8 @@ struct mrw_animation {
 // All animations of a file, by name.
 typedef struct mrw_animations mrw_animations;
 struct mrw_animations {
-  // One a clip, at the clip's own index. It plays the clip and, on each other skeleton, the first clip with the same
-  // name. A clip without a name plays alone.
+  // One animation for each clip, at the clip's own index. It plays that clip and, on each other skeleton, the first
+  // clip with the same name. A clip without a name plays alone.
   const mrw_animation* all;
   size_t all_count;
 };
@@ -2607,8 +2633,9 @@ struct mrw_character_options {
 };
 void mrw_character_options_init(mrw_character_options* out);
 
-// A skeleton of the file, posed. What changes one form of the pose between mrw_pose_character() and
-// mrw_finish_character() must keep the other alike; all calls between the two do.
+// A skeleton of the file, posed. Between mrw_pose_character() and mrw_finish_character(), whatever changes
+// mrw_pose.local must also bring mrw_pose.model_from_joint up to date, and the other way round; the functions called
+// there all do so.
 typedef struct mrw_character_skeleton mrw_character_skeleton;
 struct mrw_character_skeleton {
   mrw_pose pose;  // what solvers, feet and springs take
@@ -2631,7 +2658,7 @@ struct mrw_character_mesh {
   float* coordinates;  // empty without `skin` and `animation_space`
   size_t coordinate_count;
   mrw_morphed_geometry morphed;  // with `skin`
-  void* vertices;  // what it lies in
+  void* vertices;  // the memory that `morphed` lies in
   size_t vertices_bytes;
   uint32_t first_target;  // in mrw_animation.channels
 };
@@ -2646,9 +2673,11 @@ struct mrw_character {
   mrw_character_mesh* meshes;  // all of the file, in its order
   size_t mesh_count;
   uint32_t target_count;  // of morph targets, of all meshes
-  mrw_blend_layer* blended;  // Scratch, of the largest skeleton.
+  // Scratch.
+  // as many as mrw_character_options.layers
+  mrw_blend_layer* blended;
   size_t blended_count;
-  mrw_additive_transform* change;  // of the same size
+  mrw_additive_transform* change;  // soa_size() of the largest skeleton
   size_t change_count;
 };
 
@@ -2659,20 +2688,22 @@ struct mrw_animation_layer {
   float time_s;  // see part playback
   float weight;  // 0 … MRW_MAX_BLEND_WEIGHT; with a mask 0 … 1
   // Empty: the layer is averaged with the others. Else the layer is laid over those and over the masked layers before
-  // it, joint by joint, as mrw_overlay() does: a hand waves while the legs walk. As in mrw_blend_layer; of several
-  // skeletons one after the other, each from a multiple of four floats. mrw_mask_below() fills one.
+  // it, joint by joint, as mrw_overlay() does: a hand waves while the legs walk. The factors are as in mrw_blend_layer;
+  // those of several skeletons follow one another, each skeleton's beginning at a multiple of four floats.
+  // mrw_mask_below() fills one skeleton's.
   const float* mask;
   size_t mask_count;
 };
 void mrw_animation_layer_init(mrw_animation_layer* out);
 
-// Bytes that mrw_make_animations() needs: for each clip an mrw_animation, 4 a skeleton and 4 a morph target. A multiple
-// of 16.
+// Bytes that mrw_make_animations() needs: for each clip an mrw_animation, and 4 bytes for each skeleton and morph
+// target. A multiple of 16.
 size_t mrw_animations_bytes(const mrw_file* file, const mrw_file* clips);
 
-// Makes animations from clips of `file`, the character's, or of a clip pack. Each reference of a pack is paired with
-// one skeleton that it fits and that no earlier reference has taken: the one with its name, else the first. A reference
-// that fits no skeleton is left out: no skeleton plays its clips. See mrw_bind_clips().
+// Makes animations from clips of `file`, the character's, or of a clip pack. A clip pack has references to skeletons in
+// place of skeletons. Each reference is paired with one skeleton that it fits and that no earlier reference has taken:
+// the one with its name, else the first. A reference that fits no skeleton is left out: no skeleton plays its clips.
+// See mrw_bind_clips().
 //
 // memory: at least mrw_animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: MRW_BAD_ARGUMENT (the memory); MRW_MISMATCH (`clips` is another file but no pack, or a pack none of whose
@@ -2683,7 +2714,8 @@ mrw_status mrw_make_animations(const mrw_file* file, const mrw_file* clips, void
 // The first animation with this name that moves anything; null if there is none. Cost: compares names.
 const mrw_animation* mrw_find_animation(const mrw_animations* animations, const char* name);
 
-// The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
+// The clip that a skeleton of the character plays in the animation; if that skeleton rests, an empty mrw_clip: no name,
+// no tracks, duration 0.
 mrw_status mrw_clip_of(const mrw_animation* animation, uint32_t skeleton, mrw_clip* out) MRW_NODISCARD;
 
 // Bytes that mrw_make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
@@ -2699,10 +2731,10 @@ size_t mrw_character_bytes(const mrw_file* file, const mrw_character_options* op
 mrw_status mrw_make_character(const mrw_file* file, const mrw_character_options* options, void* memory,
     size_t memory_bytes, mrw_character* out) MRW_NODISCARD;
 
-// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers without
-// masks, as mrw_blend() has it; without such layers all rest. Then layers with masks are laid over the poses. They
-// leave weights of morph targets alone: mrw_add_expression() is for those. A clip that is cooked as additive counts as
-// its changes laid on their reference.
+// Samples and blends. Local poses of all skeletons and weights of all morph targets become weighted means of the layers
+// without masks, as in mrw_blend(). Without such layers all skeletons are in the rest pose, and all morph targets have
+// their default weights. Then layers with masks are laid over the poses. They leave weights of morph targets alone:
+// mrw_add_expression() is for those. A clip that is cooked as additive is first added to its reference pose.
 //
 // Errors: MRW_BAD_ARGUMENT (more layers than the options say, an animation that is null or not made for this file, a
 // weight out of range, a time that is not a number, a mask too short); a part of the character may have been written

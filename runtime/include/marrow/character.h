@@ -1,4 +1,4 @@
-// A character of a file, in one piece: all its skeletons and meshes through the stages of marrow.h, in their order.
+// A whole file as one character: takes all its skeletons and meshes through the stages of marrow.h, in their order.
 //
 //   once a load       make_animations
 //   once a character  make_character
@@ -8,8 +8,8 @@
 // A file may hold several skeletons, such as a rider's and a horse's; they are posed together. Arrays with one element
 // a skeleton or mesh are in the order of the file.
 //
-// Local poses may come from anyone. Instead of pose_character(): write Pose::local of each skeleton and
-// CharacterMesh::weights, then call local_to_model().
+// Local poses may come from elsewhere. Then, instead of calling pose_character(), write Pose::local of each skeleton
+// and CharacterMesh::weights, and call local_to_model().
 //
 // No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different characters; animations are
 // only read, and serve any number of them.
@@ -27,28 +27,30 @@ namespace marrow {
 // What the skeletons of a character play together: a clip each, or none. Plain pointers, which a game may fill itself.
 struct Animation {
   const char* name = "";  // of its clips; may be empty
-  File clips = {};        // that they are from: the character's file, or a clip pack
+  File clips = {};        // the file that its clips are from: the character's file, or a clip pack
   float duration_s = 0;   // of the longest
   // One a skeleton of the character: which clip it plays; kNoClip: it rests.
   Span<const std::uint32_t> clip_of_skeleton = {};
-  // One a morph target of the character, mesh after mesh: from find_weight_channels() with the clip that the mesh's
-  // skeleton plays.
+  // One a morph target of the character, mesh after mesh: its channel in the clip that the mesh's skeleton plays, or
+  // kNoChannel. From find_weight_channels().
   Span<const std::uint32_t> channels = {};
 };
 
 // All animations of a file, by name.
 struct Animations {
-  // One a clip, at the clip's own index. It plays the clip and, on each other skeleton, the first clip with the same
-  // name. A clip without a name plays alone.
+  // One animation for each clip, at the clip's own index. It plays that clip and, on each other skeleton, the first
+  // clip with the same name. A clip without a name plays alone.
   Span<const Animation> all = {};
 };
 
-// Bytes that make_animations() needs: for each clip an Animation, 4 a skeleton and 4 a morph target. A multiple of 16.
+// Bytes that make_animations() needs: for each clip an Animation, and 4 bytes for each skeleton and morph target. A
+// multiple of 16.
 MARROW_API std::size_t animations_bytes(const File& file, const File& clips);
 
-// Makes animations from clips of `file`, the character's, or of a clip pack. Each reference of a pack is paired with
-// one skeleton that it fits and that no earlier reference has taken: the one with its name, else the first. A reference
-// that fits no skeleton is left out: no skeleton plays its clips. See bind_clips().
+// Makes animations from clips of `file`, the character's, or of a clip pack. A clip pack has references to skeletons in
+// place of skeletons. Each reference is paired with one skeleton that it fits and that no earlier reference has taken:
+// the one with its name, else the first. A reference that fits no skeleton is left out: no skeleton plays its clips.
+// See bind_clips().
 //
 // memory: at least animations_bytes(), 16-byte aligned; `out` keeps pointers into it and into both files' blocks.
 // Errors: bad_argument (the memory); mismatch (`clips` is another file but no pack, or a pack none of whose clips fits
@@ -58,7 +60,8 @@ MARROW_API Status make_animations(const File& file, const File& clips, Span<std:
 // The first animation with this name that moves anything; null if there is none. Cost: compares names.
 MARROW_API const Animation* find_animation(const Animations& animations, const char* name);
 
-// The clip that a skeleton of the character plays in it; without a name, tracks and time if that rests.
+// The clip that a skeleton of the character plays in the animation; if that skeleton rests, an empty Clip: no name, no
+// tracks, duration 0.
 MARROW_API Clip clip_of(const Animation& animation, std::uint32_t skeleton);
 
 // What a character is made for.
@@ -69,8 +72,8 @@ struct CharacterOptions {
   bool animation_space = false;  // skin by skin_as(), too
 };
 
-// A skeleton of the file, posed. What changes one form of the pose between pose_character() and finish_character() must
-// keep the other alike; all calls between the two do.
+// A skeleton of the file, posed. Between pose_character() and finish_character(), whatever changes Pose::local must
+// also bring Pose::model_from_joint up to date, and the other way round; the functions called there all do so.
 struct CharacterSkeleton {
   Pose pose = {};  // what solvers, feet and springs take
   // sample_character()'s own. One a layer: its sampled pose, and what is cached of the clip.
@@ -85,7 +88,7 @@ struct CharacterMesh {
   Span<Affine> palette = {};       // empty without `skin`
   Span<float> coordinates = {};    // empty without `skin` and `animation_space`
   MorphedGeometry morphed = {};    // with `skin`
-  Span<std::byte> vertices = {};   // what it lies in
+  Span<std::byte> vertices = {};   // the memory that `morphed` lies in
   std::uint32_t first_target = 0;  // in Animation::channels
 };
 
@@ -97,9 +100,9 @@ struct Character {
   Span<CharacterMesh> meshes = {};         // all of the file, in its order
   std::uint32_t target_count = 0;          // of morph targets, of all meshes
 
-  // Scratch, of the largest skeleton.
-  Span<BlendLayer> blended = {};
-  Span<AdditiveTransform> change = {};  // of the same size
+  // Scratch.
+  Span<BlendLayer> blended = {};        // as many as CharacterOptions::layers
+  Span<AdditiveTransform> change = {};  // soa_size() of the largest skeleton
 };
 
 // Bytes that make_character() needs: a multiple of 16, so that the blocks of a crowd may stand back to back.
@@ -119,15 +122,16 @@ struct AnimationLayer {
   float time_s = 0;                      // see playback.h
   float weight = 1;                      // 0 … kMaxBlendWeight; with a mask 0 … 1
   // Empty: the layer is averaged with the others. Else the layer is laid over those and over the masked layers before
-  // it, joint by joint, as overlay() does: a hand waves while the legs walk. As in BlendLayer; of several skeletons one
-  // after the other, each from a multiple of four floats. mask_below() fills one.
+  // it, joint by joint, as overlay() does: a hand waves while the legs walk. The factors are as in BlendLayer; those of
+  // several skeletons follow one another, each skeleton's beginning at a multiple of four floats. mask_below() fills
+  // one skeleton's.
   Span<const float> mask = {};
 };
 
-// Samples and blends: local poses of all skeletons and weights of all morph targets become means of the layers without
-// masks, as blend() has it; without such layers all rest. Then layers with masks are laid over the poses. They leave
-// weights of morph targets alone: add_expression() is for those. A clip that is cooked as additive counts as its
-// changes laid on their reference.
+// Samples and blends. Local poses of all skeletons and weights of all morph targets become weighted means of the layers
+// without masks, as in blend(). Without such layers all skeletons are in the rest pose, and all morph targets have
+// their default weights. Then layers with masks are laid over the poses. They leave weights of morph targets alone:
+// add_expression() is for those. A clip that is cooked as additive is first added to its reference pose.
 //
 // Errors: bad_argument (more layers than the options say, an animation that is null or not made for this file, a weight
 // out of range, a time that is not a number, a mask too short); a part of the character may have been written then.

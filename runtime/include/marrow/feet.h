@@ -8,8 +8,8 @@
 
 namespace marrow {
 
-// A leg. Other joints may lie between the three, and keep their local rotations: of a hind leg of three bones name hip,
-// knee and paw.
+// A leg. Other joints may lie between the three; those keep their local rotations. For a hind leg, which has three
+// bones, set hip, knee and paw.
 struct Foot {
   std::uint32_t hip = 0, knee = 0, ankle = 0;  // joints of the skeleton
   float sole[3] = {0, 0, 0};  // the point that stands on the ground, below the ball of the foot, say; ankle's space
@@ -21,11 +21,11 @@ struct Foot {
 struct Feet {
   Span<const Foot> feet = {};       // two or more
   std::uint32_t pelvis = kNoJoint;  // moves up and down with all below it, hips included; kNoJoint: no joint moves
-  float lower_m = 0.5f;             // ≥ 0: the most that the pelvis goes down, or up; world
+  float lower_m = 0.5f;             // ≥ 0: the most that the pelvis moves from its animated place, down or up; world
   // 0 … 1: how long a leg may get, as a share of its bones, before the pelvis goes down for it.
   float leg_extension = 0.99f;
   float slope_rad = 0.6f;  // 0 … 1.5: the steepest slope that a foot follows
-  float ease_s = 0.25f;    // > 0: after this time 2 % is left of a step in the ground, or of a release
+  float ease_s = 0.25f;    // > 0: time in which an offset, from a step in the ground or a release, falls to 2 %
 };
 
 // The ground under a foot in this frame, from the game; world.
@@ -47,7 +47,7 @@ struct FootMotion {
 // What place_feet() is told of a frame.
 struct FeetFrame {
   float dt_s = 0;  // since the last frame
-  // Where the character stands: a turn, one scale above 0, a shift.
+  // The character's placement: a rotation, one uniform scale above 0 and a translation.
   Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float up[3] = {0, 1, 0};  // a unit vector; world
   bool teleported = false;  // feet begin anew, none is planted where it was
@@ -64,12 +64,13 @@ MARROW_API Status foot_sole(const Foot& foot, const Affine& world_from_model, Sp
 //
 // pose: the animated one. ground, motion: one a foot.
 //
-// The sole's target is its animated place, lifted by the height of the ground's plane there. The foot tilts with the
-// plane, about its sole. A planted foot keeps its place across `up`, and its heading; along `up` it moves as animated,
-// so that a heel can rise. When the ground's plane changes, or a foot is released, the sole keeps its offset from the
-// target. The offset starts with the foot's speed and dies away as a critically damped spring does: exact at any frame
-// rate, without a jump in place or speed. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
-// too short. Ankles keep their animated attitude except for lean and heading. See docs/ik/feet.md.
+// The sole's target is its animated place, lifted by the height of the ground's plane there above the level ground of
+// the animation. The foot tilts with the plane, about its sole. A planted foot keeps its place across `up`, and its
+// heading; along `up` it moves as animated, so that a heel can rise. When the ground's plane changes, or a foot is
+// released, the target jumps but the sole does not: the difference becomes the sole's offset from the target. The
+// offset goes on at the foot's speed, so that neither place nor speed jumps, and dies away as a critically damped
+// spring does, exactly at any frame rate. The pelvis rises or sinks with the lowest sole, and sinks further if legs are
+// too short. Ankles keep their animated orientation except for lean and heading. See docs/ik/feet.md.
 //
 // Errors: bad_argument if a span is too short, joints are not as they should be, or a number is not finite, out of its
 // range or beyond 1e6; nothing is written.

@@ -6,9 +6,9 @@
 // changes its local rotations, and updates the model matrices of all that hangs below. Both take the same struct.
 //
 // Every vector says its space: model space is that of model_from_joint, local space is the joint's own. Directions may
-// be of any length. Uniform scales, and the joints' own scales, are exact. Under uneven scale from above a joint does
-// not turn rigidly: kernels and aims are then approximate, solve_two_bone() is not. The same call gives the same bits
-// on every processor. Thread-safe on different outputs; no allocation.
+// be of any length. Results are exact under uniform scale, and for scales of the joints themselves. Under uneven scale
+// of a joint above, a joint does not turn rigidly: kernels and aims are then approximate; solve_two_bone() stays exact.
+// The same call gives the same bits on every processor. Thread-safe on different outputs; no allocation.
 #pragma once
 
 #include "marrow/api.h"
@@ -23,8 +23,8 @@ struct alignas(16) TwoBone {
   float weight = 1;             // 0 … 1: 0 changes no bit, 1 reaches the target; between, both turns are blended
   // The direction from the start joint in which the middle joint is to point; model space. Zero: the middle joint stays
   // on its side in the pose, turned with the limb by the shortest arc. Within 0.1 rad of the target's direction the
-  // pole counts less and less, and a side 37° away from the limb's own is mixed in. So when the target passes over the
-  // pole, the limb swings round and does not jump.
+  // pole counts less and less. There a second direction is mixed in: 37° from the side that the shortest arc alone
+  // would give. So when the target passes over the pole, the limb swings round and does not jump.
   float pole[3] = {0, 0, 0};
   float twist_rad = 0;  // turns the limb about the line from start to target, on top of the pole; a few turns at most
   // The axis about which the middle joint bends by positive angles; in its local space. It decides how a straight limb
@@ -41,7 +41,7 @@ struct alignas(16) TwoBone {
 struct alignas(16) TwoBoneTurns {
   float start[4] = {0, 0, 0, 1};  // of the start joint
   float mid[4] = {0, 0, 0, 1};    // of the middle joint
-  float stretch = 1;              // the factor on the translations of all joints from below start down to end
+  float stretch = 1;              // the factor on the translations of all joints below start, as far as end
   // Whether, at weight 1, the end joint comes within 1e-4 of the limb's length of the target.
   bool reached = false;
 };
@@ -54,13 +54,16 @@ struct TwoBoneJoints {
 };
 
 // Method: half-angles by the law of cosines from (s - x)(s + x) and (x - m)(x + m), with s and m the sum and difference
-// of the bones' lengths, x the distance to the target; then the shortest arc to the target and a turn about it, in one
-// quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes infinite. A target at the
-// start joint folds the limb. The turns are about the axes of the matrices. If a joint's own scale mirrors it, the
-// caller must change signs in its turn: of x where exactly one of the scale's y and z is negative, of y where exactly
-// one of z and x is, of z where exactly one of x and y is. solve_two_bone() does so. Errors: bad_argument, and nothing
-// is written, for a matrix that is not there, numbers that are not finite (or too large to be squared), a weight or
-// soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
+// of the bones' lengths, x the distance to the target; then the shortest arc to the target, and a turn about the
+// target's direction, in one quaternion. A limb with a bone of no length is solved as far as it can be; nothing becomes
+// infinite. A target at the start joint folds the limb.
+//
+// The turns refer to the axes of the given matrices, which include the joints' own scales. If a joint's own scale has
+// negative components, the caller must change signs in its turn: of x where exactly one of the scale's y and z is
+// negative, of y where exactly one of z and x is, of z where exactly one of x and y is. solve_two_bone() does so.
+//
+// Errors: bad_argument, and nothing is written, for a matrix that is not there, numbers that are not finite (or too
+// large to be squared), a weight or soft outside 0 … 1, max_stretch not in 1 … 2²⁰.
 // Cost: 416 instructions on x86-64, 326 on AArch64; twice that where the limb is nearly straight or bent the wrong way,
 // the target is more than 140° off or near the pole, or there is a twist.
 MARROW_API Status two_bone(const TwoBoneJoints& joints, const TwoBone& goal, TwoBoneTurns& out);
@@ -74,11 +77,12 @@ struct TwoBoneLimb {
   std::uint32_t start = 0, mid = 0, end = 0;  // hip, knee and ankle
 };
 
-// Solves a limb of a pose. Both forms are changed, unless the weight is 0. reached: may be null; see TwoBoneTurns.
-// Errors: as above, and bad_argument if a span is too short or the joints are not a chain; nothing is written.
-// Cost: the kernel's, and local_to_model_below(start).
-// Under uneven scale, above the limb or of its start joint, the limb is bent by secant steps and then turned: three to
-// five times the cost, at most twelve. The target is still reached, or `reached` is false.
+// Solves a limb of a pose. Changes Pose::local and Pose::model_from_joint, unless the weight is 0. reached: may be
+// null; see TwoBoneTurns. Errors: as above, and bad_argument if a span is too short or the joints are not a chain;
+// nothing is written.
+// Cost: the kernel's, and local_to_model_below(start). Under uneven scale, above the limb or of its start joint, the
+// secant method finds the bend, and the limb is then turned: three to five times the cost, at most twelve. The target
+// is still reached, or `reached` is false.
 MARROW_API Status solve_two_bone(const Pose& pose, const TwoBoneLimb& limb, const TwoBone& goal,
                                  bool* reached = nullptr);
 
@@ -98,8 +102,8 @@ struct alignas(16) Aim {
 // What aim() gives.
 struct alignas(16) AimTurn {
   float turn[4] = {0, 0, 0, 1};  // a unit quaternion x, y, z, w with w ≥ 0, in the joint's local space
-  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: the
-  // target is nearer to the joint than the ray ever gets; it is nearer than the offset; or forward has no length.
+  // Whether, at weight 1, the ray from the offset along forward goes through the target. It cannot in three cases: all
+  // of the ray is farther from the joint than the target is; the target is at the joint; or forward has no length.
   bool reached = false;
 };
 
@@ -110,7 +114,7 @@ struct alignas(16) AimTurn {
 // Cost: 226 instructions on x86-64, 180 on AArch64.
 MARROW_API Status aim(const Affine& joint, const Aim& goal, AimTurn& out);
 
-// Aims a joint of a pose. Both forms are changed, unless the weight is 0. reached: may be null.
+// Aims a joint of a pose. Changes Pose::local and Pose::model_from_joint, unless the weight is 0. reached: may be null.
 // Errors: as above, and bad_argument if a span is too short or there is no such joint; nothing is written.
 // Cost: the kernel's, and local_to_model_below(joint).
 MARROW_API Status solve_aim(const Pose& pose, std::uint32_t joint, const Aim& goal, bool* reached = nullptr);

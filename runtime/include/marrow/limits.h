@@ -32,7 +32,7 @@ MARROW_API AngleRange angle_range(float least_rad, float most_rad);
 // `out` is written only on success.
 // Errors: bad_argument if a number is not finite, an axis or `zero` has no length, `across` is along `axis`, least is
 // above most, an angle is beyond ±2π, a swing not in 0 … kWidestSwing_rad or not symmetric, the second angle of an
-// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is none of the above.
+// euler limit beyond ±π/2, a rate not in 0 … 1e18, or a kind or order is no value of its enum.
 MARROW_API Status make_limit(const LimitDescription& description, std::uint16_t joint, JointLimit& out);
 
 // local: in, a rotation x y z w; out, one inside the limit, in the same hemisphere and of unit length.
@@ -44,15 +44,17 @@ MARROW_API Status make_limit(const LimitDescription& description, std::uint16_t 
 // swing. Euler: the clamped angles, improved by one round of exact searches along each angle; docs/ik/limits.md says
 // how near that is.
 //
-// Clamping is discontinuous half way round, where both ends of the range are equally far. So over the last quarter
-// before that point the result eases through the middle of the range. For a turn about an axis that point is the angle
-// opposite the middle. For a swing it is 180°, where the twist is undefined. For euler angles it is ±90° of the second
-// angle, where the first and the third turn about the same axis. Distances are measured as tangents of a quarter of the
-// angle. A range of all angles is a circle and cannot be eased: it jumps at a swing of 180°. A euler limit whose second
-// angle may be ±90° jumps there, by no more than twice the angle by which the rotation is outside.
+// The nearest rotation jumps half way round, where both ends of the range are equally far. To avoid the jump, the
+// result moves from the range's end to its middle over the last quarter of the way from that end to that point. For a
+// turn about an axis that point is the angle opposite the middle. For a swing it is 180°, where the twist is undefined.
+// For euler angles it is ±90° of the second angle, where the first and the third turn about the same axis. Distances
+// are measured as tangents of a quarter of the angle. Two jumps remain. A range of all angles has no middle: its result
+// jumps at a swing of 180°. A euler limit whose second angle may be ±90° jumps there, by no more than twice the angle
+// by which the rotation is outside.
 //
 // Errors: bad_argument if the rotation has no length or is not finite; nothing is written.
-// Cost: 5 to 15 products of quaternions and a few square roots, inside 3; no trigonometry. Thread-safe.
+// Cost: 5 to 15 products of quaternions and a few square roots; 3 products for a rotation that is inside. No
+// trigonometry. Thread-safe.
 MARROW_API Status clamp_rotation(const JointLimit& limit, float (&local)[4]);
 
 // The angle by which clamp_rotation() would turn the rotation, in radians; 0 if the rotation would keep its bits or be
@@ -67,8 +69,9 @@ MARROW_API Status limit_pose(Span<const JointLimit> limits, Span<SoaTransform> l
 // The limit of a joint, or null. Precondition: the limits' joints ascend, as in a Skeleton. Cost: a binary search.
 MARROW_API const JointLimit* find_limit(Span<const JointLimit> limits, std::uint32_t joint);
 
-// A rotation that follows a target with limited speed and acceleration: plain numbers. A new follower begins anew, and
-// so does one with numbers that no call could have left: the next call puts it on its target, at rest.
+// A rotation that follows a target with limited speed and acceleration: plain numbers. The next call puts a new
+// follower on its target, at rest. It does the same with one that holds numbers out of range, which no call can have
+// stored.
 struct RotationFollower {
   float rotation[4] = {};  // x y z w
   float target[4] = {};    // of the last call
@@ -90,10 +93,11 @@ struct PointFollower {
 //
 // A follower on its target stays on it, to the bit, as long as the target keeps within the limits. Otherwise it takes
 // the quickest way that the limits allow, and brakes in time: it does not overshoot a target at rest, unless it was too
-// fast already or moved sideways. Braking uses nine tenths of the acceleration; the last 0.9 acceleration / 120² s⁻² of
-// the way is approached as exp(-120 t / s). Without a limit of acceleration it moves at the speed limit until it is
-// there; without any limit it is always on its target. Rotations go the shorter way round, from rest along the great
-// circle. While the target passes by sideways they may exceed the acceleration by a few per cent.
+// fast already or moved sideways. It brakes at 0.9 of the acceleration; within 0.9 acceleration / (120 s⁻¹)² of the
+// target the distance falls as exp(-120 s⁻¹ · time) instead. Without a limit of acceleration it moves at the speed
+// limit until it is there; without any limit it is always on its target. Rotations go the shorter way round, from rest
+// along the great circle. While their target passes by sideways, rotations may exceed the acceleration by a few per
+// cent.
 //
 // The path does not depend on the frame rate, except for how that samples the target: time advances in even steps of at
 // most 1/960 s with constant acceleration. At rates that divide 960 Hz, paths to a target at rest agree to rounding; at

@@ -14,21 +14,24 @@ namespace marrow {
 // Errors: bad_argument if a span is too short, a joint out of range or a share not between 0 and 1.
 //
 // helpers: written behind the joints' entries. Entry joints.size + h blends the entries `first` and `second`, the
-// latter at `share`. Each of the two matrices is taken as a stretch and then a turn. The turns are blended as
-// quaternions, the shorter way, the stretches linearly. The two entries take the origin of joint `second` to two
-// places; the helper takes it where dual quaternions blend the two (L. Kavan et al., Geometric skinning with
-// approximate dual quaternion blending, 2008). Between a joint and its parent that is a turn about the joint.
+// latter at `share`. Each of the two matrices is split into a rotation and a stretch: matrix = rotation · stretch. The
+// rotations are blended as quaternions, the shorter way, the stretches linearly. The two entries take the origin of
+// joint `second` to two places. The helper takes it to the place that dual quaternion blending of the two entries gives
+// (L. Kavan et al., Geometric skinning with approximate dual quaternion blending, 2008). Between a joint and its parent
+// that is a turn about the joint.
 //
 // centres: none, or three numbers a helper: a point in the space of joint `second`. Both entries take it somewhere; the
 // helper takes it to the mean of the two places, by shares (B. Le, J. Hodgins, Real-time skeletal skinning with
 // optimized centers of rotation, 2016).
 //
-// A turn of 180° goes round the axis whose largest component is positive. Where an entry mirrors, its stretch mirrors.
-// Where an entry has lost its volume, or is not finite, the two matrices are blended element by element.
+// If the two rotations are 180° apart, the blend turns about the axis whose largest component is positive. If an entry
+// mirrors, its stretch mirrors and its rotation does not. Where an entry has lost its volume, or is not finite, the two
+// matrices are blended element by element.
 //
 // The same palette serves SSD and animation space (docs/decisions.md, "One palette").
-// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64; a helper 198 on x86-64, about a
-// centre 248. Four helpers share their work: where one of them has entries whose stretches differ, all four cost 385.
+// Cost: one affine product an entry, 44 instructions on x86-64 and 33 on AArch64. A helper takes 198 on x86-64, with a
+// centre 248. Helpers are computed four at a time: if the two entries of one of them differ in their stretches, each of
+// the four takes 385.
 // Thread-safe on different outputs; out overlaps none of the inputs.
 MARROW_API Status build_palette(Span<const std::uint16_t> joints, Span<const Affine> bind,
                                 Span<const Affine> model_from_joint, Span<Affine> out, Span<const Helper> helpers = {},

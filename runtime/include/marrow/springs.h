@@ -14,7 +14,8 @@ inline constexpr float kMaxSpringStep_s = 1.0f / 60;  // a frame is cut into equ
 inline constexpr int kMaxSpringSteps = 8;             // the most steps of a frame; time beyond them is dropped
 inline constexpr float kMinSpringFrame_s = 0.001f;    // shorter frames are added up until they are this long
 
-// Settings and motion of four bones, and of one chain: plain bytes in the caller's memory. Defined in
+// SpringGroup: settings and motion of four bones. SpringRoot: motion of one chain's first joint, and what its bones
+// share. JointRange: joints with consecutive numbers. Plain bytes in the caller's memory, defined in
 // springs/spring_state.h.
 struct SpringGroup;
 struct SpringRoot;
@@ -53,7 +54,8 @@ MARROW_API void reset_springs(Springs& springs);
 // What simulate_springs() is told of a frame.
 struct SpringFrame {
   float dt_s = 0;  // since the last frame
-  // Where the character stands: a turn, one scale, a shift. Springs feel motion in the world, by this and by the pose.
+  // The character's placement: a rotation, one uniform scale and a translation. Springs feel motion in the world, which
+  // comes from this and from the pose.
   Affine world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   float gravity[3] = {0, -9.81f, 0};          // m/s², world
   float wind[3] = {0, 0, 0};                  // m/s, world; acts through SpringJoint::drag
@@ -67,23 +69,26 @@ struct SpringFrame {
 //
 // pose: the animated one, in every frame: springs never read what they have written.
 //
-// Model. A bone is a damped pendulum about its joint: for its direction d in the world, a unit vector of velocity u,
+// Model. A bone is a damped pendulum about its joint. Its direction d in the world is a unit vector; u is the velocity
+// of d:
 //   du/dt = [ω² t + 2 ζ ω dt'/dt + (gravity - A) / L + drag (wind - V) / L] - (2 ζ ω + drag) u,
-// without the part along d, which the bone bears: its length L never changes. t is the animated direction, turned with
-// the bones above as they swing; t' is the animated direction alone. V and A are velocity and acceleration of the
-// chain's first joint, from a parabola through its last three places. SpringJoint::most_pull, if set, limits how hard
-// the first two terms together turn the bone: under a greater load it yields. The pull ω² t grows with the sine of the
-// angle. So it is a linear spring's at small angles, and nothing at half a turn. A bone feels the bones above it; they
-// do not feel it. So in a chain of equal bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as the
-// one above: less if ζ is above ½. The joint turns by the shortest arc that takes the bone to its direction. A chain
-// below a joint of another chain is carried along, but does not feel that chain's swing.
+// without the part along d, which the bone bears: its length L never changes. ω is 2π SpringJoint::frequency_hz, ζ is
+// SpringJoint::damping_ratio. t is the animated direction, turned with the bones above as they swing; t' is the
+// animated direction alone. V and A are velocity and acceleration of the chain's first joint, from a parabola through
+// its last three places. SpringJoint::most_pull, if set, limits how hard the first two terms together turn the bone:
+// under a greater load it yields. The pull ω² t grows with the sine of the angle. So it is a linear spring's at small
+// angles, and nothing at half a turn. A bone feels the bones above it; they do not feel it. So in a chain of equal
+// bones, at their common frequency, a lower bone swings 1 / (2 ζ) as far as the one above: less if ζ is above ½. The
+// joint turns by the shortest arc that takes the bone to its direction. A chain below a joint of another chain is
+// carried along, but does not feel that chain's swing.
 //
 // Method. Equal steps of at most 1/60 s: kick, drift on a great circle, kick (Störmer-Verlet), with half of the damping
 // before and half after. Drift and kicks are scaled so that small swings have the exact frequency and decay at any
 // step. So the frame rate changes a path only through how it samples the animation. The energy |u|²/2 - F·d may grow by
-// no more than the work done, so it never grows without input. What hangs on a bone turns by a rotation that takes the
-// animated direction to the simulated one; of all such rotations by the one nearest to its parent's: a projection (P.
-// Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), and one product of matrix and vector a joint.
+// no more than the work done, so it never grows without input. The rotation that a bone hands down to the bones below
+// takes its animated direction to its simulated one. Of all such rotations it is the one nearest to the rotation of the
+// bone above: a projection (P. Davenport's matrix; see G. Wahba, SIAM Review 7(3), 1965), at the cost of one product of
+// matrix and vector a joint.
 //
 // Under uneven scale above a joint directions are approximate, and lengths are kept. A bone shorter than a micrometre
 // stays as it is. A joint of weight 0 keeps its bits; if all weights are 0, so do the matrices.

@@ -15,8 +15,9 @@ struct MeshStreams;
 
 // One way to compress meshes. `decode` fills in all streams or fails; it trusts nothing that the bytes say.
 struct MeshDecoder {
-  std::uint32_t codec = 0;                                                          // as packed files name it
-  Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;  // the codec
+  std::uint32_t codec = 0;  // as packed files name it
+  // Decompresses the bytes of one mesh into the streams.
+  Status (*decode)(Span<const std::byte> bytes, const MeshStreams& out) = nullptr;
 };
 
 // Bytes of Unpacking's state.
@@ -31,14 +32,14 @@ struct UnpackSizes {
 // Whether these are the first bytes of a packed file. If not, hand them to load().
 MARROW_API bool is_packed(Span<const std::byte> bytes);
 
-// How much memory unpacking takes, computed from the counts in the records. bad_data if the header claims any other
-// size, or if a clip or bounds claim more than their bytes can hold. A mesh's counts are only the file's claim: with
-// some codecs few bytes may truly hold many vertices. So set a limit of your own for files of strangers. Errors:
-// bad_magic, bad_version, bad_checksum, truncated, bad_data. Cost: the checksum.
+// How much memory unpacking takes, computed from the counts in the records. A mesh's counts are only what the file
+// claims: with some codecs, few bytes can really hold many vertices. So set a limit of your own for files from
+// untrusted sources. Errors: bad_magic, bad_version, bad_checksum, truncated; bad_data, also if the header claims any
+// other size, or if a clip or bounds claim more than their bytes can hold. Cost: the checksum.
 MARROW_API Status unpack_sizes(Span<const std::byte> packed, UnpackSizes& out, DataError* error = nullptr);
 
-// Unpacks into `memory` (16-byte aligned, at least memory_bytes). `file` becomes the front part of memory, which load()
-// must still check, decoded counts, indices and joints included. What lies behind `file` is free again.
+// Unpacks into `memory` (16-byte aligned, at least memory_bytes). `file` becomes the front part of memory. Unpacking
+// does not check it: load() does, decoded counts, indices and joints included. What lies behind `file` is free again.
 //
 // packed may come from anywhere: nothing is read outside of it or written outside of memory. Errors: as unpack_sizes();
 // bad_data; unsupported if a mesh's codec is not among `decoders` (DataError::rule names it); out_of_memory, by Draco;
@@ -58,7 +59,7 @@ MARROW_API Status unpack(Span<const std::byte> packed, Span<const MeshDecoder> d
 // last step. To stop half way, just forget the struct: there is nothing to free.
 struct Unpacking {
   Span<const std::byte> file = {};                     // empty until the last step is done; then as of unpack()
-  std::uint32_t done_bytes = 0;                        // of total_bytes, for a bar
+  std::uint32_t done_bytes = 0;                        // of total_bytes; for a progress bar
   std::uint32_t total_bytes = 0;                       // of the unpacked file
   alignas(8) std::byte state[kUnpackStateBytes] = {};  // unpack_step()'s own
 };

@@ -22,8 +22,8 @@ struct Trained {
   double displacements = 0;  // stored a vertex, the mean; EigenSkin alone has some
 };
 
-// The normals that pictures show, unit, 0 where they have no direction: a deformer's own, or through the blended matrix.
-// bind_normals: of the bind pose's triangles.
+// The normals that pictures show, unit, 0 where they have no direction: a deformer's own, or through the blended
+// matrix. bind_normals: of the bind pose's triangles.
 std::vector<glm::dvec3> shading_normals(const Trained& trained, const std::vector<glm::dvec3>& bind_normals,
                                         const deform::Pose& pose);
 // One through the blended matrix. extended: as Trained::extend makes it.

@@ -22,8 +22,8 @@ class Elastic {
 
   // Looks at poses, before it is asked for any: where the body pulls a vertex that follows one joint alone from that by
   // more than 2 % of the diagonal, as something beside it goes elsewhere, it goes by dual quaternions from then on.
-  // Returns how many vertices do. A part of the mesh that the body stretches more than dual quaternions do, a plate or a
-  // pouch, keeps from then on the shape that those give it, and goes where the body has its middle. On all cores.
+  // Returns how many vertices do. A part of the mesh that the body stretches more than dual quaternions do, a plate or
+  // a pouch, keeps from then on the shape that those give it, and goes where the body has its middle. On all cores.
   std::size_t look_at(const std::vector<Pose>& poses);
 
   // Of each vertex how much of it goes by dual quaternions, whatever the pose: 0 … 1.
