@@ -21,7 +21,7 @@ ordered_json describe_roles(const File& file, std::uint32_t skeleton) {
                soles = ordered_json::array();
   for (std::uint32_t r = 1; r < kRoleCount && !roles.roles.empty(); ++r) {
     const auto role = static_cast<Role>(r);
-    if (joint_of(roles, role) == kNoJoint) missing.push_back(role_name(role));
+    if (joint_of(roles, role) == kNoJoint && role != Role::tail) missing.push_back(role_name(role));
     for (const JointRole& j : roles.roles)
       if (j.role == role) found.push_back({{"role", role_name(role)}, {"joint", name(j.joint)}});
   }

@@ -8,7 +8,7 @@
 namespace marrow::tools {
 
 // {"roles": [{"role", "joint"}], "missing": [role], "pairs": [[left, right]], "soles": [{"joint", "place"}]}, joints by
-// name. Missing are roles that no joint has, none of them where no role is known.
+// name. Missing are roles but tail that no joint has, none of them where no role is known.
 nlohmann::ordered_json describe_roles(const File& file, std::uint32_t skeleton);
 
 // "52 joints with roles, 24 pairs, 2 soles"; empty where no role is known.

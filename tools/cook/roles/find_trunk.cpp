@@ -153,8 +153,11 @@ void give_trunk(Body& body, const std::vector<int>& trunk) {
 void find_spine_and_neck(Body& body) {
   const int hips = body.joint_of(Role::hips), head = body.joint_of(Role::head), arms = arms_meet(body);
   int top = head;
-  for (const int neck : called(body, Part::neck))
-    if (top == kNone && hangs_on_a_body(body, neck)) top = neck;
+  for (const int neck : called(body, Part::neck)) {
+    if (head != kNone || !hangs_on_a_body(body, neck)) continue;
+    if (top != kNone && !body.is_at_or_above(top, neck)) return;  // another body's
+    if (top == kNone) top = neck;
+  }
   if (top == kNone) top = arms;
   if (top == kNone || (hips != kNone && !body.is_at_or_above(hips, top))) return;
   std::vector<int> way = body.way(hips, top);
@@ -167,6 +170,8 @@ void find_spine_and_neck(Body& body) {
   for (auto j = way.begin(); j != end; ++j)
     if (const JointPart& p = body.part(*j); !p.own_side && (is_spine(p.part) || (bounded && p.part == Part::none)))
       trunk.push_back(*j);
+  // Without a neck or arms nobody knows how far up the trunk goes.
+  if (named == way.end() && meet == way.end() && trunk.size() > 1) trunk.resize(1);
   give_trunk(body, trunk);
   if (end != way.end() && may_be_middle(body.part(*end))) body.give(Role::neck, *end);
 }

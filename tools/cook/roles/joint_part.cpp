@@ -11,8 +11,14 @@ namespace {
 constexpr std::size_t kFewDeform = 8;    // joints with DEF-, from which on the others are not meant
 constexpr double kShareOfPrefix = 0.25;  // of joints that have a word, from which on it says nothing
 
+int number_of(const std::string& digits) {
+  int out = 0;
+  for (const char c : digits) out = 10 * out + (c - '0');
+  return out;
+}
+
 int first_number(const NameWords& n) {
-  return n.numbers.empty() ? -1 : n.numbers.front();
+  return n.numbers.empty() ? -1 : number_of(n.numbers.front());
 }
 
 // Of front legs, whose words are those of legs.
@@ -95,8 +101,9 @@ Part part_of(const NameWords& n) {
 void number_finger(const NameWords& n, bool from_0, JointPart& out) {
   constexpr Part kFingers[] = {Part::thumb, Part::index, Part::middle, Part::ring, Part::little};
   if (!n.has(Word::finger) || out.part != Part::none || n.numbers.empty()) return;
-  int finger = n.numbers[0], segment = n.numbers.size() > 1 ? n.numbers[1] : 0;
-  if (from_0 && finger >= 10) {
+  const std::string& first = n.numbers[0];
+  int finger = number_of(first), segment = n.numbers.size() > 1 ? number_of(n.numbers[1]) : 0;
+  if (from_0 && first.size() == 2) {
     segment = finger % 10;
     finger /= 10;
   }
@@ -131,7 +138,7 @@ std::vector<JointPart> parts_of(const std::vector<std::string>& names, const std
   forget_prefixes(words);
   const auto deforming = static_cast<std::size_t>(std::ranges::count_if(names, begins_with_def));
   const bool from_0 = std::ranges::any_of(
-      words, [](const NameWords& n) { return n.has(Word::finger) && !n.numbers.empty() && n.numbers[0] == 0; });
+      words, [](const NameWords& n) { return n.has(Word::finger) && !n.numbers.empty() && n.numbers[0] == "0"; });
   std::vector<JointPart> out(names.size());
   for (std::size_t j = 0; j < names.size(); ++j) {
     const NameWords& n = words[j];

@@ -116,10 +116,7 @@ class WordReader {
     add(Word::unknown);
   }
   void add_number(std::string_view digits) {
-    if (!begun_ || digits.size() > 6) return;
-    int number = 0;
-    for (const char c : digits) number = 10 * number + (c - '0');
-    out_.numbers.push_back(number);
+    if (begun_ && digits.size() <= 6) out_.numbers.emplace_back(digits);
   }
   // A side twice is none.
   NameWords finish() {

@@ -84,7 +84,7 @@ glm::dvec3 sole_of(const Body& body, const Footing& foot, bool of_joints) {
 bool reaches_ground(const Body& body, const Footing& hand, double ground) {
   int high = body.joint_of(Role::hips);
   if (high == kNone) high = body.joint_of(Role::left_upper_leg);
-  return high != kNone && hand.low() - ground <= kMostHandRises * (body.place(high).y - ground);
+  return high != kNone && ground < HUGE_VAL && hand.low() - ground <= kMostHandRises * (body.place(high).y - ground);
 }
 
 bool is_foot(Role role) {
