@@ -8,12 +8,12 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kMirroredChains = 0.03;  // of the height: how far mirrored joints may be off
-constexpr double kOnGround = 0.15;        // of the height: where feet are
-constexpr double kShortestLeg = 0.25;     // of the height
-constexpr double kMostUneven = 2;         // upper by lower part of a limb, and the other way round
-constexpr double kLeastShare = 0.5;       // of both parts in what hangs below a limb's first joint
-constexpr std::size_t kLeastJoints = 3;
+constexpr double kMirroredChains = 0.03;                  // of the height: how far mirrored joints may be off
+constexpr double kOnGround = 0.15;                        // of the height: where feet are
+constexpr double kShortestLeg = 0.25;                     // of the height
+constexpr double kMostUneven = 2;                         // upper by lower part of a limb, and the other way round
+constexpr double kLeastShare = 0.5;                       // of both parts in what hangs below a limb's first joint
+constexpr std::size_t kLeastJoints = 3, kMostJoints = 5;  // of a leg from its first joint on
 
 struct Chains {
   int above = kNone;
@@ -150,11 +150,15 @@ bool find_legs(const Body& body, const std::vector<Chains>& all, const Span2& he
     if (lowest > height.low + kOnGround * height.height) continue;
     if (body.place(c.joints[0][0]).y - lowest < kShortestLeg * height.height) continue;
     const std::size_t first = first_of_limb(body, c.joints[0], true);
-    if (first < c.joints[0].size()) out.push_back({c, first});
+    // Girdles and hocks of animals make chains longer, and then nobody knows which joint is the knee.
+    const std::size_t behind = c.joints[0].size() - first;
+    if (first < c.joints[0].size() && behind <= kMostJoints && first <= 1) out.push_back({c, first});
   }
   if (out.size() == 2 && out[0].chains.above != out[1].chains.above &&
       body.is_at_or_above(out[1].chains.above, out[0].chains.above))
     std::swap(out[0], out[1]);
+  if (out.empty() || out[0].first > 0) return false;
+  if (out.empty() || out[0].first > 0) return false;
   return out.size() == 1 || (out.size() == 2 && out[0].chains.above != out[1].chains.above &&
                              body.is_at_or_above(out[0].chains.above, out[1].chains.above));
 }
@@ -187,6 +191,7 @@ void find_by_shape(Body& body) {
   Limbs arms;
   const bool has_arms = legs.size() == 2 || find_arms(body, all, legs[0], arms);
   if (legs.size() == 2) arms = legs[1];
+  body.is_nameless = true;
   // Left is where x is less if the character looks against z.
   give(body, legs[0], true, forward < 0);
   if (has_arms) give(body, arms, false, forward < 0);

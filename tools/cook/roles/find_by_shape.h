@@ -1,7 +1,7 @@
 // Legs and arms of skeletons whose names say nothing, by where their joints are.
 #pragma once
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 
 namespace marrow::cook {
 

@@ -1,7 +1,7 @@
 // Fingers, by what joints are called.
 #pragma once
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 
 namespace marrow::cook {
 

@@ -1,7 +1,7 @@
 // Legs and arms, by what joints are called.
 #pragma once
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 
 namespace marrow::cook {
 

@@ -131,7 +131,10 @@ int unnamed_head(const Body& body) {
   if (necks.size() >= 2 && last != necks.front() && hangs_on_a_body(body, last)) return last;
   if (!necks.empty() || body.joint_of(Role::hips) == kNone) return kNone;
   const int arms = arms_meet(body);
-  return arms == kNone || !called(body, Part::head).empty() ? kNone : last_in_middle(body, arms);
+  if (arms == kNone || !called(body, Part::head).empty()) return kNone;
+  const int head = last_in_middle(body, arms);
+  // Of joints without names the third may be an end, or the second a neck's.
+  return body.is_nameless && body.way(arms, head).size() > 2 ? kNone : head;
 }
 
 // Joints from the hips to the neck, by their number and their names.
@@ -170,6 +173,8 @@ void find_spine_and_neck(Body& body) {
   for (auto j = way.begin(); j != end; ++j)
     if (const JointPart& p = body.part(*j); !p.own_side && (is_spine(p.part) || (bounded && p.part == Part::none)))
       trunk.push_back(*j);
+  // Of four joints without names the last may be a neck's.
+  if (body.is_nameless && trunk.size() > 3) trunk.resize(1);
   // Without a neck or arms nobody knows how far up the trunk goes.
   if (named == way.end() && meet == way.end() && trunk.size() > 1) trunk.resize(1);
   give_trunk(body, trunk);

@@ -1,7 +1,7 @@
 // What stands in the middle: hips, spine, chest, neck, head, what is on it, root and tail.
 #pragma once
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 
 namespace marrow::cook {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 #include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
 

@@ -62,7 +62,7 @@ enum class Word : std::uint8_t {
 struct NameWords {
   Side side = Side::none;
   std::uint64_t words = 0;           // a bit each
-  std::vector<std::string> numbers;          // behind the first word that is not neutral
+  std::vector<std::string> numbers;  // behind the first word that is not neutral
   std::vector<std::string> unknown;  // in small letters
 
   bool has(Word word) const { return (words >> static_cast<unsigned>(word) & 1) != 0; }

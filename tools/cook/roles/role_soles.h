@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {

@@ -1,4 +1,4 @@
-#include "cook/roles/body.h"
+#include "cook/roles/role_body.h"
 
 #include <algorithm>
 

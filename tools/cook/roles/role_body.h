@@ -29,6 +29,7 @@ struct Body {
   std::vector<glm::dvec3> places;            // the same
   std::vector<char> carries;                 // whether vertices follow a joint; empty: not known
   std::vector<Role> roles;                   // a joint
+  bool is_nameless = false;                  // limbs were found by their shape
 
   std::size_t size() const { return parents.size(); }
   const JointPart& part(int joint) const { return parts[to_index(joint)]; }
