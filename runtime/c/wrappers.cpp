@@ -913,6 +913,11 @@ mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* prob
   return code(marrow::solve_ik_genetic(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
 }
 
+mrw_status mrw_foot_of(const mrw_roles* roles, mrw_role role, mrw_foot* out) {
+  MRW_NEEDS(leads_to<Roles>(roles) && leads_to<Foot>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::foot_of(of<Roles>(roles), static_cast<Role>(role), to<Foot>(out)));
+}
+
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_model, const mrw_affine* model_from_joint,
     size_t model_from_joint_count, float sole_world[3]) {
   MRW_NEEDS(leads_to<Foot>(foot) && leads_to<Affine>(world_from_model) && is_list<Affine>(model_from_joint, model_from_joint_count) && leads_to<float>(sole_world), MRW_BAD_ARGUMENT);

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xdf6ab93eu
+#define MRW_ABI 0xd38c10a8u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -2158,6 +2158,12 @@ struct mrw_feet_frame {
   float weight;  // 0 … 1, times each foot's; motions go on at 0 too
 };
 void mrw_feet_frame_init(mrw_feet_frame* out);
+
+// The leg that stands with this role: left_foot or right_foot, or of an animal's front legs left_hand or right_hand.
+// `out` keeps its bend_axis and its weight.
+// Errors: MRW_BAD_ARGUMENT for another role; MRW_MISMATCH if a joint of the leg, or its sole, is not known. `out` is
+// written only on success. Cost: a few looks at the roles; once a load. Thread-safe.
+mrw_status mrw_foot_of(const mrw_roles* roles, mrw_role role, mrw_foot* out) MRW_NODISCARD;
 
 // The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: MRW_BAD_ARGUMENT if the list is too short, there is no such joint, or the place is not finite or beyond 1e6.

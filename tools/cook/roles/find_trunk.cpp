@@ -7,7 +7,7 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kNearLegs = 0.5;  // of a leg's length: how far hips may be from between the legs
+constexpr double kNearLegs = 1, kBelowLegs = 0.5;  // of a leg's length: how far hips may be from between the legs
 
 bool is_spine(Part part) {
   return part == Part::spine || part == Part::chest || part == Part::upper_chest;
@@ -28,7 +28,9 @@ double leg_length(const Body& body, Side side) {
 bool is_near_legs(const Body& body, int joint) {
   const int left = body.joint_of(Role::left_upper_leg), right = body.joint_of(Role::right_upper_leg);
   const glm::dvec3 between = 0.5 * (body.place(left) + body.place(right));
-  return glm::length(body.place(joint) - between) <= kNearLegs * leg_length(body, Side::left);
+  const double leg = leg_length(body, Side::left);
+  return glm::length(body.place(joint) - between) <= kNearLegs * leg &&
+         between.y - body.place(joint).y <= kBelowLegs * leg;
 }
 
 int arms_meet(const Body& body) {
