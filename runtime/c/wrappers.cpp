@@ -385,7 +385,7 @@ uint16_t mrw_joint_of(const mrw_roles* roles, mrw_role role) {
 
 mrw_role mrw_role_of(const mrw_roles* roles, uint32_t joint) {
   MRW_NEEDS(leads_to<Roles>(roles), 0);
-  return marrow::role_of(of<Roles>(roles), joint);
+  return static_cast<mrw_role>(marrow::role_of(of<Roles>(roles), joint));
 }
 
 uint16_t mrw_mirror_of(const mrw_roles* roles, uint32_t joint) {
@@ -403,7 +403,7 @@ const char* mrw_role_name(mrw_role role) {
 }
 
 mrw_role mrw_find_role(const char* name) {
-  return marrow::find_role(name);
+  return static_cast<mrw_role>(marrow::find_role(name));
 }
 
 uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh) {
