@@ -281,6 +281,17 @@ Span<const SpringCollider> File::spring_colliders(std::uint32_t of_skeleton) con
   return layout(header).colliders.in(base);
 }
 
+Roles File::roles(std::uint32_t of_skeleton) const {
+  for (std::uint32_t i = 0; i < counts_[format::kRoles]; ++i) {
+    const std::byte* const base = section(format::kRoles, i);
+    const auto& header = *at<format::RoleHeader>(base, 0);
+    if (header.skeleton != of_skeleton) continue;
+    const format::RoleLayout l = layout(header);
+    return {l.roles.in(base), l.pairs.in(base), l.soles.in(base)};
+  }
+  return {};
+}
+
 Bounds decode_bounds(const format::BoundsCodes& codes) {
   const float step = bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
   Bounds out;

@@ -23,6 +23,7 @@
 #include "marrow/palette.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
+#include "marrow/roles.h"
 #include "marrow/sample.h"
 #include "marrow/skeleton.h"
 #include "marrow/skin.h"
@@ -377,6 +378,34 @@ size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton) {
   return of<Skeleton>(skeleton).soa_size();
 }
 
+uint16_t mrw_joint_of(const mrw_roles* roles, mrw_role role) {
+  MRW_NEEDS(leads_to<Roles>(roles), 0);
+  return marrow::joint_of(of<Roles>(roles), static_cast<Role>(role));
+}
+
+mrw_role mrw_role_of(const mrw_roles* roles, uint32_t joint) {
+  MRW_NEEDS(leads_to<Roles>(roles), 0);
+  return static_cast<mrw_role>(marrow::role_of(of<Roles>(roles), joint));
+}
+
+uint16_t mrw_mirror_of(const mrw_roles* roles, uint32_t joint) {
+  MRW_NEEDS(leads_to<Roles>(roles), 0);
+  return marrow::mirror_of(of<Roles>(roles), joint);
+}
+
+const mrw_joint_sole* mrw_sole_of(const mrw_roles* roles, uint32_t joint) {
+  MRW_NEEDS(leads_to<Roles>(roles), nullptr);
+  return to_c<const mrw_joint_sole>(marrow::sole_of(of<Roles>(roles), joint));
+}
+
+const char* mrw_role_name(mrw_role role) {
+  return marrow::role_name(static_cast<Role>(role));
+}
+
+mrw_role mrw_find_role(const char* name) {
+  return static_cast<mrw_role>(marrow::find_role(name));
+}
+
 uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh) {
   MRW_NEEDS(leads_to<Mesh>(mesh), 0);
   return of<Mesh>(mesh).palette_size();
@@ -489,6 +518,12 @@ mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t ind
 mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton, mrw_spring_collider_list* out) {
   MRW_NEEDS(leads_to<File>(file) && leads_to<Span<const SpringCollider>>(out), MRW_BAD_ARGUMENT);
   give<Span<const SpringCollider>>(out, of<File>(file).spring_colliders(skeleton));
+  return MRW_OK;
+}
+
+mrw_status mrw_file_roles(const mrw_file* file, uint32_t skeleton, mrw_roles* out) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<Roles>(out), MRW_BAD_ARGUMENT);
+  give<Roles>(out, of<File>(file).roles(skeleton));
   return MRW_OK;
 }
 
@@ -876,6 +911,11 @@ mrw_status mrw_solve_ik_genetic(const mrw_pose* pose, const mrw_ik_problem* prob
     void* scratch, size_t scratch_bytes, mrw_ik_report* report) {
   MRW_NEEDS(leads_to<Pose>(pose) && leads_to<IkProblem>(problem) && leads_to_if_any<IkOptions>(options) && is_list<std::byte>(scratch, scratch_bytes) && leads_to_if_any<IkReport>(report), MRW_BAD_ARGUMENT);
   return code(marrow::solve_ik_genetic(of<Pose>(pose), of<IkProblem>(problem), or_default<IkOptions>(options), span<std::byte>(scratch, scratch_bytes), static_cast<IkReport*>(static_cast<void*>(report))));
+}
+
+mrw_status mrw_foot_of(const mrw_roles* roles, mrw_role role, mrw_foot* out) {
+  MRW_NEEDS(leads_to<Roles>(roles) && leads_to<Foot>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::foot_of(of<Roles>(roles), static_cast<Role>(role), to<Foot>(out)));
 }
 
 mrw_status mrw_foot_sole(const mrw_foot* foot, const mrw_affine* world_from_model, const mrw_affine* model_from_joint,

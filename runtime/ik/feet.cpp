@@ -354,6 +354,23 @@ void place_foot(const FeetCall& call, const Foot& foot, FootMotion& m) {
 
 }  // namespace
 
+Status foot_of(const Roles& roles, Role role, Foot& out) {
+  const bool leg = role == Role::left_foot || role == Role::right_foot;
+  MARROW_REQUIRE(leg || role == Role::left_hand || role == Role::right_hand);
+  const auto before = [&](std::uint32_t steps) {
+    return joint_of(roles, static_cast<Role>(static_cast<std::uint32_t>(role) - steps));
+  };
+  Foot foot = out;
+  foot.hip = before(2);
+  foot.knee = before(1);
+  foot.ankle = before(0);
+  const JointSole* const sole = sole_of(roles, foot.ankle);
+  if (foot.hip == kNoJoint || foot.knee == kNoJoint || sole == nullptr) return Status::mismatch;
+  for (int c = 0; c < 3; ++c) foot.sole[c] = sole->place[c];
+  out = foot;
+  return Status::ok;
+}
+
 Status foot_sole(const Foot& foot, const Affine& world_from_model, Span<const Affine> model_from_joint,
                  float (&sole_world)[3]) {
   MARROW_REQUIRE(holds(model_from_joint) && foot.ankle < model_from_joint.size);

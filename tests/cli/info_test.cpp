@@ -48,6 +48,24 @@ TEST(Info, SaysWhatLevelsOfDetailTake) {
   EXPECT_EQ(bytes, r.at("totals").at("geometry"));
 }
 
+TEST(Info, SaysWhatJointsAreFor) {
+  const std::string file = in_golden("roles_v1.mrw");
+  const nlohmann::json roles = described(file).at("skeletons").at(0).at("roles");
+  EXPECT_EQ(roles.at("roles").size(), 13u);
+  EXPECT_EQ(roles.at("roles").at(0), (nlohmann::json{{"role", "hips"}, {"joint", "hips"}}));
+  EXPECT_EQ(roles.at("missing").size(), 57u - 12u);  // the tail has two joints
+  EXPECT_EQ(roles.at("pairs").size(), 5u);
+  EXPECT_EQ(roles.at("soles").at(0).at("joint"), "foot.L");
+  const std::string plain = run_marrow({"info", file}).out, all = run_marrow({"info", file, "--roles"}).out;
+  EXPECT_NE(plain.find("13 joints with roles, 5 pairs, 2 soles"), std::string::npos) << plain;
+  for (const char* const line :
+       {"  left_foot        foot.L\n", "  tail             tail.001\n", "missing: root, chest, ",
+        "  pair bag one | bag two\n", "  sole of foot.L at 0 0.0625 -0.125, in its space\n"})
+    EXPECT_NE(all.find(line), std::string::npos) << line << " is not in\n" << all;
+  const std::string none = run_marrow({"info", in_golden("tiny_v1.mrw"), "--roles"}).out;
+  EXPECT_NE(none.find("no joints with roles"), std::string::npos) << none;
+}
+
 // One, a quarter of the way: golden_test.cpp has the file's figures.
 TEST(Info, SaysWhichJointsHelpersAreOf) {
   const nlohmann::json mesh = described(in_golden("centres_v1.mrw")).at("meshes").at(0);

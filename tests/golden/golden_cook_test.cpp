@@ -67,6 +67,10 @@ TEST(GoldenCook, GivesTheGoldenBytesOfSprings) {
   expect_golden(cook_file("springs.gltf", true), test::golden_springs_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfRoles) {
+  expect_golden(cook_file("roles.gltf", true), test::golden_roles_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

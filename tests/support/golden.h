@@ -26,6 +26,8 @@ extern const unsigned char lod_v1[];
 extern const unsigned long long lod_v1_size;
 extern const unsigned char limits_v1[];
 extern const unsigned long long limits_v1_size;
+extern const unsigned char roles_v1[];
+extern const unsigned long long roles_v1_size;
 extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
 extern const unsigned char shapes_v1[];
@@ -93,6 +95,11 @@ inline AlignedBlock golden_limits_copy() {
 // A file with spring bones and colliders.
 inline AlignedBlock golden_springs_copy() {
   return AlignedBlock(embedded::springs_v1, static_cast<std::size_t>(embedded::springs_v1_size));
+}
+
+// A file with roles of joints.
+inline AlignedBlock golden_roles_copy() {
+  return AlignedBlock(embedded::roles_v1, static_cast<std::size_t>(embedded::roles_v1_size));
 }
 
 // A file with a space of example shapes.

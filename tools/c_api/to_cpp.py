@@ -67,6 +67,8 @@ class Writer:
             return f'return to_c<{"" if row.type.mut else "const "}{c_name(row.type.name)}>({"&" * row.type.is_reference}{call})'
         if row.type.name == 'status':
             return f'return code({call})'
+        if row.type.name in self.enums and not row.type.form:
+            return f'return static_cast<{c_name(row.type.name)}>({call})'
         return f'return {call}'
 
     def wrapper(self, row):

@@ -23,7 +23,7 @@ void add_option(CLI::App* command, const cook::Option& option, cook::Given& give
   };
   CLI::Option* const added = command->add_option_function<std::vector<std::string>>(flag, take, option.help);
   added->type_name(option.shape)->allow_extra_args(false);
-  if (option.kind == cook::OptionKind::list) {
+  if (option.kind == cook::OptionKind::list || option.kind == cook::OptionKind::table) {
     added->take_all();
   } else {
     added->take_last()->expected(1);

@@ -21,6 +21,7 @@
 #include "cook/prepare/prepare_scene.h"
 #include "cook/prepare/retarget.h"
 #include "cook/read_source.h"
+#include "cook/roles/build_roles.h"
 #include "cook/scene/morphed_meshes.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_limits.h"
@@ -101,6 +102,13 @@ std::vector<Mesh> views_of(const BuiltMeshes& built) {
   return out;
 }
 
+// Without levels of detail.
+std::vector<Mesh> full_meshes(const BuiltMeshes& built) {
+  std::vector<Mesh> out;
+  for (const BuiltMesh& mesh : built.meshes) out.push_back(view(mesh, built.geometries[mesh.geometry]));
+  return out;
+}
+
 // Of a scene that is prepared, and what its meshes follow.
 BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions& options, Notes& notes) {
   std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
@@ -113,6 +121,10 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   if (options.mesh_codec != MeshCodec::none) meshes = derive_inverse_binds(out.skeletons, std::move(meshes));
   BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
+  if (!out.is_outfit) {  // whose body has them
+    std::vector<BuiltRoles> roles = build_roles(scene, out, full_meshes(meshes), options.roles, notes);
+    for (std::size_t s = 0; s < roles.size(); ++s) out.skeletons[s].roles = std::move(roles[s]);
+  }
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
   out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
                           options, notes);

@@ -23,9 +23,10 @@ struct Value {
 inline constexpr const char* kShapes = "shapes";
 
 enum class OptionKind {
-  flag,  // given or not
-  text,  // one value, the last given
-  list,  // any number of values
+  flag,   // given or not
+  text,   // one value, the last given
+  list,   // any number of values
+  table,  // any number of NAME=TEXT; in marrow.toml a table
 };
 
 struct Option {

@@ -1,4 +1,5 @@
 #include "options/option_lists.h"
+#include "text/nearest.h"
 
 namespace marrow::cook {
 namespace {
@@ -7,6 +8,27 @@ constexpr Named<Images> kImages[] = {
     {"reference", Images::reference}, {"embed", Images::embed}, {"none", Images::none}};
 
 constexpr Named<Effort> kEfforts[] = {{"default", Effort::normal}, {"fast", Effort::fast}, {"best", Effort::best}};
+
+// "ROLE=JOINT", divided at the first "=".
+void set_role(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.find('=');
+  if (divide == std::string::npos)
+    refuse(given, "\"" + given.text + "\" names no joint",
+           "give ROLE=JOINT, as in left_foot=FootL, or ROLE= for no joint");
+  const std::string name = given.text.substr(0, divide);
+  const Role role = find_role(name.c_str());
+  if (role == Role::none) {
+    std::vector<std::string> names;
+    for (std::uint32_t r = 1; r < kRoleCount; ++r) names.emplace_back(role_name(static_cast<Role>(r)));
+    refuse(given, "there is no role \"" + name + "\"", tools::suggestion(name, names));
+  }
+  const std::string joint = given.text.substr(divide + 1);
+  for (const RoleRule& other : options.roles)
+    if (other.role == role || (!joint.empty() && other.joint == joint))
+      refuse(given, "\"" + given.text + "\" after \"" + role_name(other.role) + "=" + other.joint + "\"",
+             "a role has one joint, and a joint one role; leave out one of them");
+  options.roles.push_back({role, joint, given.origin});
+}
 
 constexpr Option kSceneOptions[] = {
     {"effort", OptionKind::text, "TEXT",
@@ -36,6 +58,12 @@ constexpr Option kSceneOptions[] = {
      "keep nodes by name, as sockets, and their extras; GLOB may have * and ?; repeatable",
      {},
      [](CookOptions& options, const Value& value) { options.keep.push_back(value.text); }},
+    {"roles",
+     OptionKind::table,
+     "ROLE=JOINT",
+     "which joint has a role, as left_foot=FootL, in place of what is found; without JOINT none has; repeatable",
+     {},
+     set_role},
     {"clips-only",
      OptionKind::flag,
      "",

@@ -85,9 +85,31 @@ class Reader {
     return out;
   }
 
+  // As on the command line: NAME=TEXT each, in the order in which they are written.
+  std::vector<Value> entries(const std::string& name, const toml::node& node) const {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) fail(place(node.source()), "\"" + name + "\" must be a table", "write [" + name + "]");
+    std::vector<std::pair<const toml::key*, const toml::node*>> written;
+    for (const auto& [key, value] : *table) written.emplace_back(&key, &value);
+    std::ranges::sort(written, [](const auto& a, const auto& b) {
+      const toml::source_position &x = a.first->source().begin, &y = b.first->source().begin;
+      return x.line != y.line ? x.line < y.line : x.column < y.column;
+    });
+    std::vector<Value> out;
+    for (const auto& [key, value] : written) {
+      const std::string left(key->str());
+      const auto* const text = value->as_string();
+      if (text == nullptr) fail(place(value->source()), "\"" + left + "\" must be a string", "quote it");
+      if (left.find('=') != std::string::npos) fail(place(key->source()), "a name with =", "leave it out");
+      out.push_back(value_of(left + "=" + text->get(), *value));
+    }
+    return out;
+  }
+
   std::vector<Value> values(const Option& option, const toml::node& node) const {
     const std::string name = option.name;
     if (option.kind == OptionKind::list) return strings(name, node);
+    if (option.kind == OptionKind::table) return entries(name, node);
     if (option.kind == OptionKind::flag) {
       const auto* const flag = node.as_boolean();
       if (flag == nullptr) fail(place(node.source()), "\"" + name + "\" must be true or false", "without quotes");

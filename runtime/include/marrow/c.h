@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x5feb457au
+#define MRW_ABI 0xc5f5a133u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -479,6 +479,130 @@ bool mrw_is_valid(const mrw_joint_limit* limit);
 // How many groups of four joints a local pose has.
 size_t mrw_skeleton_soa_size(const mrw_skeleton* skeleton);
 
+// ---- Part roles -----------------------------------------------------------------------------------------------------
+// Which joint is the left foot, the head, the tail: roles of joints, mirrored pairs and soles, as the cooker found
+// them.
+
+// What a joint is for. Names are those of VRM's humanoid; left and right are the character's own. Hind legs of animals
+// are legs; front legs have the arms' roles, so what stands on the ground may be feet and hands. A limb's role is that
+// of the joint where the limb begins: left_lower_arm is the elbow, left_hand the wrist.
+typedef uint8_t mrw_role;
+enum {
+  MRW_ROLE_NONE = 0,  // of joints without a role
+  MRW_ROLE_ROOT = 1,  // above the hips: what moves all of the character
+  MRW_ROLE_HIPS = 2,  // carries the legs and the trunk
+  MRW_ROLE_SPINE = 3,
+  MRW_ROLE_CHEST = 4,
+  MRW_ROLE_UPPER_CHEST = 5,
+  MRW_ROLE_NECK = 6,
+  MRW_ROLE_HEAD = 7,
+  MRW_ROLE_JAW = 8,
+  MRW_ROLE_LEFT_EYE = 9,
+  MRW_ROLE_RIGHT_EYE = 10,
+  MRW_ROLE_LEFT_SHOULDER = 11,
+  MRW_ROLE_LEFT_UPPER_ARM = 12,
+  MRW_ROLE_LEFT_LOWER_ARM = 13,
+  MRW_ROLE_LEFT_HAND = 14,
+  MRW_ROLE_RIGHT_SHOULDER = 15,
+  MRW_ROLE_RIGHT_UPPER_ARM = 16,
+  MRW_ROLE_RIGHT_LOWER_ARM = 17,
+  MRW_ROLE_RIGHT_HAND = 18,
+  MRW_ROLE_LEFT_UPPER_LEG = 19,
+  MRW_ROLE_LEFT_LOWER_LEG = 20,
+  MRW_ROLE_LEFT_FOOT = 21,
+  MRW_ROLE_LEFT_TOES = 22,
+  MRW_ROLE_RIGHT_UPPER_LEG = 23,
+  MRW_ROLE_RIGHT_LOWER_LEG = 24,
+  MRW_ROLE_RIGHT_FOOT = 25,
+  MRW_ROLE_RIGHT_TOES = 26,
+  MRW_ROLE_LEFT_THUMB_METACARPAL = 27,
+  MRW_ROLE_LEFT_THUMB_PROXIMAL = 28,
+  MRW_ROLE_LEFT_THUMB_DISTAL = 29,
+  MRW_ROLE_LEFT_INDEX_PROXIMAL = 30,
+  MRW_ROLE_LEFT_INDEX_INTERMEDIATE = 31,
+  MRW_ROLE_LEFT_INDEX_DISTAL = 32,
+  MRW_ROLE_LEFT_MIDDLE_PROXIMAL = 33,
+  MRW_ROLE_LEFT_MIDDLE_INTERMEDIATE = 34,
+  MRW_ROLE_LEFT_MIDDLE_DISTAL = 35,
+  MRW_ROLE_LEFT_RING_PROXIMAL = 36,
+  MRW_ROLE_LEFT_RING_INTERMEDIATE = 37,
+  MRW_ROLE_LEFT_RING_DISTAL = 38,
+  MRW_ROLE_LEFT_LITTLE_PROXIMAL = 39,
+  MRW_ROLE_LEFT_LITTLE_INTERMEDIATE = 40,
+  MRW_ROLE_LEFT_LITTLE_DISTAL = 41,
+  MRW_ROLE_RIGHT_THUMB_METACARPAL = 42,
+  MRW_ROLE_RIGHT_THUMB_PROXIMAL = 43,
+  MRW_ROLE_RIGHT_THUMB_DISTAL = 44,
+  MRW_ROLE_RIGHT_INDEX_PROXIMAL = 45,
+  MRW_ROLE_RIGHT_INDEX_INTERMEDIATE = 46,
+  MRW_ROLE_RIGHT_INDEX_DISTAL = 47,
+  MRW_ROLE_RIGHT_MIDDLE_PROXIMAL = 48,
+  MRW_ROLE_RIGHT_MIDDLE_INTERMEDIATE = 49,
+  MRW_ROLE_RIGHT_MIDDLE_DISTAL = 50,
+  MRW_ROLE_RIGHT_RING_PROXIMAL = 51,
+  MRW_ROLE_RIGHT_RING_INTERMEDIATE = 52,
+  MRW_ROLE_RIGHT_RING_DISTAL = 53,
+  MRW_ROLE_RIGHT_LITTLE_PROXIMAL = 54,
+  MRW_ROLE_RIGHT_LITTLE_INTERMEDIATE = 55,
+  MRW_ROLE_RIGHT_LITTLE_DISTAL = 56,
+  MRW_ROLE_TAIL = 57,  // each joint of the tail has this one
+};
+
+#define MRW_ROLE_COUNT 58u  // with none
+
+// A joint with a role.
+typedef struct mrw_joint_role mrw_joint_role;
+struct mrw_joint_role {
+  uint16_t joint;  // of the skeleton
+  mrw_role role;
+  uint8_t reserved;
+};
+
+// Two joints that mirror each other at rest.
+typedef struct mrw_joint_pair mrw_joint_pair;
+struct mrw_joint_pair {
+  uint16_t left;  // of the skeleton
+  uint16_t right;  // of the skeleton
+};
+
+// Where a foot stands.
+typedef struct mrw_joint_sole mrw_joint_sole;
+struct mrw_joint_sole {
+  uint16_t joint;  // a foot, or a hand that is a front foot
+  uint16_t reserved;
+  float place[3];  // on the ground below the ball of the foot at rest; joint's space. As mrw_foot.sole
+};
+
+// What is known of a skeleton's joints; see mrw_file_roles. All three are empty where nothing is.
+typedef struct mrw_roles mrw_roles;
+struct mrw_roles {
+  const mrw_joint_role* roles;  // ascending by joint; no role but tail twice
+  size_t role_count;
+  const mrw_joint_pair* pairs;  // ascending by the left joint; a joint is in one pair at most
+  size_t pair_count;
+  const mrw_joint_sole* soles;  // ascending by joint
+  size_t sole_count;
+};
+
+// The joint with this role; of a tail its first. MRW_NO_JOINT if there is none, and for MRW_ROLE_NONE. Cost: a look at
+// the roles; once a load, not a frame. This and those below are thread-safe.
+uint16_t mrw_joint_of(const mrw_roles* roles, mrw_role role);
+
+// The joint's role; MRW_ROLE_NONE if it has none. Cost: as mrw_joint_of().
+mrw_role mrw_role_of(const mrw_roles* roles, uint32_t joint);
+
+// The joint on the other side; MRW_NO_JOINT if there is none, as of the spine. Cost: a look at the pairs.
+uint16_t mrw_mirror_of(const mrw_roles* roles, uint32_t joint);
+
+// Where the joint stands on the ground; null if that is not known. Points into `roles`. Cost: a look at the soles.
+const mrw_joint_sole* mrw_sole_of(const mrw_roles* roles, uint32_t joint);
+
+// "left_upper_leg"; of what is no role "none". Zero-terminated, never null.
+const char* mrw_role_name(mrw_role role);
+
+// The role with this name; MRW_ROLE_NONE if there is none, and for a null pointer. Cost: a look at all names.
+mrw_role mrw_find_role(const char* name);
+
 // ---- Part clip ------------------------------------------------------------------------------------------------------
 // A clip as a file has it: what moves, and numbers beside it.
 
@@ -870,7 +994,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[26];
+  uint32_t numbers[28];
 };
 void mrw_file_init(mrw_file* out);
 
@@ -922,6 +1046,10 @@ mrw_status mrw_file_spring(const mrw_file* file, uint32_t skeleton, uint32_t ind
     mrw_spring_chain* out) MRW_NODISCARD;
 mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
     mrw_spring_collider_list* out) MRW_NODISCARD;
+
+// Which joints of one of the skeletons are its feet, its head and so on; see part roles. Points into the block. Empty
+// if nothing is known. Cost: a look at every section of roles.
+mrw_status mrw_file_roles(const mrw_file* file, uint32_t skeleton, mrw_roles* out) MRW_NODISCARD;
 
 // Spaces of example shapes, see part example_space. mrw_load() only locates them; mrw_file_example_space() checks all
 // that one holds. lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index; MRW_BAD_DATA or
@@ -2026,6 +2154,12 @@ struct mrw_feet_frame {
   float weight;  // 0 … 1, times each foot's; motions go on at 0 too
 };
 void mrw_feet_frame_init(mrw_feet_frame* out);
+
+// The leg that stands with this role: left_foot or right_foot, or of an animal's front legs left_hand or right_hand.
+// `out` keeps its bend_axis and its weight.
+// Errors: MRW_BAD_ARGUMENT for another role; MRW_MISMATCH if a joint of the leg, or its sole, is not known. `out` is
+// written only on success. Cost: a few looks at the roles; once a load. Thread-safe.
+mrw_status mrw_foot_of(const mrw_roles* roles, mrw_role role, mrw_foot* out) MRW_NODISCARD;
 
 // The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: MRW_BAD_ARGUMENT if the list is too short, there is no such joint, or the place is not finite or beyond 1e6.

@@ -5,6 +5,7 @@
 #include "marrow/api.h"
 #include "marrow/file.h"
 #include "marrow/local_to_model.h"
+#include "marrow/roles.h"
 
 namespace marrow {
 
@@ -53,6 +54,12 @@ struct FeetFrame {
   bool teleported = false;  // feet begin anew, none is planted where it was
   float weight = 1.0f;      // 0 … 1, times each foot's; motions go on at 0 too
 };
+
+// The leg that stands with this role: left_foot or right_foot, or of an animal's front legs left_hand or right_hand.
+// `out` keeps its bend_axis and its weight.
+// Errors: bad_argument for another role; mismatch if a joint of the leg, or its sole, is not known. `out` is written
+// only on success. Cost: a few looks at the roles; once a load. Thread-safe.
+MARROW_API Status foot_of(const Roles& roles, Role role, Foot& out);
 
 // The animated place of a foot's sole, in the world: the point for a ray to go through.
 // Errors: bad_argument if the span is too short, there is no such joint, or the place is not finite or beyond 1e6.

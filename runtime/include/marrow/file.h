@@ -37,6 +37,7 @@ struct Node {
 };
 
 struct ExampleSpace;
+struct Roles;
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
 class File {
@@ -72,6 +73,10 @@ class File {
   MARROW_API std::uint32_t spring_count(std::uint32_t skeleton) const;
   MARROW_API SpringChain spring(std::uint32_t skeleton, std::uint32_t index) const;
   MARROW_API Span<const SpringCollider> spring_colliders(std::uint32_t skeleton) const;
+
+  // Which joints of one of the skeletons are its feet, its head and so on; see roles.h. Points into the block. Empty if
+  // nothing is known. Cost: a look at every section of roles.
+  MARROW_API Roles roles(std::uint32_t skeleton) const;
 
   // Spaces of example shapes, see example_space.h. load() only locates them; example_space() checks all that one holds.
   // Spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported, with
@@ -120,8 +125,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[13] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[13] = {};
+  std::uint32_t first_[14] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[14] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

@@ -10,6 +10,7 @@
 #include "marrow/block.h"          // memory on 16-byte boundaries
 #include "marrow/unpack.h"         // packed file → .mrw in memory
 #include "marrow/file.h"           // .mrw → Skeleton, Clip, Mesh
+#include "marrow/roles.h"          // which joint is the left foot
 #include "marrow/clip_pack.h"      // clips of another file
 #include "marrow/playback.h"       // a playing clip: time, speed, loop
 #include "marrow/sample.h"         // Clip, time → local pose

@@ -140,6 +140,7 @@ TEST_F(FormatPage, HasTheTablesOfSections) {
   expect(section_table<format::NodeHeader>(), "NODE");
   expect(section_table<format::LimitHeader>(), "LIMI");
   expect(section_table<format::SpringHeader>(), "SPRI");
+  expect(section_table<format::RoleHeader>(), "ROLE");
   expect(section_table<format::BoundsHeader>(), "BNDS");
   expect(section_table<format::ExampleHeader>(), "SHAP");
   expect(part_table<format::CodedHeader, format::CodedLayout>(0u), "coded segments");
@@ -157,6 +158,9 @@ TEST_F(FormatPage, HasTheTablesOfRecords) {
   expect(record_table<format::SpringRecord>(), "a chain");
   expect(record_table<SpringJoint>(), "a chain's joint");
   expect(record_table<SpringCollider>(), "a collider");
+  expect(record_table<JointRole>(), "a role of a joint");
+  expect(record_table<JointPair>(), "a pair");
+  expect(record_table<JointSole>(), "a sole");
   expect(record_table<format::BoundsCodes>(), "bounds");
 }
 

@@ -77,12 +77,14 @@ TEST(LoadSections, HaveHeadersAndKnownCodecs) {
   EXPECT_GT(refuse_each(test::golden_looks_copy()), 5u);  // and MATL IMAG NODE
   EXPECT_GT(refuse_each(test::golden_limits_copy()), 1u);
   EXPECT_GT(refuse_each(test::golden_springs_copy()), 1u);
+  EXPECT_GT(refuse_each(test::golden_roles_copy()), 1u);
   EXPECT_GT(refuse_each(test::golden_pack_copy()), 1u);  // SREF
 }
 
 TEST(LoadSections, OfSomeTypesASkeletonHasOne) {
   refuse_twice(test::golden_limits_copy(), "LIMI", "one section of limits a skeleton, in their order");
   refuse_twice(test::golden_springs_copy(), "SPRI", "one section of springs a skeleton, in their order");
+  refuse_twice(test::golden_roles_copy(), "ROLE", "one section of roles a skeleton, in their order");
   refuse_twice(test::golden_copy(), "BNDS", "one section of bounds a skeleton, in their order");
 }
 

@@ -109,7 +109,8 @@ TEST_F(NewKind, IsTakenByWhoHasItsLine) {
   File file;
   DataError error;
   EXPECT_EQ(load(block, file, &error), Status::bad_data);
-  EXPECT_STREQ(error.rule, "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI SHAP BNDS NAME");
+  EXPECT_STREQ(error.rule,
+               "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE SHAP BNDS NAME");
 }
 
 TEST_F(NewKind, IsHeldToItsDescription) {

@@ -254,6 +254,10 @@ const Asked kAsked[] = {
      [](CookOptions& o) {
        o.additive = {{"nod", "carry"}};
      }},
+    {"--roles",
+     [](CookOptions& o) {
+       o.roles = {{Role::head, "head"}, {Role::jaw, ""}};
+     }},
     {"[[shapes]]", [](CookOptions& o) { o.shapes = {shapes()}; }},
     {"--strict", [](CookOptions& o) { o.strict = true; }},
 };

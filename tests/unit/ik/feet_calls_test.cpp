@@ -164,5 +164,41 @@ TEST(Feet, SameBitsEverywhere) {
   EXPECT_EQ(state, 0xe2a77774ad5d8435u) << std::hex << state;
 }
 
+TEST(FootOf, TakesALegByItsRoles) {
+  const JointRole roles[] = {{1, Role::left_upper_leg, 0},  {2, Role::left_lower_leg, 0},  {3, Role::left_foot, 0},
+                             {5, Role::right_upper_arm, 0}, {6, Role::right_lower_arm, 0}, {9, Role::right_hand, 0}};
+  const JointSole soles[] = {{3, 0, {0.25f, -0.5f, 1}}, {9, 0, {0, -1, 0}}};
+  Foot foot;
+  foot.weight = 0.5f;
+  foot.bend_axis[0] = 1;
+  ASSERT_EQ(foot_of({roles, {}, soles}, Role::left_foot, foot), Status::ok);
+  EXPECT_EQ(foot.hip, 1u);
+  EXPECT_EQ(foot.knee, 2u);
+  EXPECT_EQ(foot.ankle, 3u);
+  EXPECT_EQ(foot.sole[0], 0.25f);
+  EXPECT_EQ(foot.sole[1], -0.5f);
+  EXPECT_EQ(foot.sole[2], 1.0f);
+  EXPECT_EQ(foot.weight, 0.5f);
+  EXPECT_EQ(foot.bend_axis[0], 1.0f);
+  ASSERT_EQ(foot_of({roles, {}, soles}, Role::right_hand, foot), Status::ok);
+  EXPECT_EQ(foot.hip, 5u);
+  EXPECT_EQ(foot.knee, 6u);
+  EXPECT_EQ(foot.ankle, 9u);
+  EXPECT_EQ(foot.sole[1], -1.0f);
+}
+
+TEST(FootOf, RefusesWhatIsNoLeg) {
+  const JointRole roles[] = {{1, Role::left_upper_leg, 0}, {2, Role::left_lower_leg, 0}, {3, Role::left_foot, 0}};
+  const JointSole soles[] = {{3, 0, {0, 0, 0}}};
+  Foot foot;
+  foot.hip = 77;
+  for (const Role role : {Role::none, Role::head, Role::left_toes, Role::right_lower_arm, Role::tail})
+    EXPECT_EQ(foot_of({roles, {}, soles}, role, foot), Status::bad_argument);
+  EXPECT_EQ(foot_of({roles, {}, soles}, Role::right_foot, foot), Status::mismatch);
+  EXPECT_EQ(foot_of({roles, {}, {}}, Role::left_foot, foot), Status::mismatch);
+  EXPECT_EQ(foot_of({Span<const JointRole>(roles + 1, 2), {}, soles}, Role::left_foot, foot), Status::mismatch);
+  EXPECT_EQ(foot.hip, 77u);
+}
+
 }  // namespace
 }  // namespace marrow

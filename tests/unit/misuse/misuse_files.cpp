@@ -38,6 +38,14 @@ const Loaded& dance() {
   return made;
 }
 
+const Loaded& roles() {
+  static const Loaded made(golden_roles_copy);
+  return made;
+}
+Roles roles_of(Misuse& m) {
+  return m.either(roles().file.roles(0), Roles{});
+}
+
 File file_of(Misuse& m) {
   return m.either(face().file, m.either(pack().file, File{}));
 }
@@ -94,6 +102,13 @@ std::vector<MisuseRow> rows_of_views() {
       {"spring_count", MISUSED(file_of(m).spring_count(m.index(0)))},
       {"spring", MISUSED(file_of(m).spring(m.index(0), m.index(0)).joints.size)},
       {"spring_colliders", MISUSED(file_of(m).spring_colliders(m.index(0)).size)},
+      {"roles", MISUSED(m.either(roles().file, File{}).roles(m.index(0)).roles.size)},
+      {"joint_of", MISUSED(joint_of(roles_of(m), m.kind(Role::head)))},
+      {"role_of", MISUSED(role_of(roles_of(m), m.index(2)))},
+      {"mirror_of", MISUSED(mirror_of(roles_of(m), m.index(2)))},
+      {"sole_of", MISUSED(sole_of(roles_of(m), m.index(11)))},
+      {"role_name", MISUSED(std::string(role_name(m.kind(Role::tail))))},
+      {"find_role", MISUSED(find_role(m.pointer(m.truth(true) ? "tail" : "no such")))},
       {"example_space_count", MISUSED(file_of(m).example_space_count())},
       {"example_space",
        [](Misuse& m) {

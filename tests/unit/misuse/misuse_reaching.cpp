@@ -227,6 +227,17 @@ void call_solve_ik_genetic(Misuse& m) {
   m.returned(solve_ik_genetic({skeleton, local, joints}, problem, options, scratch));
 }
 
+void call_foot_of(Misuse& m) {
+  static const JointRole roles[] = {
+      {2, Role::left_upper_leg, 0}, {5, Role::left_lower_leg, 0}, {10, Role::left_foot, 0}};
+  static const JointSole soles[] = {{10, 0, {0, -0.1f, 0.1f}}};
+  const bool all = m.truth(true);
+  Foot& out = m.one(Foot{});
+  const Role role = m.spoils("a role that does not stand") ? Role::head : Role::left_foot;
+  if (!all) m.may_fail();
+  m.returned(marrow::foot_of({roles, {}, all ? Span<const JointSole>(soles) : Span<const JointSole>()}, role, out));
+}
+
 void call_foot_sole(Misuse& m) {
   float sole[3] = {};
   const Span<const Affine> joints = m.in(Span<const Affine>(stage().joints.data(), 11));
@@ -251,6 +262,7 @@ std::vector<MisuseRow> rows_of_reaching() {
       {"solve_ik_chain", [](Misuse& m) { solve(m, solve_ik_chain, IkMethod::fabrik); }},
       {"solve_ik_body", [](Misuse& m) { solve(m, solve_ik_body, IkMethod::gauss_newton); }},
       {"solve_ik_genetic", call_solve_ik_genetic},
+      {"foot_of", call_foot_of},
       {"foot_sole", call_foot_sole},
       {"place_feet", place},
   };

@@ -20,6 +20,11 @@ OrderedJson schema_of(const Option& option) {
   OrderedJson out = {{"description", option.help}};
   if (option.kind == OptionKind::list) {
     out["$ref"] = "#/$defs/strings";
+  } else if (option.kind == OptionKind::table) {  // [roles] alone
+    out["type"] = "object";
+    for (std::uint32_t r = 1; r < kRoleCount; ++r)
+      out["properties"][role_name(static_cast<Role>(r))] = {{"type", "string"}};
+    out["additionalProperties"] = false;
   } else if (!option.choices.empty()) {
     out["enum"] = option.choices;
   } else {
@@ -110,11 +115,15 @@ TEST(SettingsSchema, AcceptsWhatIsReadAndRefusesWhatIsNot) {
                "examples = [{at = [0, 0]}, {at = [1, 0], target = 't'}]",
                R"({"shapes": [{"name": "n", "parameters": ["p", {"name": "q", "default": 0.5}],
                    "examples": [{"at": [0, 0]}, {"at": [1, 0], "target": "t"}]}]})"},
+              {"[roles]\nhips = 'pelvis'\njaw = ''", R"({"roles": {"hips": "pelvis", "jaw": ""}})"},
               {"[[file]]\nmatch = 'a*'\nclip-codec = 'raw'", R"({"file": [{"match": "a*", "clip-codec": "raw"}]})"},
               {"[[file]]\nmatch = ['a', 'b']\nlod = '0.5'", R"({"file": [{"match": ["a", "b"], "lod": "0.5"}]})"}},
     bad[] = {{"clip-eror = '0.1mm'", R"({"clip-eror": "0.1mm"})"},
              {"clip-error = 1", R"({"clip-error": 1})"},
              {"clip-error = [1]", R"({"clip-error": [1]})"},
+             {"roles = ['hips=pelvis']", R"({"roles": ["hips=pelvis"]})"},
+             {"[roles]\nhip = 'pelvis'", R"({"roles": {"hip": "pelvis"}})"},
+             {"[roles]\nhips = 1", R"({"roles": {"hips": 1}})"},
              {"mwe = 'true'", R"({"mwe": "true"})"},
              {"mesh-codec = 'zip'", R"({"mesh-codec": "zip"})"},
              {"[[file]]\nclip-codec = 'raw'", R"({"file": [{"clip-codec": "raw"}]})"},

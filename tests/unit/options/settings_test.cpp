@@ -80,6 +80,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
   for (const Option& option : option_table()) {
     const std::string name = option.name, shape = option.shape;
     const std::string value = option.kind == OptionKind::flag          ? "true"
+                              : option.kind == OptionKind::table       ? "{head = \"Head\"}"
                               : !option.choices.empty()                ? '"' + std::string(option.choices.back()) + '"'
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape == "FIELDS" || shape[0] == 'N'
@@ -130,6 +131,11 @@ TEST(Settings, MistakesAreLocated) {
       {"[file]\nmatch = 'a'", "1:1", "must be a list of tables"},
       {"[[file]]\nmatch = []", "2:9", "names no files"},
       {"[[file]]\nmatch = 'never'\nclip-error = 'x'", "3:14", "\"x\" is not an error"},
+      {"[roles]\nleft_fot = 'a'", "2:12", "there is no role \"left_fot\": did you mean \"left_foot\"?"},
+      {"roles = ['head=a']", "1:9", "\"roles\" must be a table: write [roles]"},
+      {"[roles]\nhead = 1", "2:8", "\"head\" must be a string"},
+      {"[roles]\nneck = 'a'\nhead = 'a'", "3:8", "a role has one joint, and a joint one role"},
+      {"[roles]\n'head=x' = 'a'", "2:1", "a name with ="},
       {"clip-error = '1mm'\nclip-error = '2mm'", "2:14", "no TOML"},
       {"clip-error = '1mm", "1:18", "no TOML"},
       {"\xFF\xFE", "1:1", "no TOML"},
@@ -147,7 +153,7 @@ TEST(Settings, MistakesAreLocated) {
       ++checked;
     }
   }
-  EXPECT_EQ(checked, 23);
+  EXPECT_EQ(checked, 28);
 }
 
 // Whatever the text, an answer: no crash, no endless work.

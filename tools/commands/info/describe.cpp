@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
 #include "common/section_names.h"
 #include "cook/write/report_scene.h"
@@ -40,7 +41,8 @@ ordered_json describe_totals(const LoadedFile& loaded) {
   const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH")) +
                                bytes_of(sections_of(loaded, "SHAP"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
-                                bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")),
+                                bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")) +
+                                bytes_of(sections_of(loaded, "ROLE")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS")),
                     images = bytes_of(sections_of(loaded, "IMAG"));
   return {{"geometry", geometry},
@@ -166,6 +168,7 @@ ordered_json describe_skeletons(const LoadedFile& loaded) {
                    {"spring_chains", file.spring_count(i)},
                    {"spring_joints", spring_joints(file, i)},
                    {"spring_colliders", file.spring_colliders(i).size},
+                   {"roles", describe_roles(file, i)},
                    {"hash", fmt::format("{:016x}", skeleton_hash(file, i))},
                    {"diagonal_m", diagonal(character, i)},
                    {"bytes", sections[i].bytes},

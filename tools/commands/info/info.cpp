@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "commands/info/describe.h"
+#include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
 #include "common/failure.h"
 #include "text/quantity.h"
@@ -216,6 +217,8 @@ class Tree {
            fmt::format("{} joints, {} roots, {}{}{:.3g} m across", s["joints"].get<int>(), s["roots"].get<int>(),
                        s["limits"].get<int>() > 0 ? fmt::format("{} limits, ", s["limits"].get<int>()) : "",
                        springs_of(s), s["diagonal_m"].get<double>()));
+      if (const std::string roles = summary_of_roles(s["roles"]); !roles.empty())
+        below_leaf(i + 1 == r_["skeletons"].size(), "roles", "", roles);
     }
   }
 
@@ -261,6 +264,8 @@ void run_info(const InfoArguments& a) {
     if (a.json) {
       if (!source.is_null()) description["source"] = source;
       all.push_back(std::move(description));
+    } else if (a.roles) {
+      print_roles(description);
     } else {
       if (&in != &a.in.front()) fmt::print("\n");
       print(description, source);

@@ -12,6 +12,7 @@
 #include "common/aligned_bytes.h"
 #include "cook/scene/raw.h"
 #include "marrow/file.h"
+#include "marrow/roles.h"
 
 namespace marrow::cook {
 
@@ -29,6 +30,13 @@ struct BuiltSprings {
   std::vector<SpringCollider> colliders;
 };
 
+// As a ROLE section has it.
+struct BuiltRoles {
+  std::vector<JointRole> roles;
+  std::vector<JointPair> pairs;
+  std::vector<JointSole> soles;
+};
+
 struct BuiltSkeleton {
   std::string name;
   std::vector<std::string> joint_names;
@@ -38,6 +46,7 @@ struct BuiltSkeleton {
   std::vector<int> node_of_joint;  // the way back to the source; kNone: of an outfit, a joint of its body
   std::vector<JointLimit> limits;  // ascending by joint
   BuiltSprings springs;
+  BuiltRoles roles;
 };
 
 // A clip's tracks in segments, as format::CodedHeader has them; frame_count is 0 without.

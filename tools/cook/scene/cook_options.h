@@ -11,6 +11,7 @@
 #include "deform/elastic/elastic_options.h"
 #include "deform/fit/progress.h"
 #include "marrow/file.h"
+#include "marrow/roles.h"
 
 namespace marrow::deform {
 enum class WeightMethod;
@@ -134,6 +135,13 @@ struct ShapeRule {
   RuleOrigin origin = {"[[shapes]]", ""};
 };
 
+// Which joint has a role.
+struct RoleRule {
+  Role role = Role::none;
+  std::string joint;  // its name; empty: none
+  RuleOrigin origin = {"--roles", ""};
+};
+
 // A level of detail.
 struct LodRule {
   double ratio = 1;                         // of the mesh's triangles
@@ -181,6 +189,7 @@ struct CookOptions {
   std::vector<WeightsOverTime> weights_over_time;
   std::string auto_skeleton;  // a template's name, see read_template(); empty: the file's own skeletons
   std::vector<ShapeRule> shapes;
+  std::vector<RoleRule> roles;     // in place of those that are found
   deform::Progress clip_progress;  // of clips that are compressed
 };
 

@@ -201,6 +201,17 @@ Section write_springs(const BuiltSprings& s, std::uint32_t skeleton) {
   return out;
 }
 
+Section write_roles(const BuiltRoles& r, std::uint32_t skeleton) {
+  Section out;
+  const auto l = out.begin(format::RoleHeader{skeleton, static_cast<std::uint16_t>(r.roles.size()),
+                                              static_cast<std::uint16_t>(r.pairs.size()),
+                                              static_cast<std::uint16_t>(r.soles.size()), 0});
+  out.set(l.roles, r.roles);
+  out.set(l.pairs, r.pairs);
+  out.set(l.soles, r.soles);
+  return out;
+}
+
 Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   Section out;
   const auto l = out.begin(format::ExampleHeader{
@@ -337,7 +348,7 @@ class SceneWriter {
     for (const BuiltMaterial& material : scene_.materials) add(format::kMaterials, write_material(material, names_));
     for (const RawImage& image : scene_.images) add(format::kImages, write_image(image, names_));
     for (const BuiltNode& node : scene_.nodes) add(format::kNodes, write_node(node, names_));
-    if (!scene_.is_pack) add_limits_and_springs();
+    if (!scene_.is_pack) add_limits_springs_and_roles();
     for (const BuiltExampleSpace& space : scene_.example_spaces)
       add(format::kExamples, write_example_space(space, names_));
     add_names();
@@ -383,13 +394,15 @@ class SceneWriter {
     out_.geometry_bytes.push_back(entries_.back().record.size());
     need_scratch(g.scratch_bytes);
   }
-  void add_limits_and_springs() {
+  void add_limits_springs_and_roles() {
     const auto count = static_cast<std::uint32_t>(scene_.skeletons.size());
     for (std::uint32_t s = 0; s < count; ++s)
       if (!scene_.skeletons[s].limits.empty()) add(format::kLimits, write_limits(scene_.skeletons[s], s));
     for (std::uint32_t s = 0; s < count; ++s)
       if (!scene_.skeletons[s].springs.chains.empty())
         add(format::kSprings, write_springs(scene_.skeletons[s].springs, s));
+    for (std::uint32_t s = 0; s < count; ++s)
+      if (!scene_.skeletons[s].roles.roles.empty()) add(format::kRoles, write_roles(scene_.skeletons[s].roles, s));
   }
   void add_names() {
     Section pool(names_.pool());

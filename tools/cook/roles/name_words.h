@@ -1,0 +1,78 @@
+// What the words of a joint's name say: "mixamorig:LeftUpLeg" has a side, "up" and "leg".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace marrow::cook {
+
+enum class Side : std::uint8_t { none, left, right };
+
+enum class Word : std::uint8_t {
+  neutral,  // "bone", "joint", "mixamorig"
+  upper,
+  lower,
+  front,
+  back,
+  mid,
+  leg,
+  thigh,
+  shin,
+  knee,
+  ankle,
+  foot,
+  toe,
+  hip,
+  pelvis,
+  spine,
+  chest,
+  neck,
+  head,
+  jaw,
+  mouth,
+  eye,
+  collar,
+  shoulder,
+  arm,
+  humerus,
+  forearm,
+  elbow,
+  wrist,
+  hand,
+  finger,
+  thumb,
+  index,
+  middle,
+  ring,
+  little,
+  palm,
+  tail,
+  root,
+  deform,     // Rigify's DEF-: the joints that vertices follow
+  mechanism,  // its ORG-, which those are made of
+  twist,      // turns along with another joint
+  control,    // moves others, and carries nothing
+  end,        // a point behind the last joint, where nothing hangs on it
+  other,      // a part of a body, or something on it, that has no role
+  unknown,
+};
+
+struct NameWords {
+  Side side = Side::none;
+  std::uint64_t words = 0;           // a bit each
+  std::vector<std::string> numbers;  // behind the first word that is not neutral
+  std::vector<std::string> unknown;  // in small letters
+
+  bool has(Word word) const { return (words >> static_cast<unsigned>(word) & 1) != 0; }
+  template <class... More>
+  bool has(Word word, More... more) const {
+    return has(word) || has(more...);
+  }
+};
+
+// Of any name; costs as much as it is long.
+NameWords words_of(std::string_view name);
+
+}  // namespace marrow::cook

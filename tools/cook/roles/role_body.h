@@ -1,0 +1,71 @@
+// A skeleton as roles are looked for in it, and the roles found so far.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "cook/roles/joint_part.h"
+#include "cook/scene/built.h"
+#include "marrow/roles.h"
+
+namespace marrow::cook {
+
+// What is said of a joint that was left out.
+using Doubt = std::function<void(int joint, const std::string& why)>;
+
+struct Body {
+  std::vector<std::string> names;
+  std::vector<int> parents;  // kNone: a root; before their children
+  std::vector<std::vector<int>> children;
+  std::vector<JointPart> parts;
+  std::vector<std::uint32_t> order;          // of a joint in a walk that goes down first
+  std::vector<std::uint32_t> end_below;      // behind the last of what hangs on it, in that order
+  std::vector<glm::dmat4> model_from_joint;  // at rest
+  std::vector<glm::dvec3> places;            // the same
+  std::vector<char> carries;                 // whether vertices follow a joint; empty: not known
+  std::vector<Role> roles;                   // a joint
+  bool is_nameless = false;                  // limbs were found by their shape
+
+  std::size_t size() const { return parents.size(); }
+  const JointPart& part(int joint) const { return parts[to_index(joint)]; }
+  Role role(int joint) const { return roles[to_index(joint)]; }
+  int parent(int joint) const { return parents[to_index(joint)]; }
+  const glm::dvec3& place(int joint) const { return places[to_index(joint)]; }
+
+  // Itself, or somewhere above.
+  bool is_at_or_above(int above, int joint) const {
+    if (above == kNone || joint == kNone) return false;
+    const std::uint32_t at = order[to_index(joint)];
+    return at >= order[to_index(above)] && at < end_below[to_index(above)];
+  }
+  // The lowest joint that is at or above both; kNone: they have different roots, or one is kNone.
+  int common(int a, int b) const;
+  // From below `above`, which is at or above `joint` or kNone, down to `joint`.
+  std::vector<int> way(int above, int joint) const;
+  // An end in name and in fact: nothing but ends hangs on it.
+  bool is_end(int joint) const;
+
+  // kNone: nothing has it.
+  int joint_of(Role role) const;
+  // A joint keeps the first role that it is given, and a role its first joint.
+  void give(Role role, int joint);
+  void take(Role role);
+  void set(Role role, int joint);  // instead of what both had
+};
+
+// Without the roles and `carries`.
+Body body_of(const BuiltSkeleton& skeleton);
+
+// The role of the other side: of left_hand right_hand, of spine itself.
+Role other_side(Role role);
+// A left role, or the right one that mirrors it.
+inline Role on_side(Role left, Side side) {
+  return side == Side::right ? other_side(left) : left;
+}
+
+}  // namespace marrow::cook
