@@ -35,9 +35,9 @@ std::string other(const std::string& role) {
 }
 
 // What each slot is called on both sides; "" or missing: not there, its children hang on its parent.
-using Names = std::map<std::string, std::pair<std::string, std::string>>;
+using NamesOfRoles = std::map<std::string, std::pair<std::string, std::string>>;
 
-std::string parent_in(const Names& names, const std::string& role, bool right) {
+std::string parent_in(const NamesOfRoles& names, const std::string& role, bool right) {
   for (std::string at = role;;) {
     const auto slot = std::find_if(std::begin(kSlots), std::end(kSlots), [&](const Slot& s) { return at == s.role; });
     at = slot->parent;
@@ -47,7 +47,7 @@ std::string parent_in(const Names& names, const std::string& role, bool right) {
   }
 }
 
-std::vector<BodyJoint> joints_of(const Names& names) {
+std::vector<BodyJoint> joints_of(const NamesOfRoles& names) {
   std::vector<BodyJoint> out;
   for (const Slot& slot : kSlots) {
     const auto found = names.find(slot.role);
@@ -60,7 +60,7 @@ std::vector<BodyJoint> joints_of(const Names& names) {
   return out;
 }
 
-RoleTable table_of(const Names& names) {
+RoleTable table_of(const NamesOfRoles& names) {
   RoleTable out;
   for (const auto& [role, called] : names) {
     out[role] = called.first;
@@ -70,8 +70,9 @@ RoleTable table_of(const Names& names) {
 }
 
 // From the left side's names: `left` in them becomes `right`.
-Names with_sides(const std::map<std::string, std::string>& names, const std::string& left, const std::string& right) {
-  Names out;
+NamesOfRoles with_sides(const std::map<std::string, std::string>& names, const std::string& left,
+                        const std::string& right) {
+  NamesOfRoles out;
   for (const auto& [role, name] : names) {
     std::string mirrored = name;
     if (role.starts_with("left_")) {
@@ -326,7 +327,7 @@ TEST(RoleNames, OfManyPrograms) {
   std::size_t tried = 0;
   for (const Convention& c : conventions()) {
     SCOPED_TRACE(c.name);
-    const Names names = with_sides(c.names, c.left, c.right);
+    const NamesOfRoles names = with_sides(c.names, c.left, c.right);
     std::vector<BodyJoint> joints = joints_of(names);
     joints.insert(joints.end(), c.more.begin(), c.more.end());
     const FoundRoles found = find_roles_of(scene_of(joints));
@@ -339,8 +340,8 @@ TEST(RoleNames, OfManyPrograms) {
   EXPECT_EQ(tried, 12u);
 }
 
-const Names& plain_names() {
-  static const Names names = with_sides(conventions()[0].names, "Left", "Right");
+const NamesOfRoles& plain_names() {
+  static const NamesOfRoles names = with_sides(conventions()[0].names, "Left", "Right");
   return names;
 }
 
@@ -440,7 +441,7 @@ TEST(RoleNames, OfHelpersAreNone) {
 
 // A foot that something else moves is no foot of the leg.
 TEST(RoleNames, MustHangWhereTheyBelong) {
-  Names names = plain_names();
+  NamesOfRoles names = plain_names();
   names.erase("left_foot");
   names.erase("left_toes");
   std::vector<BodyJoint> joints = joints_of(names);
@@ -463,7 +464,7 @@ TEST(RoleNames, OfTwoBodiesInOneAreInDoubt) {
 }
 
 TEST(RoleNames, OfCrossedSidesAreLeftOut) {
-  Names names = plain_names();
+  NamesOfRoles names = plain_names();
   for (auto& [role, called] : names)
     if (role == "left_upper_arm" || role == "left_lower_arm" || role == "left_hand" || role == "left_shoulder")
       std::swap(called.first, called.second);
