@@ -6,7 +6,7 @@
 
 #include "common/evenly.h"
 #include "deform/helpers/not_uglier.h"
-#include "deform/mesh_parts.h"
+#include "deform/look/mesh_parts.h"
 
 namespace marrow::cook {
 namespace {

@@ -9,7 +9,7 @@
 #include "common/parallel.h"
 #include "deform/deformers.h"
 #include "deform/elastic/embedding.h"
-#include "deform/mesh_parts.h"
+#include "deform/look/mesh_parts.h"
 #include "deform/rotation_blend.h"
 #include "deform/rotation_of_matrix.h"
 

@@ -1,4 +1,4 @@
-#include "deform/mesh_parts.h"
+#include "deform/look/mesh_parts.h"
 
 #include <algorithm>
 #include <map>
