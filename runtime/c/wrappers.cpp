@@ -6,9 +6,11 @@
 #include "marrow/bounds.h"
 #include "marrow/call_error.h"
 #include "marrow/character.h"
+#include "marrow/clip_motion.h"
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
 #include "marrow/debug_lines.h"
+#include "marrow/events.h"
 #include "marrow/example_space.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
@@ -99,6 +101,21 @@ void mrw_file_init(mrw_file* out) {
 void mrw_playback_init(mrw_playback* out) {
   MRW_NEEDS(leads_to<Playback>(out), );
   to<Playback>(out) = Playback{};
+}
+
+void mrw_clip_event_init(mrw_clip_event* out) {
+  MRW_NEEDS(leads_to<ClipEvent>(out), );
+  to<ClipEvent>(out) = ClipEvent{};
+}
+
+void mrw_clip_motion_init(mrw_clip_motion* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(out), );
+  to<ClipMotion>(out) = ClipMotion{};
+}
+
+void mrw_event_hit_init(mrw_event_hit* out) {
+  MRW_NEEDS(leads_to<EventHit>(out), );
+  to<EventHit>(out) = EventHit{};
 }
 
 void mrw_sample_options_init(mrw_sample_options* out) {
@@ -590,6 +607,22 @@ float mrw_clip_time(const mrw_playback* playback) {
 bool mrw_finished(const mrw_playback* playback, float duration_s) {
   MRW_NEEDS(leads_to<Playback>(playback), false);
   return marrow::finished(of<Playback>(playback), duration_s);
+}
+
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion), false);
+  return marrow::is_valid(of<ClipMotion>(motion));
+}
+
+mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    bool first, mrw_event_hit* out, size_t out_count, size_t* met) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Playback>(before) && leads_to<Playback>(after) && is_list<EventHit>(out, out_count) && leads_to<std::size_t>(met), MRW_BAD_ARGUMENT);
+  return code(marrow::events_between(of<ClipMotion>(motion), of<Playback>(before), of<Playback>(after), first, span<EventHit>(out, out_count), *met));
+}
+
+bool mrw_is_within(const mrw_clip_event* event, float time_s, float duration_s) {
+  MRW_NEEDS(leads_to<ClipEvent>(event), false);
+  return marrow::is_within(of<ClipEvent>(event), time_s, duration_s);
 }
 
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xb051a95fu
+#define MRW_ABI 0x25fd93eau
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1091,6 +1091,94 @@ float mrw_clip_time(const mrw_playback* playback);
 // Whether a clip that plays once has reached the end that it runs towards; it stays true while time runs on. At speed 0
 // it runs towards no end.
 bool mrw_finished(const mrw_playback* playback, float duration_s);
+
+// ---- Part clip_motion -----------------------------------------------------------------------------------------------
+// What a game asks of a clip beside its poses: how fast it goes, what happens in it, where its steps are, where its
+// root moves. A view, from a file or made by hand; part events, root_motion.h, phase.h and blend_space.h read it.
+
+// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see phase.h.
+#define MRW_MAX_MARKS 64u
+
+// Distances and times of a motion are at most this, in metres and seconds.
+#define MRW_FARTHEST_MOTION 1e12f
+
+// Something that happens in a clip: a moment, as a blow that lands, or a list, as a foot that stands.
+typedef struct mrw_clip_event mrw_clip_event;
+struct mrw_clip_event {
+  float time_s;  // 0 … the clip's duration
+  float until_s;  // ≥ time_s; equal: a moment. Beyond the clip's end it goes on at its start
+  uint32_t name;  // see mrw_file_text
+  float number;  // whatever the game means by it
+};
+void mrw_clip_event_init(mrw_clip_event* out);
+
+// M(t): where the root has moved since the clip's start, in model space. Between keys the translation is linear; the
+// rotation is the normalised sum of the two quaternions (nlerp), on the shorter arc, so keys are less than half a turn
+// apart. Before the first key and after the last M stays.
+typedef struct mrw_root_key mrw_root_key;
+struct mrw_root_key {
+  float time_s;  // 0 … the clip's duration
+  float rotation[4];  // unit quaternion x, y, z, w
+  float translation[3];  // metres
+};
+
+// A clip's motion.
+typedef struct mrw_clip_motion mrw_clip_motion;
+struct mrw_clip_motion {
+  float duration_s;  // the clip's; ≥ 0
+  float speed_m_s;  // over the ground, ≥ 0, also of a clip that walks on the spot
+  float heading[3];  // where to: of unit length, model space; 0: nowhere
+  const mrw_clip_event* events;  // by time_s
+  size_t event_count;
+  const float* phase_marks;  // seconds, strictly ascending, from 0 to below the duration; at most MRW_MAX_MARKS
+  size_t phase_mark_count;
+  const mrw_root_key* root;  // by time, strictly; the first is the identity; empty: the root stays
+  size_t root_count;
+};
+void mrw_clip_motion_init(mrw_clip_motion* out);
+
+// Whether a motion keeps these rules: numbers finite, lists and marks in order, an event no longer than the clip,
+// rotations of unit length within 1e-3. Call it once for a motion that is made by hand; the functions that read motions
+// do not. Cost: once over it all.
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion);
+
+// ---- Part events ----------------------------------------------------------------------------------------------------
+// Events: which of a clip's events a step of its playback met, and whether one goes on now.
+//
+//   const mrw_playback before = playback;
+//   mrw_advance(playback, motion.duration_s, dt_s);
+//   mrw_events_between(motion, before, playback, first, hits, met);
+
+// An event that a step met.
+typedef struct mrw_event_hit mrw_event_hit;
+struct mrw_event_hit {
+  uint32_t event;  // of mrw_clip_motion.events
+  uint32_t count;  // how often: more than once where the step is longer than the clip
+};
+void mrw_event_hit_init(mrw_event_hit* out);
+
+// The events whose time_s the step from `before` to `after` met, in the order in which it met each first. `after` is
+// `before` after one mrw_advance(), at any speed and in any mode.
+//
+// A step does not meet the moment that it starts from, and meets the one where it ends: forwards (before, after],
+// backwards [after, before). So however time is cut into steps, each event is met exactly once each time that time goes
+// over it. `first`: this is the playback's first step, which meets the moment that it starts from, too. In a loop the
+// clip's end and its start are one moment: events at either are met together. A playback that turns round at an end
+// meets the events there once. After a jump of time_s by hand a step is a first one again.
+//
+// out: gets as many as it holds. met: how many events were met; more than out_count if some had no room. A motion has
+// no more than motion.event_count of them, however long the step is. Counts stop where mrw_playback.turns does.
+//
+// Errors: MRW_BAD_ARGUMENT if a list is null, the duration, or a time of the playbacks, is not finite or the duration
+// below 0, after.time_s is outside the clip, or the playbacks are not of one mode; nothing is written. ping_pong takes
+// the direction from after.speed, so dt_s must not have been below 0. Cost: a few comparisons an event, whatever the
+// step. Thread-safe; no allocation.
+mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    bool first, mrw_event_hit* out, size_t out_count, size_t* met) MRW_NODISCARD;
+
+// Whether time_s lies in an event's list, both of its ends included; of a clip of duration_s that loops, if the list
+// goes beyond its end.
+bool mrw_is_within(const mrw_clip_event* event, float time_s, float duration_s);
 
 // ---- Part sample ----------------------------------------------------------------------------------------------------
 // Sample: a clip at a time → local transforms of every joint.

@@ -12,6 +12,8 @@
 #include "marrow/file.h"           // .mrw → Skeleton, Clip, Mesh
 #include "marrow/clip_pack.h"      // clips of another file
 #include "marrow/playback.h"       // a playing clip: time, speed, loop
+#include "marrow/clip_motion.h"    // what a clip does: speed, events, steps, root
+#include "marrow/events.h"         // which events a step met
 #include "marrow/sample.h"         // Clip, time → local pose
 #include "marrow/curve.h"          // keys, easings, patches → numbers
 #include "marrow/blend.h"          // several poses → one

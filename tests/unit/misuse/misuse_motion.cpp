@@ -1,0 +1,61 @@
+// A clip's motion: events, root motion, phase, blend spaces.
+#include <gtest/gtest.h>
+
+#include "unit/misuse/misuse.h"
+
+namespace marrow::test {
+namespace {
+
+const std::vector<ClipEvent> kEvents = {{0, 0, 1, 0}, {0.5f, 0.75f, 2, 1}, {1, 1, 3, 2}};
+const std::vector<float> kMarks = {0.25f, 0.75f};
+const std::vector<RootKey> kRoot = {{0, {0, 0, 0, 1}, {0, 0, 0}}, {1, {0, 0.6f, 0, 0.8f}, {0, 0, 1.5f}}};
+
+// What a function reads of a motion; the rest is good.
+enum class Reads { events, marks, root, all };
+
+ClipMotion motion_of(Misuse& m, Reads reads) {
+  const auto of = [&]<class T>(Reads part, const std::vector<T>& good) {
+    return reads == part || reads == Reads::all ? m.in(good, Length::any) : Span<const T>(good);
+  };
+  return {.duration_s = m.number(1),
+          .speed_m_s = 1.5f,
+          .heading = {0, 0, 1},
+          .events = of(Reads::events, kEvents),
+          .phase_marks = of(Reads::marks, kMarks),
+          .root = of(Reads::root, kRoot)};
+}
+
+Playback playback_of(Misuse& m, float time_s) {
+  return {.time_s = static_cast<double>(m.number(time_s)),
+          .speed = m.number(1),
+          .mode = m.kind(PlayMode::loop),
+          .returning = m.truth(false),
+          .turns = static_cast<std::int32_t>(m.index(0))};
+}
+
+}  // namespace
+
+std::vector<MisuseRow> rows_of_motion() {
+  return {
+      {"is_valid",
+       [](Misuse& m) {
+         (void)is_valid(motion_of(m, Reads::all));
+         m.returned_ok();
+       }},
+      {"events_between",
+       [](Misuse& m) {
+         const Span<EventHit> out = m.out<EventHit>(3, Length::any);
+         std::size_t& met = m.one(std::size_t{0});
+         const Playback before = playback_of(m, 0.25f);
+         m.returned(
+             events_between(motion_of(m, Reads::events), before, playback_of(m, 0.75f), m.truth(false), out, met));
+       }},
+      {"is_within",
+       [](Misuse& m) {
+         (void)is_within({m.number(0.5f), m.number(0.75f), 0, 0}, m.number(0.5f), m.number(1));
+         m.returned_ok();
+       }},
+  };
+}
+
+}  // namespace marrow::test
