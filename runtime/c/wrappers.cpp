@@ -25,6 +25,7 @@
 #include "marrow/palette.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
+#include "marrow/root_motion.h"
 #include "marrow/sample.h"
 #include "marrow/skeleton.h"
 #include "marrow/skin.h"
@@ -116,6 +117,11 @@ void mrw_clip_motion_init(mrw_clip_motion* out) {
 void mrw_event_hit_init(mrw_event_hit* out) {
   MRW_NEEDS(leads_to<EventHit>(out), );
   to<EventHit>(out) = EventHit{};
+}
+
+void mrw_rigid_step_init(mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<RigidStep>(out), );
+  to<RigidStep>(out) = RigidStep{};
 }
 
 void mrw_sample_options_init(mrw_sample_options* out) {
@@ -623,6 +629,29 @@ mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback*
 bool mrw_is_within(const mrw_clip_event* event, float time_s, float duration_s) {
   MRW_NEEDS(leads_to<ClipEvent>(event), false);
   return marrow::is_within(of<ClipEvent>(event), time_s, duration_s);
+}
+
+mrw_status mrw_sample_root(const mrw_clip_motion* motion, float time_s, mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::sample_root(of<ClipMotion>(motion), time_s, to<RigidStep>(out)));
+}
+
+mrw_status mrw_root_step(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Playback>(before) && leads_to<Playback>(after) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::root_step(of<ClipMotion>(motion), of<Playback>(before), of<Playback>(after), to<RigidStep>(out)));
+}
+
+mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, const float* weights,
+    size_t weight_count, mrw_rigid_step* out) {
+  MRW_NEEDS(is_list<RigidStep>(steps, step_count) && is_list<float>(weights, weight_count) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::blend_root_steps(span<const RigidStep>(steps, step_count), span<const float>(weights, weight_count), to<RigidStep>(out)));
+}
+
+mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) {
+  MRW_NEEDS(leads_to<Affine>(world_from_model) && leads_to<RigidStep>(step) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  give<Affine>(out, marrow::move_root(of<Affine>(world_from_model), of<RigidStep>(step)));
+  return MRW_OK;
 }
 
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,

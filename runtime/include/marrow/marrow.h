@@ -14,6 +14,7 @@
 #include "marrow/playback.h"       // a playing clip: time, speed, loop
 #include "marrow/clip_motion.h"    // what a clip does: speed, events, steps, root
 #include "marrow/events.h"         // which events a step met
+#include "marrow/root_motion.h"    // how far a step moves the character
 #include "marrow/sample.h"         // Clip, time → local pose
 #include "marrow/curve.h"          // keys, easings, patches → numbers
 #include "marrow/blend.h"          // several poses → one

@@ -33,6 +33,10 @@ Playback playback_of(Misuse& m, float time_s) {
           .turns = static_cast<std::int32_t>(m.index(0))};
 }
 
+RigidStep step_of(Misuse& m) {
+  return {{0, m.number(0.6f), 0, m.number(0.8f)}, {m.number(1), 0, 2}};
+}
+
 }  // namespace
 
 std::vector<MisuseRow> rows_of_motion() {
@@ -53,6 +57,30 @@ std::vector<MisuseRow> rows_of_motion() {
       {"is_within",
        [](Misuse& m) {
          (void)is_within({m.number(0.5f), m.number(0.75f), 0, 0}, m.number(0.5f), m.number(1));
+         m.returned_ok();
+       }},
+      {"sample_root",
+       [](Misuse& m) {
+         RigidStep& out = m.one(RigidStep{});
+         m.returned(sample_root(motion_of(m, Reads::root), m.number(0.5f), out));
+       }},
+      {"root_step",
+       [](Misuse& m) {
+         RigidStep& out = m.one(RigidStep{});
+         const Playback before = playback_of(m, 0.25f);
+         m.returned(root_step(motion_of(m, Reads::root), before, playback_of(m, 0.75f), out));
+       }},
+      {"blend_root_steps",
+       [](Misuse& m) {
+         RigidStep& out = m.one(RigidStep{});
+         const std::vector<RigidStep> steps = {step_of(m), step_of(m)};
+         const std::vector<float> weights = {m.number(0.5f), 0.5f};
+         const Span<const RigidStep> given = m.in(steps, Length::any);
+         m.returned(blend_root_steps(given, m.in(weights), out));
+       }},
+      {"move_root",
+       [](Misuse& m) {
+         (void)move_root({{{1, 0, 0, m.number(1)}, {0, m.number(1), 0, 0}, {0, 0, 1, 0}}}, step_of(m));
          m.returned_ok();
        }},
   };
