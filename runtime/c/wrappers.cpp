@@ -2,6 +2,7 @@
 #include "c/twin.h"
 
 #include "marrow/blend.h"
+#include "marrow/blend_space.h"
 #include "marrow/block.h"
 #include "marrow/bounds.h"
 #include "marrow/call_error.h"
@@ -23,6 +24,7 @@
 #include "marrow/morph.h"
 #include "marrow/outfit.h"
 #include "marrow/palette.h"
+#include "marrow/phase.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
 #include "marrow/root_motion.h"
@@ -122,6 +124,31 @@ void mrw_event_hit_init(mrw_event_hit* out) {
 void mrw_rigid_step_init(mrw_rigid_step* out) {
   MRW_NEEDS(leads_to<RigidStep>(out), );
   to<RigidStep>(out) = RigidStep{};
+}
+
+void mrw_phase_init(mrw_phase* out) {
+  MRW_NEEDS(leads_to<Phase>(out), );
+  to<Phase>(out) = Phase{};
+}
+
+void mrw_phase_clip_init(mrw_phase_clip* out) {
+  MRW_NEEDS(leads_to<PhaseClip>(out), );
+  to<PhaseClip>(out) = PhaseClip{};
+}
+
+void mrw_plane_point_init(mrw_plane_point* out) {
+  MRW_NEEDS(leads_to<PlanePoint>(out), );
+  to<PlanePoint>(out) = PlanePoint{};
+}
+
+void mrw_plane_triangle_init(mrw_plane_triangle* out) {
+  MRW_NEEDS(leads_to<PlaneTriangle>(out), );
+  to<PlaneTriangle>(out) = PlaneTriangle{};
+}
+
+void mrw_speed_point_init(mrw_speed_point* out) {
+  MRW_NEEDS(leads_to<SpeedPoint>(out), );
+  to<SpeedPoint>(out) = SpeedPoint{};
 }
 
 void mrw_sample_options_init(mrw_sample_options* out) {
@@ -652,6 +679,39 @@ mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_ste
   MRW_NEEDS(leads_to<Affine>(world_from_model) && leads_to<RigidStep>(step) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
   give<Affine>(out, marrow::move_root(of<Affine>(world_from_model), of<RigidStep>(step)));
   return MRW_OK;
+}
+
+mrw_status mrw_phase_at(const mrw_clip_motion* motion, float time_s, mrw_phase* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Phase>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::phase_at(of<ClipMotion>(motion), time_s, to<Phase>(out)));
+}
+
+mrw_status mrw_advance_phase(const mrw_phase_clip* clips, size_t clip_count, float dt_s, mrw_phase* phase) {
+  MRW_NEEDS(is_list<PhaseClip>(clips, clip_count) && leads_to<Phase>(phase), MRW_BAD_ARGUMENT);
+  return code(marrow::advance_phase(span<const PhaseClip>(clips, clip_count), dt_s, to<Phase>(phase)));
+}
+
+mrw_status mrw_follow_phase(const mrw_clip_motion* motion, const mrw_phase* before, const mrw_phase* after,
+    mrw_playback* was, mrw_playback* now) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Phase>(before) && leads_to<Phase>(after) && leads_to<Playback>(was) && leads_to<Playback>(now), MRW_BAD_ARGUMENT);
+  return code(marrow::follow_phase(of<ClipMotion>(motion), of<Phase>(before), of<Phase>(after), to<Playback>(was), to<Playback>(now)));
+}
+
+mrw_status mrw_line_weights(const float* points, size_t point_count, float at, float* weights, size_t weight_count) {
+  MRW_NEEDS(is_list<float>(points, point_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::line_weights(span<const float>(points, point_count), at, span<float>(weights, weight_count)));
+}
+
+mrw_status mrw_plane_weights(const mrw_plane_point* points, size_t point_count, const mrw_plane_triangle* triangles,
+    size_t triangle_count, const mrw_plane_point* at, float* weights, size_t weight_count) {
+  MRW_NEEDS(is_list<PlanePoint>(points, point_count) && is_list<PlaneTriangle>(triangles, triangle_count) && leads_to<PlanePoint>(at) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::plane_weights(span<const PlanePoint>(points, point_count), span<const PlaneTriangle>(triangles, triangle_count), of<PlanePoint>(at), span<float>(weights, weight_count)));
+}
+
+mrw_status mrw_match_speed(const mrw_speed_point* points, size_t point_count, float speed_m_s, float* weights,
+    size_t weight_count, float* rate) {
+  MRW_NEEDS(is_list<SpeedPoint>(points, point_count) && is_list<float>(weights, weight_count) && leads_to<float>(rate), MRW_BAD_ARGUMENT);
+  return code(marrow::match_speed(span<const SpeedPoint>(points, point_count), speed_m_s, span<float>(weights, weight_count), *rate));
 }
 
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,

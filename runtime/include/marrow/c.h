@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x1b7c922fu
+#define MRW_ABI 0xa8d64dc8u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1094,9 +1094,10 @@ bool mrw_finished(const mrw_playback* playback, float duration_s);
 
 // ---- Part clip_motion -----------------------------------------------------------------------------------------------
 // What a game asks of a clip beside its poses: how fast it goes, what happens in it, where its steps are, where its
-// root moves. A view, from a file or made by hand; part events, part root_motion, phase.h and blend_space.h read it.
+// root moves. A view, from a file or made by hand; part events, part root_motion, part phase and part blend_space read
+// it.
 
-// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see phase.h.
+// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see part phase.
 #define MRW_MAX_MARKS 64u
 
 // Distances and times of a motion are at most this, in metres and seconds.
@@ -1225,6 +1226,114 @@ mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, 
 // world_from_model after the step: world_from_model · step. Computed in double and rounded once. Where a game adds up
 // steps for hours, or far from the origin, it may want to keep places in double itself.
 mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) MRW_NODISCARD;
+
+// ---- Part phase -----------------------------------------------------------------------------------------------------
+// Phase: clips of different lengths go through their steps together, so that blended feet come down at one time.
+//
+// Phase marks cut a clip into segments: two for a walk, one a step. A place is a segment and a share of it, and means
+// the same in each clip of a group. A group has one mrw_phase, which mrw_advance_phase() moves on; a clip's time
+// follows from it alone, so no clip can drift.
+
+// Where a group of clips is: plain numbers that may be set, copied and stored at will.
+typedef struct mrw_phase mrw_phase;
+struct mrw_phase {
+  double share;  // of the segment: 0 … below 1
+  uint32_t segment;  // of the group; a clip of n marks takes it modulo n
+  int32_t passed;  // Segments that the last mrw_advance_phase() passed, below 0 backwards. Stops at ±2147483647.
+};
+void mrw_phase_init(mrw_phase* out);
+
+// A clip of a group.
+typedef struct mrw_phase_clip mrw_phase_clip;
+struct mrw_phase_clip {
+  const mrw_clip_motion* motion;  // its duration and phase marks; without marks it is one segment from 0 on
+  float weight;  // 0 … 1e6
+};
+void mrw_phase_clip_init(mrw_phase_clip* out);
+
+// The place of a clip at time_s, with `passed` 0: where a group begins that takes over from this clip. time_s outside
+// the clip counts as its nearest end.
+// Errors: MRW_BAD_ARGUMENT if time_s is no number, there are more than MRW_MAX_MARKS marks, or the duration and the
+// marks do not ascend; nothing is written. Cost: over the marks.
+mrw_status mrw_phase_at(const mrw_clip_motion* motion, float time_s, mrw_phase* out) MRW_NODISCARD;
+
+// Moves `phase` on by dt_s seconds; below 0 backwards.
+//
+// A segment takes the mean of what it takes in each clip, by weight: d = Σ w d_c / Σ w. A group of clips of different
+// numbers of marks has the least common multiple of them as its number of segments, at most MRW_MAX_MARKS: a clip of
+// two marks goes twice through itself while one of four goes once. If the durations are 0 nothing moves.
+//
+// Errors: MRW_BAD_ARGUMENT if there is no clip, a motion is null or as mrw_phase_at() refuses it, the common multiple
+// is more than MRW_MAX_MARKS, a weight is out of range or all are 0, `phase` is not a place, or dt_s is not finite;
+// nothing is written. Cost: over the group's segments and clips. Thread-safe on different phases.
+mrw_status mrw_advance_phase(const mrw_phase_clip* clips, size_t clip_count, float dt_s,
+    mrw_phase* phase) MRW_NODISCARD;
+
+// The playback of one clip of the group, now and before the last step: `before` and `after` are the group's phase
+// before and after one mrw_advance_phase(). was, now: of mode loop, as mrw_advance() would leave them, now.turns
+// included, for mrw_events_between(), mrw_root_step() and mrw_clip_time(). Errors: MRW_BAD_ARGUMENT if the motion is as
+// mrw_phase_at() refuses it, or a phase is not a place; nothing is written.
+mrw_status mrw_follow_phase(const mrw_clip_motion* motion, const mrw_phase* before, const mrw_phase* after,
+    mrw_playback* was, mrw_playback* now) MRW_NODISCARD;
+
+// ---- Part blend_space -----------------------------------------------------------------------------------------------
+// Blend spaces: a number or two of a game → weights of clips that stand at points, and the speed that it asks for.
+
+// A point of a plane.
+typedef struct mrw_plane_point mrw_plane_point;
+struct mrw_plane_point {
+  float x;  // at most 1e12
+  float y;  // at most 1e12
+};
+void mrw_plane_point_init(mrw_plane_point* out);
+
+// Three points of it, counter-clockwise.
+typedef struct mrw_plane_triangle mrw_plane_triangle;
+struct mrw_plane_triangle {
+  uint32_t corners[3];
+};
+void mrw_plane_triangle_init(mrw_plane_triangle* out);
+
+// A clip that moves over the ground, in a group of clips that go by one phase (part phase).
+typedef struct mrw_speed_point mrw_speed_point;
+struct mrw_speed_point {
+  float speed_m_s;  // ≥ 0; mrw_clip_motion.speed_m_s
+  float duration_s;  // > 0; of as many segments as the others' durations are
+};
+void mrw_speed_point_init(mrw_speed_point* out);
+
+// Weights of points on a line: the two beside `at` share them, and beyond an end that point has all.
+//
+// points: strictly ascending. weights: at least point_count; the first point_count are written. Their sum is 1 within
+// 1e-6; a point has exactly 1 where it stands; they are continuous in `at`.
+// Errors: MRW_BAD_ARGUMENT if there is no point, they do not ascend or are not finite, `at` is no number, or a list is
+// too short; nothing is written. Cost: over the points.
+mrw_status mrw_line_weights(const float* points, size_t point_count, float at, float* weights,
+    size_t weight_count) MRW_NODISCARD;
+
+// Weights of points in a plane, over triangles that cover what they list, as Delaunay's do: inside a triangle its
+// corners share the weight by areas. Outside of all the nearest point of the triangles counts.
+//
+// weights: at least point_count; the first point_count are written. Their sum is 1 within 1e-6; a point that is a
+// corner has exactly 1 where it stands. Weights are continuous where triangles meet in whole edges and what they cover
+// is convex. Errors: MRW_BAD_ARGUMENT if there is no triangle, one has a corner that is no point, or is not
+// counter-clockwise, `at` or a point is not finite or beyond 1e12, or a list is too short; nothing is written. Cost:
+// over the triangles; outside of all of them some 20 operations an edge.
+mrw_status mrw_plane_weights(const mrw_plane_point* points, size_t point_count, const mrw_plane_triangle* triangles,
+    size_t triangle_count, const mrw_plane_point* at, float* weights, size_t weight_count) MRW_NODISCARD;
+
+// Weights of clips in step, such that their blend goes at exactly speed_m_s.
+//
+// Linear weights miss it, as the slower clip's steps take longer. With strides s = speed · duration, the share of the
+// faster neighbour is w = (v t0 - s0) / ((s1 - s0) - v (t1 - t0)). rate: what to multiply dt_s by. It is 1 between the
+// slowest and the fastest clip. Below the slowest, and above the fastest, that clip has all the weight, and plays
+// slower, or faster; a slowest clip of speed 0 keeps rate 1.
+//
+// points: by speed, strictly ascending. speed_m_s: below 0 counts as 0. weights: at least point_count; the first
+// point_count are written. Errors: MRW_BAD_ARGUMENT if there is no point, they are not as said, or a number is not
+// finite or beyond 1e12, or the rate is not finite; nothing is written. Cost: over the points.
+mrw_status mrw_match_speed(const mrw_speed_point* points, size_t point_count, float speed_m_s, float* weights,
+    size_t weight_count, float* rate) MRW_NODISCARD;
 
 // ---- Part sample ----------------------------------------------------------------------------------------------------
 // Sample: a clip at a time → local transforms of every joint.

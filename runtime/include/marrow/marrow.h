@@ -15,6 +15,8 @@
 #include "marrow/clip_motion.h"    // what a clip does: speed, events, steps, root
 #include "marrow/events.h"         // which events a step met
 #include "marrow/root_motion.h"    // how far a step moves the character
+#include "marrow/phase.h"          // clips in step
+#include "marrow/blend_space.h"    // numbers of a game → weights of clips
 #include "marrow/sample.h"         // Clip, time → local pose
 #include "marrow/curve.h"          // keys, easings, patches → numbers
 #include "marrow/blend.h"          // several poses → one

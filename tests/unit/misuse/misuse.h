@@ -22,7 +22,7 @@ template <class T>
 inline constexpr bool kIsFloats =
     std::is_same_v<T, float> || std::is_same_v<T, SoaTransform> || std::is_same_v<T, Affine> ||
     std::is_same_v<T, AdditiveTransform> || std::is_same_v<T, InertialOffset> || std::is_same_v<T, RigidStep> ||
-    std::is_same_v<T, RootKey>;
+    std::is_same_v<T, RootKey> || std::is_same_v<T, PlanePoint> || std::is_same_v<T, SpeedPoint>;
 
 // How long a list must be at least: as it is, or nothing at all, or anything.
 enum class Length { exact, exact_or_none, any };

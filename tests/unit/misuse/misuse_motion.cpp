@@ -9,6 +9,9 @@ namespace {
 const std::vector<ClipEvent> kEvents = {{0, 0, 1, 0}, {0.5f, 0.75f, 2, 1}, {1, 1, 3, 2}};
 const std::vector<float> kMarks = {0.25f, 0.75f};
 const std::vector<RootKey> kRoot = {{0, {0, 0, 0, 1}, {0, 0, 0}}, {1, {0, 0.6f, 0, 0.8f}, {0, 0, 1.5f}}};
+const std::vector<PlanePoint> kPoints = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+const std::vector<PlaneTriangle> kTriangles = {{{0, 1, 2}}, {{3, 2, 1}}};
+const std::vector<SpeedPoint> kSpeeds = {{1, 1}, {3, 0.75f}};
 
 // What a function reads of a motion; the rest is good.
 enum class Reads { events, marks, root, all };
@@ -31,6 +34,10 @@ Playback playback_of(Misuse& m, float time_s) {
           .mode = m.kind(PlayMode::loop),
           .returning = m.truth(false),
           .turns = static_cast<std::int32_t>(m.index(0))};
+}
+
+Phase phase_of(Misuse& m) {
+  return {static_cast<double>(m.number(0.5f)), m.index(1), static_cast<std::int32_t>(m.index(1))};
 }
 
 RigidStep step_of(Misuse& m) {
@@ -82,6 +89,42 @@ std::vector<MisuseRow> rows_of_motion() {
        [](Misuse& m) {
          (void)move_root({{{1, 0, 0, m.number(1)}, {0, m.number(1), 0, 0}, {0, 0, 1, 0}}}, step_of(m));
          m.returned_ok();
+       }},
+      {"phase_at",
+       [](Misuse& m) {
+         Phase& out = m.one(Phase{});
+         m.returned(phase_at(motion_of(m, Reads::marks), m.number(0.5f), out));
+       }},
+      {"advance_phase",
+       [](Misuse& m) {
+         Phase& phase = m.one(phase_of(m));
+         const ClipMotion motions[] = {motion_of(m, Reads::marks), motion_of(m, Reads::marks)};
+         const std::vector<PhaseClip> clips = {{m.pointer(&motions[0]), m.number(1)}, {&motions[1], m.number(0.5f)}};
+         m.returned(advance_phase(m.in(clips, Length::any), m.number(0.1f), phase));
+       }},
+      {"follow_phase",
+       [](Misuse& m) {
+         Playback &from = m.one(Playback{}), &to = m.one(Playback{});
+         const Phase before = phase_of(m);
+         m.returned(follow_phase(motion_of(m, Reads::marks), before, phase_of(m), from, to));
+       }},
+      {"line_weights",
+       [](Misuse& m) {
+         const std::vector<float> points = {0, 1, m.number(3)};
+         const Span<float> out = m.out<float>(3);
+         m.returned(line_weights(m.in(points, Length::any), m.number(0.5f), out));
+       }},
+      {"plane_weights",
+       [](Misuse& m) {
+         const Span<float> out = m.out<float>(4);
+         const Span<const PlaneTriangle> triangles = m.in(kTriangles, Length::any);
+         m.returned(plane_weights(m.in(kPoints, Length::any), triangles, {m.number(0.5f), m.number(0.25f)}, out));
+       }},
+      {"match_speed",
+       [](Misuse& m) {
+         const Span<float> out = m.out<float>(2);
+         float& rate = m.one(0.0f);
+         m.returned(match_speed(m.in(kSpeeds, Length::any), m.number(2), out, rate));
        }},
   };
 }
