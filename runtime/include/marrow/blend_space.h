@@ -24,7 +24,7 @@ struct PlanePoint {
 };
 // Three points of it, counter-clockwise.
 struct PlaneTriangle {
-  std::uint32_t corners[3] = {};
+  std::uint32_t corners[3] = {};  // which points
 };
 
 // Weights of points in a plane, over triangles that cover what they span, as Delaunay's do: inside a triangle its

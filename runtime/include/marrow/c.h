@@ -1290,7 +1290,7 @@ void mrw_plane_point_init(mrw_plane_point* out);
 // Three points of it, counter-clockwise.
 typedef struct mrw_plane_triangle mrw_plane_triangle;
 struct mrw_plane_triangle {
-  uint32_t corners[3];
+  uint32_t corners[3];  // which points
 };
 void mrw_plane_triangle_init(mrw_plane_triangle* out);
 
