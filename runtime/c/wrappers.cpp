@@ -2,13 +2,16 @@
 #include "c/twin.h"
 
 #include "marrow/blend.h"
+#include "marrow/blend_space.h"
 #include "marrow/block.h"
 #include "marrow/bounds.h"
 #include "marrow/call_error.h"
 #include "marrow/character.h"
+#include "marrow/clip_motion.h"
 #include "marrow/clip_pack.h"
 #include "marrow/curve.h"
 #include "marrow/debug_lines.h"
+#include "marrow/events.h"
 #include "marrow/example_space.h"
 #include "marrow/feet.h"
 #include "marrow/file.h"
@@ -21,9 +24,11 @@
 #include "marrow/morph.h"
 #include "marrow/outfit.h"
 #include "marrow/palette.h"
+#include "marrow/phase.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
 #include "marrow/roles.h"
+#include "marrow/root_motion.h"
 #include "marrow/sample.h"
 #include "marrow/skeleton.h"
 #include "marrow/skin.h"
@@ -100,6 +105,51 @@ void mrw_file_init(mrw_file* out) {
 void mrw_playback_init(mrw_playback* out) {
   MRW_NEEDS(leads_to<Playback>(out), );
   to<Playback>(out) = Playback{};
+}
+
+void mrw_clip_event_init(mrw_clip_event* out) {
+  MRW_NEEDS(leads_to<ClipEvent>(out), );
+  to<ClipEvent>(out) = ClipEvent{};
+}
+
+void mrw_clip_motion_init(mrw_clip_motion* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(out), );
+  to<ClipMotion>(out) = ClipMotion{};
+}
+
+void mrw_event_hit_init(mrw_event_hit* out) {
+  MRW_NEEDS(leads_to<EventHit>(out), );
+  to<EventHit>(out) = EventHit{};
+}
+
+void mrw_rigid_step_init(mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<RigidStep>(out), );
+  to<RigidStep>(out) = RigidStep{};
+}
+
+void mrw_phase_init(mrw_phase* out) {
+  MRW_NEEDS(leads_to<Phase>(out), );
+  to<Phase>(out) = Phase{};
+}
+
+void mrw_phase_clip_init(mrw_phase_clip* out) {
+  MRW_NEEDS(leads_to<PhaseClip>(out), );
+  to<PhaseClip>(out) = PhaseClip{};
+}
+
+void mrw_plane_point_init(mrw_plane_point* out) {
+  MRW_NEEDS(leads_to<PlanePoint>(out), );
+  to<PlanePoint>(out) = PlanePoint{};
+}
+
+void mrw_plane_triangle_init(mrw_plane_triangle* out) {
+  MRW_NEEDS(leads_to<PlaneTriangle>(out), );
+  to<PlaneTriangle>(out) = PlaneTriangle{};
+}
+
+void mrw_speed_point_init(mrw_speed_point* out) {
+  MRW_NEEDS(leads_to<SpeedPoint>(out), );
+  to<SpeedPoint>(out) = SpeedPoint{};
 }
 
 void mrw_sample_options_init(mrw_sample_options* out) {
@@ -625,6 +675,78 @@ float mrw_clip_time(const mrw_playback* playback) {
 bool mrw_finished(const mrw_playback* playback, float duration_s) {
   MRW_NEEDS(leads_to<Playback>(playback), false);
   return marrow::finished(of<Playback>(playback), duration_s);
+}
+
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion), false);
+  return marrow::is_valid(of<ClipMotion>(motion));
+}
+
+mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    bool first, mrw_event_hit* out, size_t out_count, size_t* met) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Playback>(before) && leads_to<Playback>(after) && is_list<EventHit>(out, out_count) && leads_to<std::size_t>(met), MRW_BAD_ARGUMENT);
+  return code(marrow::events_between(of<ClipMotion>(motion), of<Playback>(before), of<Playback>(after), first, span<EventHit>(out, out_count), *met));
+}
+
+bool mrw_is_within(const mrw_clip_event* event, float time_s, float duration_s) {
+  MRW_NEEDS(leads_to<ClipEvent>(event), false);
+  return marrow::is_within(of<ClipEvent>(event), time_s, duration_s);
+}
+
+mrw_status mrw_sample_root(const mrw_clip_motion* motion, float time_s, mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::sample_root(of<ClipMotion>(motion), time_s, to<RigidStep>(out)));
+}
+
+mrw_status mrw_root_step(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Playback>(before) && leads_to<Playback>(after) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::root_step(of<ClipMotion>(motion), of<Playback>(before), of<Playback>(after), to<RigidStep>(out)));
+}
+
+mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, const float* weights,
+    size_t weight_count, mrw_rigid_step* out) {
+  MRW_NEEDS(is_list<RigidStep>(steps, step_count) && is_list<float>(weights, weight_count) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::blend_root_steps(span<const RigidStep>(steps, step_count), span<const float>(weights, weight_count), to<RigidStep>(out)));
+}
+
+mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) {
+  MRW_NEEDS(leads_to<Affine>(world_from_model) && leads_to<RigidStep>(step) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  give<Affine>(out, marrow::move_root(of<Affine>(world_from_model), of<RigidStep>(step)));
+  return MRW_OK;
+}
+
+mrw_status mrw_phase_at(const mrw_clip_motion* motion, float time_s, mrw_phase* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Phase>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::phase_at(of<ClipMotion>(motion), time_s, to<Phase>(out)));
+}
+
+mrw_status mrw_advance_phase(const mrw_phase_clip* clips, size_t clip_count, float dt_s, mrw_phase* phase) {
+  MRW_NEEDS(is_list<PhaseClip>(clips, clip_count) && leads_to<Phase>(phase), MRW_BAD_ARGUMENT);
+  return code(marrow::advance_phase(span<const PhaseClip>(clips, clip_count), dt_s, to<Phase>(phase)));
+}
+
+mrw_status mrw_follow_phase(const mrw_clip_motion* motion, const mrw_phase* before, const mrw_phase* after,
+    mrw_playback* was, mrw_playback* now) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion) && leads_to<Phase>(before) && leads_to<Phase>(after) && leads_to<Playback>(was) && leads_to<Playback>(now), MRW_BAD_ARGUMENT);
+  return code(marrow::follow_phase(of<ClipMotion>(motion), of<Phase>(before), of<Phase>(after), to<Playback>(was), to<Playback>(now)));
+}
+
+mrw_status mrw_line_weights(const float* points, size_t point_count, float at, float* weights, size_t weight_count) {
+  MRW_NEEDS(is_list<float>(points, point_count) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::line_weights(span<const float>(points, point_count), at, span<float>(weights, weight_count)));
+}
+
+mrw_status mrw_plane_weights(const mrw_plane_point* points, size_t point_count, const mrw_plane_triangle* triangles,
+    size_t triangle_count, const mrw_plane_point* at, float* weights, size_t weight_count) {
+  MRW_NEEDS(is_list<PlanePoint>(points, point_count) && is_list<PlaneTriangle>(triangles, triangle_count) && leads_to<PlanePoint>(at) && is_list<float>(weights, weight_count), MRW_BAD_ARGUMENT);
+  return code(marrow::plane_weights(span<const PlanePoint>(points, point_count), span<const PlaneTriangle>(triangles, triangle_count), of<PlanePoint>(at), span<float>(weights, weight_count)));
+}
+
+mrw_status mrw_match_speed(const mrw_speed_point* points, size_t point_count, float speed_m_s, float* weights,
+    size_t weight_count, float* rate) {
+  MRW_NEEDS(is_list<SpeedPoint>(points, point_count) && is_list<float>(weights, weight_count) && leads_to<float>(rate), MRW_BAD_ARGUMENT);
+  return code(marrow::match_speed(span<const SpeedPoint>(points, point_count), speed_m_s, span<float>(weights, weight_count), *rate));
 }
 
 mrw_status mrw_sample(const mrw_skeleton* skeleton, const mrw_clip* clip, float time_s, mrw_soa_transform* out,

@@ -101,5 +101,10 @@ template <>
 inline One all_lanes(float value) {
   return {splat(value)};
 }
+// Of rigid.h alone.
+template <>
+inline double all_lanes(float value) {
+  return static_cast<double>(value);
+}
 
 }  // namespace marrow

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xc5f5a133u
+#define MRW_ABI 0xbfcc15acu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1220,6 +1220,249 @@ float mrw_clip_time(const mrw_playback* playback);
 // Whether a clip that plays once has reached the end that it runs towards; it stays true while time runs on. At speed 0
 // it runs towards no end.
 bool mrw_finished(const mrw_playback* playback, float duration_s);
+
+// ---- Part clip_motion -----------------------------------------------------------------------------------------------
+// What a game asks of a clip beside its poses: how fast it goes, what happens in it, where its steps are, where its
+// root moves. A view, from a file or made by hand; part events, part root_motion, part phase and part blend_space read
+// it.
+
+// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see part phase.
+#define MRW_MAX_MARKS 64u
+
+// Distances and times of a motion are at most this, in metres and seconds.
+#define MRW_FARTHEST_MOTION 1e12f
+
+// Something that happens in a clip: a moment, as a blow that lands, or a list, as a foot that stands.
+typedef struct mrw_clip_event mrw_clip_event;
+struct mrw_clip_event {
+  float time_s;  // 0 … the clip's duration
+  float until_s;  // ≥ time_s; equal: a moment. Beyond the clip's end it goes on at its start
+  uint32_t name;  // see mrw_file_text
+  float number;  // whatever the game means by it
+};
+void mrw_clip_event_init(mrw_clip_event* out);
+
+// M(t): where the root has moved since the clip's start, in model space. Between keys the translation is linear; the
+// rotation is the normalised sum of the two quaternions (nlerp), on the shorter arc, so keys are less than half a turn
+// apart. Before the first key and after the last M stays.
+typedef struct mrw_root_key mrw_root_key;
+struct mrw_root_key {
+  float time_s;  // 0 … the clip's duration
+  float rotation[4];  // unit quaternion x, y, z, w
+  float translation[3];  // metres
+};
+
+// A clip's motion.
+typedef struct mrw_clip_motion mrw_clip_motion;
+struct mrw_clip_motion {
+  float duration_s;  // the clip's; ≥ 0
+  float speed_m_s;  // over the ground, ≥ 0, also of a clip that walks on the spot
+  float heading[3];  // where to: of unit length, model space; 0: nowhere
+  const mrw_clip_event* events;  // by time_s
+  size_t event_count;
+  const float* phase_marks;  // seconds, strictly ascending, from 0 to below the duration; at most MRW_MAX_MARKS
+  size_t phase_mark_count;
+  const mrw_root_key* root;  // by time, strictly; the first is the identity; empty: the root stays
+  size_t root_count;
+};
+void mrw_clip_motion_init(mrw_clip_motion* out);
+
+// Whether a motion keeps these rules: numbers finite, lists and marks in order, an event no longer than the clip,
+// rotations of unit length within 1e-3. Call it once for a motion that is made by hand; the functions that read motions
+// do not. Cost: once over it all.
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion);
+
+// ---- Part events ----------------------------------------------------------------------------------------------------
+// Events: which of a clip's events a step of its playback met, and whether one goes on now.
+//
+//   const mrw_playback before = playback;
+//   mrw_advance(playback, motion.duration_s, dt_s);
+//   mrw_events_between(motion, before, playback, first, hits, met);
+
+// An event that a step met.
+typedef struct mrw_event_hit mrw_event_hit;
+struct mrw_event_hit {
+  uint32_t event;  // of mrw_clip_motion.events
+  uint32_t count;  // how often: more than once where the step is longer than the clip
+};
+void mrw_event_hit_init(mrw_event_hit* out);
+
+// The events whose time_s the step from `before` to `after` met, in the order in which it met each first. `after` is
+// `before` after one mrw_advance(), at any speed and in any mode.
+//
+// A step does not meet the moment that it starts from, and meets the one where it ends: forwards (before, after],
+// backwards [after, before). So however time is cut into steps, each event is met exactly once each time that time goes
+// over it. `first`: this is the playback's first step, which meets the moment that it starts from, too. In a loop the
+// clip's end and its start are one moment: events at either are met together. A playback that turns round at an end
+// meets the events there once. After a jump of time_s by hand a step is a first one again.
+//
+// out: gets as many as it holds. met: how many events were met; more than out_count if some had no room. A motion has
+// no more than motion.event_count of them, however long the step is. Counts stop where mrw_playback.turns does.
+//
+// Errors: MRW_BAD_ARGUMENT if a list is null, the duration, or a time of the playbacks, is not finite or the duration
+// below 0, after.time_s is outside the clip, or the playbacks are not of one mode; nothing is written. ping_pong takes
+// the direction from after.speed, so dt_s must not have been below 0. Cost: a few comparisons an event, whatever the
+// step. Thread-safe; no allocation.
+mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    bool first, mrw_event_hit* out, size_t out_count, size_t* met) MRW_NODISCARD;
+
+// Whether time_s lies in an event's list, both of its ends included; of a clip of duration_s that loops, if the list
+// goes beyond its end.
+bool mrw_is_within(const mrw_clip_event* event, float time_s, float duration_s);
+
+// ---- Part root_motion -----------------------------------------------------------------------------------------------
+// Root motion: how far a step of a clip moves the character, blends of such steps, and the character moved by them.
+//
+//   mrw_root_step(walk, before, playback, step);
+//   world_from_model = mrw_move_root(world_from_model, step);
+
+// A rigid motion: a rotation, then a translation.
+typedef struct mrw_rigid_step mrw_rigid_step;
+struct mrw_rigid_step {
+  float rotation[4];  // unit quaternion x, y, z, w
+  float translation[3];  // metres
+};
+void mrw_rigid_step_init(mrw_rigid_step* out);
+
+// M(t), see mrw_root_key: where the root is at time_s, in the model space of the clip's start. The identity for a
+// motion without keys.
+// Errors: MRW_BAD_ARGUMENT if the keys' list is null, time_s is no number, or what the keys give is not finite; nothing
+// is written. Cost: a binary search and some dozen operations.
+mrw_status mrw_sample_root(const mrw_clip_motion* motion, float time_s, mrw_rigid_step* out) MRW_NODISCARD;
+
+// How the root moved from `before` to `after`, which is `before` after one mrw_advance(): in the model space that the
+// character had before the step. Any speed, mode and number of turns.
+//
+//   step = M(t0)⁻¹ · Lⁿ · M(t1) with L = M(duration)
+// and n rounds of a loop; a playback that turns round, or plays once, has n = 0. So however time is cut into steps,
+// their product is the same within rounding. In double precision; n rounds are off by less than 1e-6 m and 2⁻²⁴ of the
+// way, n ≤ 10⁶. rotation: w ≥ 0.
+// Errors: MRW_BAD_ARGUMENT as mrw_events_between(), and if the result is not finite; nothing is written. Cost: two
+// mrw_sample_root(); in a loop the logarithm of n products.
+mrw_status mrw_root_step(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,
+    mrw_rigid_step* out) MRW_NODISCARD;
+
+// The step of a blend of clips: exp(Σ w log(step) / Σ w), with the logarithm of a rigid motion being its screw. A mean
+// of a straight walk and a turn is then the same way at any frame rate, which it would not be of lengths and angles.
+//
+// steps, weights: one weight for each step, ≥ 0. If all are 0 the result is the identity. Steps are no longer than
+// half a turn, and taken the shorter way round. Rotations need not be quite of unit length.
+// Errors: MRW_BAD_ARGUMENT if a list is too short or null, a weight is below 0 or above 1e6, or the result is not
+// finite; nothing is written. Cost: some 200 operations in double precision a step of weight above 0.
+mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, const float* weights,
+    size_t weight_count, mrw_rigid_step* out) MRW_NODISCARD;
+
+// world_from_model after the step: world_from_model · step. Computed in double and rounded once. Where a game adds up
+// steps for hours, or far from the origin, it may want to keep places in double itself.
+mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) MRW_NODISCARD;
+
+// ---- Part phase -----------------------------------------------------------------------------------------------------
+// Phase: clips of different lengths go through their steps together, so that blended feet come down at one time.
+//
+// Phase marks cut a clip into segments: two for a walk, one a step. A place is a segment and a share of it, and means
+// the same in each clip of a group. A group has one mrw_phase, which mrw_advance_phase() moves on; a clip's time
+// follows from it alone, so no clip can drift.
+
+// Where a group of clips is: plain numbers that may be set, copied and stored at will.
+typedef struct mrw_phase mrw_phase;
+struct mrw_phase {
+  double share;  // of the segment: 0 … below 1
+  uint32_t segment;  // of the group; a clip of n marks takes it modulo n
+  int32_t passed;  // Segments that the last mrw_advance_phase() passed, below 0 backwards. Stops at ±2147483647.
+};
+void mrw_phase_init(mrw_phase* out);
+
+// A clip of a group.
+typedef struct mrw_phase_clip mrw_phase_clip;
+struct mrw_phase_clip {
+  const mrw_clip_motion* motion;  // its duration and phase marks; without marks it is one segment from 0 on
+  float weight;  // 0 … 1e6
+};
+void mrw_phase_clip_init(mrw_phase_clip* out);
+
+// The place of a clip at time_s, with `passed` 0: where a group begins that takes over from this clip. time_s outside
+// the clip counts as its nearest end.
+// Errors: MRW_BAD_ARGUMENT if time_s is no number, there are more than MRW_MAX_MARKS marks, or the duration and the
+// marks do not ascend; nothing is written. Cost: over the marks.
+mrw_status mrw_phase_at(const mrw_clip_motion* motion, float time_s, mrw_phase* out) MRW_NODISCARD;
+
+// Moves `phase` on by dt_s seconds; below 0 backwards.
+//
+// A segment takes the mean of what it takes in each clip, by weight: d = Σ w d_c / Σ w. A group of clips of different
+// numbers of marks has the least common multiple of them as its number of segments, at most MRW_MAX_MARKS: a clip of
+// two marks goes twice through itself while one of four goes once. If the durations are 0 nothing moves.
+//
+// Errors: MRW_BAD_ARGUMENT if there is no clip, a motion is null or as mrw_phase_at() refuses it, the common multiple
+// is more than MRW_MAX_MARKS, a weight is out of range or all are 0, `phase` is not a place, or dt_s is not finite;
+// nothing is written. Cost: over the group's segments and clips. Thread-safe on different phases.
+mrw_status mrw_advance_phase(const mrw_phase_clip* clips, size_t clip_count, float dt_s,
+    mrw_phase* phase) MRW_NODISCARD;
+
+// The playback of one clip of the group, now and before the last step: `before` and `after` are the group's phase
+// before and after one mrw_advance_phase(). was, now: of mode loop, as mrw_advance() would leave them, now.turns
+// included, for mrw_events_between(), mrw_root_step() and mrw_clip_time(). Errors: MRW_BAD_ARGUMENT if the motion is as
+// mrw_phase_at() refuses it, or a phase is not a place; nothing is written.
+mrw_status mrw_follow_phase(const mrw_clip_motion* motion, const mrw_phase* before, const mrw_phase* after,
+    mrw_playback* was, mrw_playback* now) MRW_NODISCARD;
+
+// ---- Part blend_space -----------------------------------------------------------------------------------------------
+// Blend spaces: a number or two of a game → weights of clips that stand at points, and the speed that it asks for.
+
+// A point of a plane.
+typedef struct mrw_plane_point mrw_plane_point;
+struct mrw_plane_point {
+  float x;  // at most 1e12
+  float y;  // at most 1e12
+};
+void mrw_plane_point_init(mrw_plane_point* out);
+
+// Three points of it, counter-clockwise.
+typedef struct mrw_plane_triangle mrw_plane_triangle;
+struct mrw_plane_triangle {
+  uint32_t corners[3];  // which points
+};
+void mrw_plane_triangle_init(mrw_plane_triangle* out);
+
+// A clip that moves over the ground, in a group of clips that go by one phase (part phase).
+typedef struct mrw_speed_point mrw_speed_point;
+struct mrw_speed_point {
+  float speed_m_s;  // ≥ 0; mrw_clip_motion.speed_m_s
+  float duration_s;  // > 0; of as many segments as the others' durations are
+};
+void mrw_speed_point_init(mrw_speed_point* out);
+
+// Weights of points on a line: the two beside `at` share them, and beyond an end that point has all.
+//
+// points: strictly ascending. weights: at least point_count; the first point_count are written. Their sum is 1 within
+// 1e-6; a point has exactly 1 where it stands; they are continuous in `at`.
+// Errors: MRW_BAD_ARGUMENT if there is no point, they do not ascend or are not finite, `at` is no number, or a list is
+// too short; nothing is written. Cost: over the points.
+mrw_status mrw_line_weights(const float* points, size_t point_count, float at, float* weights,
+    size_t weight_count) MRW_NODISCARD;
+
+// Weights of points in a plane, over triangles that cover what they list, as Delaunay's do: inside a triangle its
+// corners share the weight by areas. Outside of all the nearest point of the triangles counts.
+//
+// weights: at least point_count; the first point_count are written. Their sum is 1 within 1e-6; a point that is a
+// corner has exactly 1 where it stands. Weights are continuous where triangles meet in whole edges and what they cover
+// is convex. Errors: MRW_BAD_ARGUMENT if there is no triangle, one has a corner that is no point, or is not
+// counter-clockwise, `at` or a point is not finite or beyond 1e12, or a list is too short; nothing is written. Cost:
+// over the triangles; outside of all of them some 20 operations an edge.
+mrw_status mrw_plane_weights(const mrw_plane_point* points, size_t point_count, const mrw_plane_triangle* triangles,
+    size_t triangle_count, const mrw_plane_point* at, float* weights, size_t weight_count) MRW_NODISCARD;
+
+// Weights of clips in step, such that their blend goes at exactly speed_m_s.
+//
+// Linear weights miss it, as the slower clip's steps take longer. With strides s = speed · duration, the share of the
+// faster neighbour is w = (v t0 - s0) / ((s1 - s0) - v (t1 - t0)). rate: what to multiply dt_s by. It is 1 between the
+// slowest and the fastest clip. Below the slowest, and above the fastest, that clip has all the weight, and plays
+// slower, or faster; a slowest clip of speed 0 keeps rate 1.
+//
+// points: by speed, strictly ascending. speed_m_s: below 0 counts as 0. weights: at least point_count; the first
+// point_count are written. Errors: MRW_BAD_ARGUMENT if there is no point, they are not as said, or a number is not
+// finite or beyond 1e12, or the rate is not finite; nothing is written. Cost: over the points.
+mrw_status mrw_match_speed(const mrw_speed_point* points, size_t point_count, float speed_m_s, float* weights,
+    size_t weight_count, float* rate) MRW_NODISCARD;
 
 // ---- Part sample ----------------------------------------------------------------------------------------------------
 // Sample: a clip at a time → local transforms of every joint.

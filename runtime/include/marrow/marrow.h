@@ -13,6 +13,11 @@
 #include "marrow/roles.h"          // which joint is the left foot
 #include "marrow/clip_pack.h"      // clips of another file
 #include "marrow/playback.h"       // a playing clip: time, speed, loop
+#include "marrow/clip_motion.h"    // what a clip does: speed, events, steps, root
+#include "marrow/events.h"         // which events a step met
+#include "marrow/root_motion.h"    // how far a step moves the character
+#include "marrow/phase.h"          // clips in step
+#include "marrow/blend_space.h"    // numbers of a game → weights of clips
 #include "marrow/sample.h"         // Clip, time → local pose
 #include "marrow/curve.h"          // keys, easings, patches → numbers
 #include "marrow/blend.h"          // several poses → one

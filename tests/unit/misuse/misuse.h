@@ -21,7 +21,8 @@ namespace marrow::test {
 template <class T>
 inline constexpr bool kIsFloats =
     std::is_same_v<T, float> || std::is_same_v<T, SoaTransform> || std::is_same_v<T, Affine> ||
-    std::is_same_v<T, AdditiveTransform> || std::is_same_v<T, InertialOffset>;
+    std::is_same_v<T, AdditiveTransform> || std::is_same_v<T, InertialOffset> || std::is_same_v<T, RigidStep> ||
+    std::is_same_v<T, RootKey> || std::is_same_v<T, PlanePoint> || std::is_same_v<T, SpeedPoint>;
 
 // How long a list must be at least: as it is, or nothing at all, or anything.
 enum class Length { exact, exact_or_none, any };
@@ -212,6 +213,7 @@ struct MisuseRow {
 };
 std::vector<MisuseRow> rows_of_files();
 std::vector<MisuseRow> rows_of_poses();
+std::vector<MisuseRow> rows_of_motion();
 std::vector<MisuseRow> rows_of_curves();
 std::vector<MisuseRow> rows_of_reaching();
 std::vector<MisuseRow> rows_of_following();

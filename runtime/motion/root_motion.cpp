@@ -1,0 +1,114 @@
+#include "marrow/root_motion.h"
+
+#include "core/check.h"
+#include "math/finite.h"
+#include "math/rigid.h"
+#include "motion/motion_rules.h"
+
+namespace marrow {
+namespace {
+
+constexpr float kMostWeight = 1e6f;
+
+// M(t).
+Rigid root_at(Span<const RootKey> keys, double time_s) {
+  if (keys.empty()) return {};
+  std::size_t low = 0, high = keys.size;
+  while (high - low > 1) {
+    const std::size_t middle = low + (high - low) / 2;
+    (time_s < static_cast<double>(keys[middle].time_s) ? high : low) = middle;
+  }
+  const RootKey &a = keys[low], &b = keys[high < keys.size ? high : low];
+  const double from_s = static_cast<double>(a.time_s), span_s = static_cast<double>(b.time_s) - from_s;
+  const double u = from_s < time_s && span_s > 0 ? (time_s - from_s) / span_s : 0.0, v = 1.0 - u;
+  const Rigid one = stored_rigid(a.rotation, a.translation), other = stored_rigid(b.rotation, b.translation);
+  const double turn = dot(one.rotation, other.rotation) < 0 ? -u : u;
+  return {unit_rotation(one.rotation * v + other.rotation * turn), one.translation * v + other.translation * u};
+}
+
+Rigid motion_of(const RigidStep& step) {
+  Rigid out = stored_rigid(step.rotation, step.translation);
+  out.rotation = unit_rotation(out.rotation);
+  return out;
+}
+
+// Rounded to floats; false if it is not finite.
+bool rounded(const Rigid& m, RigidStep& out) {
+  const Quaternion<double> q = m.rotation * (m.rotation.w < 0 ? -1.0 : 1.0);
+  out = {
+      {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)},
+      {static_cast<float>(m.translation.x), static_cast<float>(m.translation.y), static_cast<float>(m.translation.z)}};
+  return all_finite(out.rotation, 4) && all_finite(out.translation, 3);
+}
+
+// In little code, as it is called twice.
+[[gnu::noinline]] void add(Screw& sum, const Screw& screw, double weight) {
+  sum.turn = sum.turn + screw.turn * weight;
+  sum.way = sum.way + screw.way * weight;
+}
+
+}  // namespace
+
+Status sample_root(const ClipMotion& motion, float time_s, RigidStep& out) {
+  MARROW_REQUIRE(holds(motion.root));
+  MARROW_REQUIRE(is_number(time_s));
+  RigidStep at;
+  const bool finite = rounded(root_at(motion.root, static_cast<double>(time_s)), at);
+  MARROW_REQUIRE(finite && "keys that are finite");
+  out = at;
+  return Status::ok;
+}
+
+Status root_step(const ClipMotion& motion, const Playback& before, const Playback& after, RigidStep& out) {
+  MARROW_REQUIRE(holds(motion.root));
+  MARROW_REQUIRE_GOOD(check_step(motion, before, after));
+  const LineStep line = line_step(before, after, motion.duration_s);
+  // On its way back, ping_pong takes back what it went.
+  const std::int64_t rounds = before.mode == PlayMode::loop ? line.to.round - line.from.round : 0;
+  Rigid moved = inverse(root_at(motion.root, line.from.time_s));
+  if (rounds != 0) moved = moved * power(root_at(motion.root, static_cast<double>(motion.duration_s)), rounds);
+  RigidStep step;
+  const bool finite = rounded(moved * root_at(motion.root, line.to.time_s), step);
+  MARROW_REQUIRE(finite && "keys that are finite");
+  out = step;
+  return Status::ok;
+}
+
+Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, RigidStep& out) {
+  MARROW_REQUIRE(holds(steps));
+  MARROW_REQUIRE(holds(weights, steps.size));
+  MARROW_REQUIRE(all_within(weights.data, steps.size, 0, kMostWeight));
+  Screw sum;
+  double whole = 0;
+  for (std::size_t i = 0; i < steps.size; ++i) {
+    const double weight = static_cast<double>(weights[i]);
+    if (weight == 0) continue;
+    const Screw screw = screw_of(motion_of(steps[i]));
+    add(sum, screw, weight);
+    whole += weight;
+  }
+  Screw mean;
+  if (whole > 0) add(mean, sum, 1.0 / whole);
+  RigidStep step;
+  const bool finite = rounded(motion_of(mean), step);
+  MARROW_REQUIRE(finite && "steps that are finite");
+  out = step;
+  return Status::ok;
+}
+
+Affine move_root(const Affine& world_from_model, const RigidStep& step) {
+  const Rigid moved = motion_of(step);
+  const Quaternion<double> back = conjugate(moved.rotation);
+  Affine out;
+  for (int row = 0; row < 3; ++row) {
+    const float* const from = world_from_model.rows[row];
+    const Vector<double> axes = vector_of_doubles(from), turned_axes = turned(back, axes);
+    out.rows[row][0] = static_cast<float>(turned_axes.x);
+    out.rows[row][1] = static_cast<float>(turned_axes.y);
+    out.rows[row][2] = static_cast<float>(turned_axes.z);
+    out.rows[row][3] = static_cast<float>(dot(axes, moved.translation) + static_cast<double>(from[3]));
+  }
+  return out;
+}
+
+}  // namespace marrow
