@@ -1,5 +1,5 @@
-// Rigid motions in double precision: products, powers, and the screws that are their logarithms. For what adds up over
-// many steps.
+// RigidMotion motions in double precision: products, powers, and the screws that are their logarithms. For what adds up
+// over many steps.
 #pragma once
 
 #include "math/quaternion.h"
@@ -7,7 +7,7 @@
 namespace marrow {
 
 // Turns, then moves.
-struct Rigid {
+struct RigidMotion {
   Quaternion<double> rotation;  // of unit length
   Vector<double> translation;
 };
@@ -23,7 +23,7 @@ struct Rigid {
   return squared > 1e-60 ? q * (1.0 / square_root(squared)) : Quaternion<double>{};
 }
 // As they are stored: the rotation is not normalised.
-[[gnu::noinline]] inline Rigid stored_rigid(const float* rotation, const float* translation) {
+[[gnu::noinline]] inline RigidMotion stored_rigid(const float* rotation, const float* translation) {
   return {quaternion(vector_of_doubles(rotation), static_cast<double>(rotation[3])), vector_of_doubles(translation)};
 }
 // v + a (axis × v) + b (axis × (axis × v)): every turn and every screw is such a sum.
@@ -36,16 +36,16 @@ inline Vector<double> turned(const Quaternion<double>& q, const Vector<double>& 
 }
 
 // First b, then a.
-[[gnu::noinline]] inline Rigid operator*(const Rigid& a, const Rigid& b) {
+[[gnu::noinline]] inline RigidMotion operator*(const RigidMotion& a, const RigidMotion& b) {
   return {unit_rotation(a.rotation * b.rotation), a.translation + turned(a.rotation, b.translation)};
 }
-[[gnu::noinline]] inline Rigid inverse(const Rigid& a) {
+[[gnu::noinline]] inline RigidMotion inverse(const RigidMotion& a) {
   const Quaternion<double> back = conjugate(a.rotation);
   return {back, -turned(back, a.translation)};
 }
 // aⁿ, by squaring: at most 126 products. n is above -2⁶³.
-[[gnu::noinline]] inline Rigid power(const Rigid& a, std::int64_t n) {
-  Rigid out, square = n < 0 ? inverse(a) : a;
+[[gnu::noinline]] inline RigidMotion power(const RigidMotion& a, std::int64_t n) {
+  RigidMotion out, square = n < 0 ? inverse(a) : a;
   for (std::int64_t left = n < 0 ? -n : n; left > 0; left >>= 1) {
     if ((left & 1) != 0) out = out * square;
     square = square * square;
@@ -83,7 +83,7 @@ inline double half_angle_over_sine(double sine, double cosine) {
 }
 
 // The shorter way round.
-[[gnu::noinline]] inline Screw screw_of(const Rigid& m) {
+[[gnu::noinline]] inline Screw screw_of(const RigidMotion& m) {
   const Quaternion<double> q = m.rotation.w < 0 ? m.rotation * -1.0 : m.rotation;
   const double sine = square_root(dot(axis_part(q), axis_part(q))), over = half_angle_over_sine(sine, q.w);
   const double square = over * sine * over * sine;
@@ -93,7 +93,7 @@ inline double half_angle_over_sine(double sine, double cosine) {
 }
 
 // The motion of a screw of at most half a turn.
-[[gnu::noinline]] inline Rigid motion_of(const Screw& s) {
+[[gnu::noinline]] inline RigidMotion motion_of(const Screw& s) {
   const double square = dot(s.turn, s.turn) * 0.25;
   const SincCos half = sinc_cos_of_root(square);
   const double k = square < kNoTurn ? 1.0 / 6 : (1.0 - half.sinc * half.cos) / (4.0 * square);

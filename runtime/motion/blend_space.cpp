@@ -6,9 +6,9 @@
 namespace marrow {
 namespace {
 
-constexpr float kFarthest = 1e12f;
+constexpr float kFarthestPoint = 1e12f;
 
-double wide(float x) {
+double in_double(float x) {
   return static_cast<double>(x);
 }
 
@@ -42,7 +42,7 @@ struct Corners {
 };
 Corners corners_of(Span<const PlanePoint> points, const PlaneTriangle& t) {
   Corners out;
-  for (int i = 0; i < 3; ++i) out.at[i] = {wide(points[t.corners[i]].x), wide(points[t.corners[i]].y)};
+  for (int i = 0; i < 3; ++i) out.at[i] = {in_double(points[t.corners[i]].x), in_double(points[t.corners[i]].y)};
   return out;
 }
 
@@ -87,7 +87,7 @@ BadCall check_plane(Span<const PlanePoint> points, Span<const PlaneTriangle> tri
   MARROW_CHECK(holds(points));
   MARROW_CHECK(!triangles.empty() && holds(triangles));
   for (const PlanePoint& p : points)
-    MARROW_CHECK(within(p.x, -kFarthest, kFarthest) && within(p.y, -kFarthest, kFarthest));
+    MARROW_CHECK(within(p.x, -kFarthestPoint, kFarthestPoint) && within(p.y, -kFarthestPoint, kFarthestPoint));
   for (const PlaneTriangle& t : triangles) {
     for (const std::uint32_t corner : t.corners) MARROW_CHECK(corner < points.size);
     const Corners c = corners_of(points, t);
@@ -99,8 +99,8 @@ BadCall check_plane(Span<const PlanePoint> points, Span<const PlaneTriangle> tri
 bool good_speeds(Span<const SpeedPoint> points) {
   float last = -1;
   for (const SpeedPoint& p : points) {
-    if (!within(p.speed_m_s, 0, kFarthest) || !(last < p.speed_m_s)) return false;
-    if (!(p.duration_s > 0) || !(p.duration_s <= kFarthest)) return false;
+    if (!within(p.speed_m_s, 0, kFarthestPoint) || !(last < p.speed_m_s)) return false;
+    if (!(p.duration_s > 0) || !(p.duration_s <= kFarthestPoint)) return false;
     last = p.speed_m_s;
   }
   return true;
@@ -122,7 +122,7 @@ Status line_weights(Span<const float> points, float at, Span<float> weights) {
     weights[i] = 1;
     return Status::ok;
   }
-  share_two(weights, i, (wide(at) - wide(points[i])) / (wide(points[i + 1]) - wide(points[i])));
+  share_two(weights, i, (in_double(at) - in_double(points[i])) / (in_double(points[i + 1]) - in_double(points[i])));
   return Status::ok;
 }
 
@@ -130,9 +130,9 @@ Status plane_weights(Span<const PlanePoint> points, Span<const PlaneTriangle> tr
                      Span<float> weights) {
   MARROW_REQUIRE_GOOD(check_plane(points, triangles));
   MARROW_REQUIRE(holds(weights, points.size));
-  MARROW_REQUIRE(within(at.x, -kFarthest, kFarthest) && within(at.y, -kFarthest, kFarthest));
+  MARROW_REQUIRE(within(at.x, -kFarthestPoint, kFarthestPoint) && within(at.y, -kFarthestPoint, kFarthestPoint));
   clear(weights, points.size);
-  const Point2 p = {wide(at.x), wide(at.y)};
+  const Point2 p = {in_double(at.x), in_double(at.y)};
   double areas[3];
   for (const PlaneTriangle& t : triangles) {
     if (!is_inside(corners_of(points, t), p, areas)) continue;
@@ -153,7 +153,7 @@ Status match_speed(Span<const SpeedPoint> points, float speed_m_s, Span<float> w
   std::size_t i = 0;
   while (i < last && points[i + 1].speed_m_s <= speed) ++i;
   const bool beyond = i == last || !(points[0].speed_m_s < speed);
-  const double own = wide(points[i].speed_m_s), times = beyond && own > 0 ? wide(speed) / own : 1.0;
+  const double own = in_double(points[i].speed_m_s), times = beyond && own > 0 ? in_double(speed) / own : 1.0;
   MARROW_REQUIRE(times < 1e38 && "a speed that the clips come near");
   clear(weights, points.size);
   rate = static_cast<float>(times);
@@ -163,8 +163,8 @@ Status match_speed(Span<const SpeedPoint> points, float speed_m_s, Span<float> w
   }
   // (v - v0) t0 / ((v1 - v) t1 + (v - v0) t0), which is the same without a difference of products.
   const SpeedPoint &a = points[i], &b = points[i + 1];
-  const double more = (wide(speed) - own) * wide(a.duration_s);
-  const double less = (wide(b.speed_m_s) - wide(speed)) * wide(b.duration_s);
+  const double more = (in_double(speed) - own) * in_double(a.duration_s);
+  const double less = (in_double(b.speed_m_s) - in_double(speed)) * in_double(b.duration_s);
   share_two(weights, i, more / (less + more));
   return Status::ok;
 }

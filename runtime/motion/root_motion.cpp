@@ -8,10 +8,10 @@
 namespace marrow {
 namespace {
 
-constexpr float kMostWeight = 1e6f;
+constexpr float kMostStepWeight = 1e6f;
 
 // M(t).
-Rigid root_at(Span<const RootKey> keys, double time_s) {
+RigidMotion root_at(Span<const RootKey> keys, double time_s) {
   if (keys.empty()) return {};
   std::size_t low = 0, high = keys.size;
   while (high - low > 1) {
@@ -21,19 +21,19 @@ Rigid root_at(Span<const RootKey> keys, double time_s) {
   const RootKey &a = keys[low], &b = keys[high < keys.size ? high : low];
   const double from_s = static_cast<double>(a.time_s), span_s = static_cast<double>(b.time_s) - from_s;
   const double u = from_s < time_s && span_s > 0 ? (time_s - from_s) / span_s : 0.0, v = 1.0 - u;
-  const Rigid one = stored_rigid(a.rotation, a.translation), other = stored_rigid(b.rotation, b.translation);
+  const RigidMotion one = stored_rigid(a.rotation, a.translation), other = stored_rigid(b.rotation, b.translation);
   const double turn = dot(one.rotation, other.rotation) < 0 ? -u : u;
   return {unit_rotation(one.rotation * v + other.rotation * turn), one.translation * v + other.translation * u};
 }
 
-Rigid motion_of(const RigidStep& step) {
-  Rigid out = stored_rigid(step.rotation, step.translation);
+RigidMotion motion_of(const RigidStep& step) {
+  RigidMotion out = stored_rigid(step.rotation, step.translation);
   out.rotation = unit_rotation(out.rotation);
   return out;
 }
 
 // Rounded to floats; false if it is not finite.
-bool rounded(const Rigid& m, RigidStep& out) {
+bool rounded(const RigidMotion& m, RigidStep& out) {
   const Quaternion<double> q = m.rotation * (m.rotation.w < 0 ? -1.0 : 1.0);
   out = {
       {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)},
@@ -65,7 +65,7 @@ Status root_step(const ClipMotion& motion, const Playback& before, const Playbac
   const LineStep line = line_step(before, after, motion.duration_s);
   // On its way back, ping_pong takes back what it went.
   const std::int64_t rounds = before.mode == PlayMode::loop ? line.to.round - line.from.round : 0;
-  Rigid moved = inverse(root_at(motion.root, line.from.time_s));
+  RigidMotion moved = inverse(root_at(motion.root, line.from.time_s));
   if (rounds != 0) moved = moved * power(root_at(motion.root, static_cast<double>(motion.duration_s)), rounds);
   RigidStep step;
   const bool finite = rounded(moved * root_at(motion.root, line.to.time_s), step);
@@ -77,7 +77,7 @@ Status root_step(const ClipMotion& motion, const Playback& before, const Playbac
 Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, RigidStep& out) {
   MARROW_REQUIRE(holds(steps));
   MARROW_REQUIRE(holds(weights, steps.size));
-  MARROW_REQUIRE(all_within(weights.data, steps.size, 0, kMostWeight));
+  MARROW_REQUIRE(all_within(weights.data, steps.size, 0, kMostStepWeight));
   Screw sum;
   double whole = 0;
   for (std::size_t i = 0; i < steps.size; ++i) {
@@ -97,7 +97,7 @@ Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, 
 }
 
 Affine move_root(const Affine& world_from_model, const RigidStep& step) {
-  const Rigid moved = motion_of(step);
+  const RigidMotion moved = motion_of(step);
   const Quaternion<double> back = conjugate(moved.rotation);
   Affine out;
   for (int row = 0; row < 3; ++row) {
