@@ -554,7 +554,7 @@ enum {
 typedef struct mrw_joint_role mrw_joint_role;
 struct mrw_joint_role {
   uint16_t joint;  // of the skeleton
-  mrw_role role;
+  mrw_role role;  // what the joint is for
   uint8_t reserved;
 };
 

@@ -76,7 +76,7 @@ inline constexpr std::uint32_t kRoleCount = 58;  // with none
 // A joint with a role.
 struct JointRole {
   std::uint16_t joint = 0;  // of the skeleton
-  Role role = Role::none;
+  Role role = Role::none;   // what the joint is for
   std::uint8_t reserved = 0;
 };
 static_assert(sizeof(JointRole) == 4);
