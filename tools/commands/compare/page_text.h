@@ -32,7 +32,7 @@ inline constexpr const char* kAboutFigures =
     "linear blend skinning (ssd) has. Narrowest ring: of what it is in the bind pose, when a joint is twisted to 170°. "
     "Jumps: how much faster a vertex goes from one frame to the next at 60 Hz, of SSD's. Sharpest edge: how far it is "
     "folded beyond the bind pose. Normals: between those it shades with and those of the mesh it makes, where joints "
-    "meet; animation space shades with its own tangents, the others through the blended matrix.</p>\n";
+    "meet; of animation space by its tangents, of the others, and in all pictures, through the blended matrix.</p>\n";
 inline constexpr const char* kAboutCosts =
     "<p class=\"note\">Size: of all geometry, cooked. Time: of positions, on the machine that made this page. GPUs: "
     "by their compilers.</p>\n";

@@ -1,6 +1,7 @@
 #include "cook/learn/look_better.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <glm/geometric.hpp>
 
@@ -33,16 +34,6 @@ deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Co
 void give_way(const deform::Coordinates& simple, const std::vector<double>& goes_back, deform::Coordinates& out) {
   for (std::size_t v = 0; v < out.size(); ++v)
     for (std::size_t i = 0; i < out[v].size(); ++i) out[v][i].q += (simple[v][i].q - out[v][i].q) * goes_back[v];
-}
-
-// Σ min of two vertices' weights.
-double in_common(const std::vector<deform::Influence>& a, const std::vector<deform::Influence>& b) {
-  double out = 0;
-  for (const deform::Influence& i : a) {
-    const auto same = std::ranges::find(b, i.joint, &deform::Influence::joint);
-    if (same != b.end()) out += std::min(i.weight, same->weight);
-  }
-  return out;
 }
 
 // The vertex next to the mean place.
@@ -81,14 +72,16 @@ void keep_from_looking_worse(const DeformSource& source, const deform::ClosedFor
 }
 
 void move_stiff_parts_as_one(const deform::SkinnedMesh& mesh, Learnt& out) {
-  constexpr double kSame = 0.98;
+  constexpr double kSame = 1e-3;  // of weights, which sum to 1
   const deform::MeshParts parts(mesh);
   for (const std::vector<std::uint32_t>& part : parts.vertices()) {
     const std::uint32_t middle = middle_of(mesh, part);
     const auto is_as_the_middle = [&](std::uint32_t v) {
-      return in_common(mesh.influences[v], mesh.influences[middle]) > kSame;
+      return std::ranges::all_of(mesh.influences[middle], [&](const deform::Influence& i) {
+        return std::abs(weight_of(i.joint, mesh.influences[v]) - i.weight) < kSame;
+      });
     };
-    if (!std::ranges::all_of(part, is_as_the_middle)) continue;
+    if (mesh.influences[middle].empty() || !std::ranges::all_of(part, is_as_the_middle)) continue;
     const std::vector<deform::Influence> weights = out.weights[middle];
     const std::vector<deform::Coordinate> learnt = out.coordinates[middle];
     for (const std::uint32_t v : part) {
