@@ -158,7 +158,6 @@ bool find_legs(const Body& body, const std::vector<Chains>& all, const Span2& he
       body.is_at_or_above(out[1].chains.above, out[0].chains.above))
     std::swap(out[0], out[1]);
   if (out.empty() || out[0].first > 0) return false;
-  if (out.empty() || out[0].first > 0) return false;
   return out.size() == 1 || (out.size() == 2 && out[0].chains.above != out[1].chains.above &&
                              body.is_at_or_above(out[0].chains.above, out[1].chains.above));
 }

@@ -6,6 +6,7 @@
 
 #include <glm/matrix.hpp>
 
+#include "asset/sections/role_section.h"
 #include "cook/scene/influences.h"
 
 namespace marrow::cook {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kTouches = 0.1;        // of the ankle's height: what is so low stands on the ground
 constexpr double kMostHandRises = 0.2;  // of the hips' height: how high a hand may be that is a foot
-constexpr double kFarthestSoleOf = 1e6;
 
 constexpr std::array<Role, 4> kStanding = {Role::left_foot, Role::right_foot, Role::left_hand, Role::right_hand};
 
@@ -124,7 +124,7 @@ std::vector<JointSole> find_soles_of_roles(const Body& body, const std::vector<M
     sole.joint = static_cast<std::uint16_t>(foot.joint);
     bool good = true;
     for (int c = 0; c < 3; ++c) {
-      good = good && std::abs(place[c]) < kFarthestSoleOf;
+      good = good && std::abs(place[c]) < double{format::kFarthestSole};
       sole.place[c] = static_cast<float>(place[c]) + 0.0f;
     }
     if (good) out.push_back(sole);
