@@ -292,6 +292,36 @@ Roles File::roles(std::uint32_t of_skeleton) const {
   return {};
 }
 
+ClipMotion view_motion(const format::MotionHeader& header, float duration_s) {
+  const format::MotionLayout l = layout(header);
+  ClipMotion out;
+  out.duration_s = duration_s;
+  out.speed_m_s = header.speed_m_s;
+  std::memcpy(out.heading, header.heading, sizeof out.heading);
+  out.events = l.events.in(&header);
+  out.phase_marks = l.marks.in(&header);
+  out.root = l.root.in(&header);
+  return out;
+}
+
+ClipMotion File::motion(std::uint32_t of_clip) const {
+  if (of_clip >= clip_count()) return {};
+  const float duration_s = clip(of_clip).duration_s;
+  for (std::uint32_t i = 0; i < counts_[format::kMotions]; ++i) {
+    const auto& header = *at<format::MotionHeader>(section(format::kMotions, i), 0);
+    if (header.clip == of_clip) return view_motion(header, duration_s);
+  }
+  ClipMotion none;
+  none.duration_s = duration_s;
+  return none;
+}
+
+std::uint32_t File::find_event(const ClipMotion& motion, const char* name) const {
+  std::uint32_t i = 0;
+  while (i < motion.events.size && !is_called(text(motion.events[i].name), name)) ++i;
+  return i;
+}
+
 Bounds decode_bounds(const format::BoundsCodes& codes) {
   const float step = bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
   Bounds out;

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "asset/checksum.h"
+#include "asset/sections/clip_motion_section.h"
 #include "asset/sections/clip_section.h"
 #include "asset/sections/geometry_section.h"
 #include "asset/sections/kind.h"

@@ -12,6 +12,9 @@ namespace marrow {
 // it.
 Geometry view_geometry(const std::byte* section);
 
+// header: of a whole MOTN section; the view points into it.
+ClipMotion view_motion(const format::MotionHeader& header, float duration_s);
+
 // What codes of a BNDS section stand for.
 Bounds decode_bounds(const format::BoundsCodes& codes);
 

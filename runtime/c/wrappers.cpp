@@ -92,6 +92,16 @@ void mrw_spring_collider_init(mrw_spring_collider* out) {
   to<SpringCollider>(out) = SpringCollider{};
 }
 
+void mrw_clip_event_init(mrw_clip_event* out) {
+  MRW_NEEDS(leads_to<ClipEvent>(out), );
+  to<ClipEvent>(out) = ClipEvent{};
+}
+
+void mrw_clip_motion_init(mrw_clip_motion* out) {
+  MRW_NEEDS(leads_to<ClipMotion>(out), );
+  to<ClipMotion>(out) = ClipMotion{};
+}
+
 void mrw_helper_init(mrw_helper* out) {
   MRW_NEEDS(leads_to<Helper>(out), );
   to<Helper>(out) = Helper{};
@@ -105,16 +115,6 @@ void mrw_file_init(mrw_file* out) {
 void mrw_playback_init(mrw_playback* out) {
   MRW_NEEDS(leads_to<Playback>(out), );
   to<Playback>(out) = Playback{};
-}
-
-void mrw_clip_event_init(mrw_clip_event* out) {
-  MRW_NEEDS(leads_to<ClipEvent>(out), );
-  to<ClipEvent>(out) = ClipEvent{};
-}
-
-void mrw_clip_motion_init(mrw_clip_motion* out) {
-  MRW_NEEDS(leads_to<ClipMotion>(out), );
-  to<ClipMotion>(out) = ClipMotion{};
 }
 
 void mrw_event_hit_init(mrw_event_hit* out) {
@@ -456,6 +456,11 @@ mrw_role mrw_find_role(const char* name) {
   return static_cast<mrw_role>(marrow::find_role(name));
 }
 
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion) {
+  MRW_NEEDS(leads_to<ClipMotion>(motion), false);
+  return marrow::is_valid(of<ClipMotion>(motion));
+}
+
 uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh) {
   MRW_NEEDS(leads_to<Mesh>(mesh), 0);
   return of<Mesh>(mesh).palette_size();
@@ -577,6 +582,12 @@ mrw_status mrw_file_roles(const mrw_file* file, uint32_t skeleton, mrw_roles* ou
   return MRW_OK;
 }
 
+mrw_status mrw_file_motion(const mrw_file* file, uint32_t clip, mrw_clip_motion* out) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<ClipMotion>(out), MRW_BAD_ARGUMENT);
+  give<ClipMotion>(out, of<File>(file).motion(clip));
+  return MRW_OK;
+}
+
 uint32_t mrw_file_example_space_count(const mrw_file* file) {
   MRW_NEEDS(leads_to<File>(file), 0);
   return of<File>(file).example_space_count();
@@ -615,6 +626,11 @@ uint32_t mrw_file_find_clip_of(const mrw_file* file, const char* name, uint32_t 
 uint32_t mrw_file_find_channel(const mrw_file* file, const mrw_clip* clip, const char* name) {
   MRW_NEEDS(leads_to<File>(file) && leads_to<Clip>(clip), 0);
   return of<File>(file).find_channel(of<Clip>(clip), name);
+}
+
+uint32_t mrw_file_find_event(const mrw_file* file, const mrw_clip_motion* motion, const char* name) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<ClipMotion>(motion), 0);
+  return of<File>(file).find_event(of<ClipMotion>(motion), name);
 }
 
 uint32_t mrw_file_find_node(const mrw_file* file, const char* name) {
@@ -675,11 +691,6 @@ float mrw_clip_time(const mrw_playback* playback) {
 bool mrw_finished(const mrw_playback* playback, float duration_s) {
   MRW_NEEDS(leads_to<Playback>(playback), false);
   return marrow::finished(of<Playback>(playback), duration_s);
-}
-
-bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion) {
-  MRW_NEEDS(leads_to<ClipMotion>(motion), false);
-  return marrow::is_valid(of<ClipMotion>(motion));
 }
 
 mrw_status mrw_events_between(const mrw_clip_motion* motion, const mrw_playback* before, const mrw_playback* after,

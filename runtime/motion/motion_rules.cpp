@@ -1,5 +1,6 @@
 #include "motion/motion_rules.h"
 
+#include "asset/motion_fault.h"
 #include "math/finite.h"
 
 namespace marrow {
@@ -38,12 +39,8 @@ LineStep straight_step(const Playback& before, const Playback& after, float dura
 BadCall check_marks(const ClipMotion& motion) {
   MARROW_CHECK(is_finite(motion.duration_s) && motion.duration_s >= 0);
   MARROW_CHECK(holds(motion.phase_marks));
-  MARROW_CHECK(motion.phase_marks.size <= kMaxMarks);
-  float last = -1;
-  for (const float mark : motion.phase_marks) {
-    MARROW_CHECK(0 <= mark && last < mark && mark < motion.duration_s && "marks that ascend in the clip");
-    last = mark;
-  }
+  const MotionFault fault = find_fault_of_marks(motion);
+  MARROW_CHECK(fault.rule == nullptr && "phase marks that go once round the clip");
   return {};
 }
 

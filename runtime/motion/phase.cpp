@@ -17,7 +17,11 @@ struct Cycle {
 
   explicit Cycle(const ClipMotion& m) : marks(m.phase_marks), duration_s(static_cast<double>(m.duration_s)) {}
   std::uint32_t count() const { return marks.empty() ? 1 : static_cast<std::uint32_t>(marks.size); }
-  double start(std::uint32_t i) const { return marks.empty() ? 0 : static_cast<double>(marks[i]); }
+  // On the line that goes on beyond the clip's end: below twice the duration.
+  double start(std::uint32_t i) const {
+    if (marks.empty()) return 0;
+    return static_cast<double>(marks[i]) + (marks[i] < marks[0] ? duration_s : 0);
+  }
   // The last goes on to the first mark of the next round.
   double length(std::uint32_t i) const { return (i + 1 < count() ? start(i + 1) : duration_s + start(0)) - start(i); }
 };
@@ -112,14 +116,11 @@ Status phase_at(const ClipMotion& motion, float time_s, Phase& out) {
   MARROW_REQUIRE(is_number(time_s));
   const Cycle cycle(motion);
   const double time = static_cast<double>(time_s < 0 ? 0 : time_s < motion.duration_s ? time_s : motion.duration_s);
+  // Where the cycle begins later in the clip, its end is at the clip's start.
+  const double on_line = time < cycle.start(0) ? time + cycle.duration_s : time;
   std::uint32_t segment = cycle.count() - 1;
-  while (segment > 0 && time < cycle.start(segment)) --segment;
-  double since = time - cycle.start(segment);
-  if (since < 0) {  // before the first mark, so in the last segment
-    segment = cycle.count() - 1;
-    since = time + cycle.duration_s - cycle.start(segment);
-  }
-  const double length = cycle.length(segment), share = length > 0 ? since / length : 0;
+  while (segment > 0 && on_line < cycle.start(segment)) --segment;
+  const double length = cycle.length(segment), share = length > 0 ? (on_line - cycle.start(segment)) / length : 0;
   // The end of a clip whose first mark is 0 is that mark.
   out = share < 1 ? Phase{share, segment, 0} : Phase{0, (segment + 1) % cycle.count(), 0};
   return Status::ok;

@@ -14,6 +14,7 @@
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
 #include "cook/mesh/derive_binds.h"
+#include "cook/motion/build_motions.h"
 #include "cook/prepare/idle_motion.h"
 #include "cook/prepare/match_outfit.h"
 #include "cook/prepare/match_skeletons.h"
@@ -49,6 +50,18 @@ BuiltScene without_unmoved(BuiltScene scene) {
   return scene;
 }
 
+void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const CookOptions& options, BuiltScene& out,
+                Notes& notes) {
+  std::vector<BuiltRoles> roles = build_roles(scene, out, meshes, options.roles, notes);
+  for (std::size_t s = 0; s < roles.size(); ++s) out.skeletons[s].roles = std::move(roles[s]);
+}
+
+// Of clips that are as the source has them.
+void measure_motions(const RawScene& scene, const CookOptions& options, BuiltScene& out, Notes& notes) {
+  std::vector<BuiltMotion> motions = build_motions(scene, out, options.motion, notes);
+  for (std::size_t i = 0; i < motions.size(); ++i) out.clips[i].motion = std::move(motions[i]);
+}
+
 // A clip pack: clips and what they were made for, without the skeletons themselves and without meshes.
 BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) {
   BuiltScene out;
@@ -71,6 +84,9 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
     carried.meshes = options.onto->meshes;
     carried.morphed = options.onto->morphed;
   }
+  if (!options.onto) find_roles(scene, {}, options, out, notes);
+  out.clips = build_raw_clips(scene, out, options.additive);
+  measure_motions(scene, options, out, notes);
   out.clips = build_clips(scene, out, carried, options, notes);
   return without_unmoved(std::move(out));
 }
@@ -121,10 +137,8 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   if (options.mesh_codec != MeshCodec::none) meshes = derive_inverse_binds(out.skeletons, std::move(meshes));
   BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
-  if (!out.is_outfit) {  // whose body has them
-    std::vector<BuiltRoles> roles = build_roles(scene, out, full_meshes(meshes), options.roles, notes);
-    for (std::size_t s = 0; s < roles.size(); ++s) out.skeletons[s].roles = std::move(roles[s]);
-  }
+  if (!out.is_outfit) find_roles(scene, full_meshes(meshes), options, out, notes);  // an outfit's body has them
+  measure_motions(scene, options, out, notes);
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
   out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
                           options, notes);

@@ -23,6 +23,7 @@ inline constexpr auto names_in = [] {
 }();
 
 std::span<const Option> clip_options();
+std::span<const Option> motion_options();
 std::span<const Option> precision_options();
 std::span<const Option> learn_options();
 std::span<const Option> mesh_options();

@@ -84,8 +84,8 @@ void refuse_with_skeleton(const CookOptions& options, const Given& given) {
 const std::vector<Option>& option_table() {
   static const std::vector<Option> table = [] {
     std::vector<Option> out;
-    for (const std::span<const Option> part :
-         {clip_options(), precision_options(), learn_options(), mesh_options(), weight_options(), scene_options()})
+    for (const std::span<const Option> part : {clip_options(), motion_options(), precision_options(), learn_options(),
+                                               mesh_options(), weight_options(), scene_options()})
       out.insert(out.end(), part.begin(), part.end());
     return out;
   }();

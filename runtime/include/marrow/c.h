@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xbfcc15acu
+#define MRW_ABI 0xccb0c173u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -603,6 +603,59 @@ const char* mrw_role_name(mrw_role role);
 // The role with this name; MRW_ROLE_NONE if there is none, and for a null pointer. Cost: a look at all names.
 mrw_role mrw_find_role(const char* name);
 
+// ---- Part clip_motion -----------------------------------------------------------------------------------------------
+// What a game asks of a clip beside its poses: how fast it goes, what happens in it, where its steps are, where its
+// root moves. A view, from a file or made by hand; part events, part root_motion, part phase and part blend_space read
+// it.
+
+// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see part phase.
+#define MRW_MAX_MARKS 64u
+
+// Distances and times of a motion are at most this, in metres and seconds.
+#define MRW_FARTHEST_MOTION 1e12f
+
+// Something that happens in a clip: a moment, as a blow that lands, or a list, as a foot that stands.
+typedef struct mrw_clip_event mrw_clip_event;
+struct mrw_clip_event {
+  float time_s;  // 0 … the clip's duration
+  float until_s;  // ≥ time_s; equal: a moment. Beyond the clip's end it goes on at its start
+  uint32_t name;  // see mrw_file_text
+  float number;  // whatever the game means by it
+};
+void mrw_clip_event_init(mrw_clip_event* out);
+
+// M(t): where the root has moved since the clip's start, in model space. Between keys the translation is linear; the
+// rotation is the normalised sum of the two quaternions (nlerp), on the shorter arc, so keys are less than half a turn
+// apart. Before the first key and after the last M stays.
+typedef struct mrw_root_key mrw_root_key;
+struct mrw_root_key {
+  float time_s;  // 0 … the clip's duration
+  float rotation[4];  // unit quaternion x, y, z, w
+  float translation[3];  // metres
+};
+
+// A clip's motion.
+typedef struct mrw_clip_motion mrw_clip_motion;
+struct mrw_clip_motion {
+  float duration_s;  // the clip's; ≥ 0
+  float speed_m_s;  // over the ground, ≥ 0, also of a clip that walks on the spot
+  float heading[3];  // where to: of unit length, model space; 0: nowhere
+  const mrw_clip_event* events;  // by time_s
+  size_t event_count;
+  // Where the segments of a cycle begin, see part phase: at most MRW_MAX_MARKS, 0 … below the duration. Each is later
+  // than the one before. A cycle may begin anywhere in the clip, so once at most they go on at the clip's start.
+  const float* phase_marks;
+  size_t phase_mark_count;
+  const mrw_root_key* root;  // by time, strictly; the first is the identity; empty: the root stays
+  size_t root_count;
+};
+void mrw_clip_motion_init(mrw_clip_motion* out);
+
+// Whether a motion keeps these rules: numbers finite, lists and marks in order, an event no longer than the clip,
+// rotations of unit length within 1e-3. Call it once for a motion that is made by hand; the functions that read motions
+// do not. Cost: once over it all.
+bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion);
+
 // ---- Part clip ------------------------------------------------------------------------------------------------------
 // A clip as a file has it: what moves, and numbers beside it.
 
@@ -994,7 +1047,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[28];
+  uint32_t numbers[30];
 };
 void mrw_file_init(mrw_file* out);
 
@@ -1051,6 +1104,11 @@ mrw_status mrw_file_spring_colliders(const mrw_file* file, uint32_t skeleton,
 // if nothing is known. Cost: a look at every section of roles.
 mrw_status mrw_file_roles(const mrw_file* file, uint32_t skeleton, mrw_roles* out) MRW_NODISCARD;
 
+// What a clip does, as far as the cooker has measured it or was told; see part clip_motion. Points into the block. A
+// clip of which nothing is known has its duration and nothing else. Cost: a look at the sections of motion; once a
+// load.
+mrw_status mrw_file_motion(const mrw_file* file, uint32_t clip, mrw_clip_motion* out) MRW_NODISCARD;
+
 // Spaces of example shapes, see part example_space. mrw_load() only locates them; mrw_file_example_space() checks all
 // that one holds. lists point into the block. Errors: MRW_BAD_ARGUMENT if there is none with the index; MRW_BAD_DATA or
 // MRW_UNSUPPORTED, with `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass;
@@ -1085,6 +1143,10 @@ uint32_t mrw_file_find_clip_of(const mrw_file* file, const char* name, uint32_t 
 // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channel_count. Once a load, not
 // a frame.
 uint32_t mrw_file_find_channel(const mrw_file* file, const mrw_clip* clip, const char* name);
+
+// Index of the first event of `motion`, a motion of this file, with this name, or motion.event_count. Once a load, not
+// a frame: several events may have one name, so a frame compares mrw_clip_event.name.
+uint32_t mrw_file_find_event(const mrw_file* file, const mrw_clip_motion* motion, const char* name);
 
 // Index of the first node with this name, or mrw_file_node_count().
 uint32_t mrw_file_find_node(const mrw_file* file, const char* name);
@@ -1221,57 +1283,6 @@ float mrw_clip_time(const mrw_playback* playback);
 // it runs towards no end.
 bool mrw_finished(const mrw_playback* playback, float duration_s);
 
-// ---- Part clip_motion -----------------------------------------------------------------------------------------------
-// What a game asks of a clip beside its poses: how fast it goes, what happens in it, where its steps are, where its
-// root moves. A view, from a file or made by hand; part events, part root_motion, part phase and part blend_space read
-// it.
-
-// A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see part phase.
-#define MRW_MAX_MARKS 64u
-
-// Distances and times of a motion are at most this, in metres and seconds.
-#define MRW_FARTHEST_MOTION 1e12f
-
-// Something that happens in a clip: a moment, as a blow that lands, or a list, as a foot that stands.
-typedef struct mrw_clip_event mrw_clip_event;
-struct mrw_clip_event {
-  float time_s;  // 0 … the clip's duration
-  float until_s;  // ≥ time_s; equal: a moment. Beyond the clip's end it goes on at its start
-  uint32_t name;  // see mrw_file_text
-  float number;  // whatever the game means by it
-};
-void mrw_clip_event_init(mrw_clip_event* out);
-
-// M(t): where the root has moved since the clip's start, in model space. Between keys the translation is linear; the
-// rotation is the normalised sum of the two quaternions (nlerp), on the shorter arc, so keys are less than half a turn
-// apart. Before the first key and after the last M stays.
-typedef struct mrw_root_key mrw_root_key;
-struct mrw_root_key {
-  float time_s;  // 0 … the clip's duration
-  float rotation[4];  // unit quaternion x, y, z, w
-  float translation[3];  // metres
-};
-
-// A clip's motion.
-typedef struct mrw_clip_motion mrw_clip_motion;
-struct mrw_clip_motion {
-  float duration_s;  // the clip's; ≥ 0
-  float speed_m_s;  // over the ground, ≥ 0, also of a clip that walks on the spot
-  float heading[3];  // where to: of unit length, model space; 0: nowhere
-  const mrw_clip_event* events;  // by time_s
-  size_t event_count;
-  const float* phase_marks;  // seconds, strictly ascending, from 0 to below the duration; at most MRW_MAX_MARKS
-  size_t phase_mark_count;
-  const mrw_root_key* root;  // by time, strictly; the first is the identity; empty: the root stays
-  size_t root_count;
-};
-void mrw_clip_motion_init(mrw_clip_motion* out);
-
-// Whether a motion keeps these rules: numbers finite, lists and marks in order, an event no longer than the clip,
-// rotations of unit length within 1e-3. Call it once for a motion that is made by hand; the functions that read motions
-// do not. Cost: once over it all.
-bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion);
-
 // ---- Part events ----------------------------------------------------------------------------------------------------
 // Events: which of a clip's events a step of its playback met, and whether one goes on now.
 //
@@ -1382,8 +1393,8 @@ void mrw_phase_clip_init(mrw_phase_clip* out);
 
 // The place of a clip at time_s, with `passed` 0: where a group begins that takes over from this clip. time_s outside
 // the clip counts as its nearest end.
-// Errors: MRW_BAD_ARGUMENT if time_s is no number, there are more than MRW_MAX_MARKS marks, or the duration and the
-// marks do not ascend; nothing is written. Cost: over the marks.
+// Errors: MRW_BAD_ARGUMENT if time_s is no number, or the duration and the marks are not as part clip_motion has them;
+// nothing is written. Cost: over the marks.
 mrw_status mrw_phase_at(const mrw_clip_motion* motion, float time_s, mrw_phase* out) MRW_NODISCARD;
 
 // Moves `phase` on by dt_s seconds; below 0 backwards.

@@ -30,12 +30,14 @@ static_assert(sizeof(RootKey) == 32);
 
 // A clip's motion.
 struct ClipMotion {
-  float duration_s = 0;                // the clip's; ≥ 0
-  float speed_m_s = 0;                 // over the ground, ≥ 0, also of a clip that walks on the spot
-  float heading[3] = {};               // where to: of unit length, model space; 0: nowhere
-  Span<const ClipEvent> events = {};   // by time_s
-  Span<const float> phase_marks = {};  // seconds, strictly ascending, from 0 to below the duration; at most kMaxMarks
-  Span<const RootKey> root = {};       // by time, strictly; the first is the identity; empty: the root stays
+  float duration_s = 0;               // the clip's; ≥ 0
+  float speed_m_s = 0;                // over the ground, ≥ 0, also of a clip that walks on the spot
+  float heading[3] = {};              // where to: of unit length, model space; 0: nowhere
+  Span<const ClipEvent> events = {};  // by time_s
+  // Where the segments of a cycle begin, see phase.h: at most kMaxMarks, 0 … below the duration. Each is later than the
+  // one before. A cycle may begin anywhere in the clip, so once at most they go on at the clip's start.
+  Span<const float> phase_marks = {};
+  Span<const RootKey> root = {};  // by time, strictly; the first is the identity; empty: the root stays
 };
 
 // A cycle has as many segments as phase marks, and no group of clips has a cycle of more: see phase.h.

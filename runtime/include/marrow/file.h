@@ -36,6 +36,7 @@ struct Node {
   Span<const Property> properties = {};     // the `extras` of the source
 };
 
+struct ClipMotion;
 struct ExampleSpace;
 struct Roles;
 
@@ -78,6 +79,11 @@ class File {
   // nothing is known. Cost: a look at every section of roles.
   MARROW_API Roles roles(std::uint32_t skeleton) const;
 
+  // What a clip does, as far as the cooker has measured it or was told; see clip_motion.h. Points into the block. A
+  // clip of which nothing is known has its duration and nothing else. Cost: a look at the sections of motion; once a
+  // load.
+  MARROW_API ClipMotion motion(std::uint32_t clip) const;
+
   // Spaces of example shapes, see example_space.h. load() only locates them; example_space() checks all that one holds.
   // Spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported, with
   // `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
@@ -99,6 +105,9 @@ class File {
   // Index of the first channel of `clip`, a clip of this file, with this name, or clip.channels.size. Once a load, not
   // a frame.
   MARROW_API std::uint32_t find_channel(const Clip& clip, const char* name) const;
+  // Index of the first event of `motion`, a motion of this file, with this name, or motion.events.size. Once a load,
+  // not a frame: several events may have one name, so a frame compares ClipEvent::name.
+  MARROW_API std::uint32_t find_event(const ClipMotion& motion, const char* name) const;
   // Index of the first node with this name, or node_count().
   MARROW_API std::uint32_t find_node(const char* name) const;
   // The property of `node`, a node of this file, with this name; null if there is none.
@@ -125,8 +134,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[14] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[14] = {};
+  std::uint32_t first_[15] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[15] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

@@ -30,8 +30,8 @@ struct PhaseClip {
 
 // The place of a clip at time_s, with `passed` 0: where a group begins that takes over from this clip. time_s outside
 // the clip counts as its nearest end.
-// Errors: bad_argument if time_s is no number, there are more than kMaxMarks marks, or the duration and the marks do
-// not ascend; nothing is written. Cost: over the marks.
+// Errors: bad_argument if time_s is no number, or the duration and the marks are not as clip_motion.h has them;
+// nothing is written. Cost: over the marks.
 MARROW_API Status phase_at(const ClipMotion& motion, float time_s, Phase& out);
 
 // Moves `phase` on by dt_s seconds; below 0 backwards.

@@ -141,6 +141,7 @@ TEST_F(FormatPage, HasTheTablesOfSections) {
   expect(section_table<format::LimitHeader>(), "LIMI");
   expect(section_table<format::SpringHeader>(), "SPRI");
   expect(section_table<format::RoleHeader>(), "ROLE");
+  expect(section_table<format::MotionHeader>(), "MOTN");
   expect(section_table<format::BoundsHeader>(), "BNDS");
   expect(section_table<format::ExampleHeader>(), "SHAP");
   expect(part_table<format::CodedHeader, format::CodedLayout>(0u), "coded segments");
@@ -161,6 +162,8 @@ TEST_F(FormatPage, HasTheTablesOfRecords) {
   expect(record_table<JointRole>(), "a role of a joint");
   expect(record_table<JointPair>(), "a pair");
   expect(record_table<JointSole>(), "a sole");
+  expect(record_table<RootKey>(), "a key of a root");
+  expect(record_table<ClipEvent>(), "an event");
   expect(record_table<format::BoundsCodes>(), "bounds");
 }
 

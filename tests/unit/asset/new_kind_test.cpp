@@ -110,7 +110,7 @@ TEST_F(NewKind, IsTakenByWhoHasItsLine) {
   DataError error;
   EXPECT_EQ(load(block, file, &error), Status::bad_data);
   EXPECT_STREQ(error.rule,
-               "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE SHAP BNDS NAME");
+               "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN SHAP BNDS NAME");
 }
 
 TEST_F(NewKind, IsHeldToItsDescription) {

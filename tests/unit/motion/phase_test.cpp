@@ -243,7 +243,7 @@ TEST(Phase, OfBadCallsIsRefused) {
   const test::CallErrors errors;
   std::vector<float> many;
   for (int i = 0; i < 65; ++i) many.push_back(static_cast<float>(i) / 128);
-  const float bad[] = {0.5f, 0.25f}, late[] = {0.5f, 1}, nan[] = {test::kNan}, early[] = {-0.5f};
+  const float bad[] = {0.5f, 0.5f}, late[] = {0.5f, 1}, nan[] = {test::kNan}, early[] = {-0.5f};
   const ClipMotion good{.duration_s = 1}, of_64{.duration_s = 1, .phase_marks = {many.data(), 64}},
       of_63{.duration_s = 1, .phase_marks = {many.data(), 63}};
   Phase phase{0.5, 0, 7};

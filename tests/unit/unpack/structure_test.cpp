@@ -14,20 +14,20 @@
 namespace marrow {
 namespace {
 
-struct Bytes {
+struct RecordBytes {
   std::vector<std::byte> all;
   template <class T>
-  Bytes& add(T value) {
+  RecordBytes& add(T value) {
     const auto* const first = reinterpret_cast<const std::byte*>(&value);
     all.insert(all.end(), first, first + sizeof value);
     return *this;
   }
-  Bytes& u8(unsigned v) { return add(static_cast<std::uint8_t>(v)); }
-  Bytes& varint(unsigned v) {
+  RecordBytes& u8(unsigned v) { return add(static_cast<std::uint8_t>(v)); }
+  RecordBytes& varint(unsigned v) {
     for (; v > 127; v >>= 7) u8((v & 127) | 128);
     return u8(v);
   }
-  Bytes& text(const std::string& s) {
+  RecordBytes& text(const std::string& s) {
     for (const char c : s) u8(static_cast<unsigned char>(c));
     return u8(0);
   }
@@ -39,8 +39,8 @@ Span<const std::byte> span(const std::vector<std::byte>& bytes) {
 }
 
 // "", "hips", "hip_l", "hip_r": 1 + 5 + 6 + 6 bytes.
-Bytes names_record() {
-  Bytes b;
+RecordBytes names_record() {
+  RecordBytes b;
   b.u8(18).u8(0).text("hips");
   b.u8(3).text("_l");            // "hip" of the one before
   b.u8(1u << 6 | 3).text("_r");  // and of the one before that
@@ -51,8 +51,8 @@ constexpr unsigned kOneChild = 1u << 6, kTwoChildren = 2u << 6;
 
 // A quarter turn about z above two joints, 2.5 along x and 0.125 down z; the last stands for itself, named "hips"
 // again.
-Bytes skeleton_record() {
-  Bytes b;
+RecordBytes skeleton_record() {
+  RecordBytes b;
   b.u8(0 + 1).u8(3).u8(1);                                               // no name of its own: offset 0, plus one
   b.u8(0);                                                               // nothing above the root
   b.u8(kTwoChildren | packed::kJointRotates).u8(0x90).add(0.70710678f);  // z, and w is what is left
@@ -62,8 +62,8 @@ Bytes skeleton_record() {
 }
 
 // Entry 0 follows joint 1, entry 1 joint 0.
-Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
-  Bytes b;
+RecordBytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
+  RecordBytes b;
   b.varint(flags).u8(6).u8(12).u8(0).u8(0).u8(0).u8(2).u8(0);
   if ((flags & packed::kMeshHasHelpers) != 0) b.u8(1);
   if ((flags & packed::kMeshHasLods) != 0) b.u8(2);
@@ -84,8 +84,8 @@ Bytes mesh_record(unsigned flags = packed::kMeshIsDoubleSided) {
 // Of three joints, one group: the first turns in three frames of a byte, the second stays somewhere else. Two segments
 // of one interval each; a key of a channel; the third frame is late. Of the symbols it is known from outside what they
 // come to, and that clip_packer_test writes them.
-Bytes clip_record() {
-  Bytes b;
+RecordBytes clip_record() {
+  RecordBytes b;
   b.u8(packed::kClipIsCoded | packed::kClipHasLists | packed::kClipStartsLater | packed::kClipIsUneven |
        packed::kClipGivesMean);
   b.u8(6).u8(0).u8(20).u8(40);            // 2 s, in twentieths
@@ -108,8 +108,8 @@ constexpr format::BoundsCodes kBounds[3][2] = {
     {{-5, {-10, 0, -12}, {10, 90, 12}, 60}, {-6, {-8, 101, -9}, {8, 126, -3}, 200}}};
 
 // The symbols are by a program apart, from docs/packed_format.md.
-Bytes bounds_record() {
-  Bytes b;
+RecordBytes bounds_record() {
+  RecordBytes b;
   b.u8(1).u8(3).u8(2);
   for (const unsigned symbols :
        {0xA7u, 0x00u, 0x00u, 0x00u, 0x8Au, 0x52u, 0x0Au, 0x61u, 0x24u, 0x09u, 0xCCu, 0xA2u, 0xBEu, 0xE0u,
@@ -128,7 +128,7 @@ class Structure : public ::testing::Test {
     std::memcpy(file_.data() + sizeof(format::Header), &entry, sizeof entry);
   }
   const char* skeleton(Span<const std::byte> record) {
-    const Bytes pool = names_record();
+    const RecordBytes pool = names_record();
     NameReader names(pool.span());
     return unpack_skeleton(record, names, {file_.data() + kSection, kMesh - kSection}, bytes_);
   }
@@ -171,7 +171,7 @@ TEST_F(Structure, SkeletonByHand) {
 // (0.5, -0.5, 0.5, -w) with w what is left of 1; a length that no rotation has leaves 0.
 TEST_F(Structure, RotationsByHand) {
   const auto rotation = [&](unsigned codes, const std::vector<float>& given) {
-    Bytes b;
+    RecordBytes b;
     b.u8(0 + 1).u8(1).u8(1).u8(0).u8(packed::kJointRotates).u8(codes);
     for (const float x : given) b.add(x);
     EXPECT_STREQ(skeleton(b.span()), nullptr);
@@ -187,7 +187,7 @@ TEST_F(Structure, RotationsByHand) {
 
 // The floats next to 1 are half a step of 2^-23 below and a whole one above.
 TEST_F(Structure, ScalesByHand) {
-  Bytes b;
+  RecordBytes b;
   b.u8(0 + 1).u8(1).u8(1).u8(0).u8(packed::kJointScales).u8(0b10'00'10).u8(0xFF).u8(3);
   ASSERT_STREQ(skeleton(b.span()), nullptr);
   const format::SkeletonLayout l = layout(format::SkeletonHeader{0, 1, 1, 0});
@@ -213,7 +213,7 @@ TEST_F(Structure, MeshByHand) {
 
 TEST_F(Structure, MeshWithAHelper) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  const Bytes record = mesh_record(packed::kMeshHasHelpers);
+  const RecordBytes record = mesh_record(packed::kMeshHasHelpers);
   ASSERT_STREQ(mesh(record.span()), nullptr);
   const format::MeshHeader h{6, 12, 0, 0, 2, 0, 0, 1, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
@@ -225,8 +225,8 @@ TEST_F(Structure, MeshWithAHelper) {
 
 TEST_F(Structure, MeshWithAHelperAboutACentre) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  const Bytes record = mesh_record(packed::kMeshHasHelpers | packed::kMeshSharesAreBytes | packed::kMeshHasCentres |
-                                   packed::kMeshHasLods);
+  const RecordBytes record = mesh_record(packed::kMeshHasHelpers | packed::kMeshSharesAreBytes |
+                                         packed::kMeshHasCentres | packed::kMeshHasLods);
   ASSERT_STREQ(mesh(record.span()), nullptr);
   const format::MeshHeader h{6, 12, 0, 0, 2, format::kHelpersHaveCentres, 2, 1, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
@@ -243,7 +243,7 @@ TEST_F(Structure, MeshWithAHelperAboutACentre) {
 
 TEST_F(Structure, MeshWithLevels) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  const Bytes record = mesh_record(packed::kMeshHasLods);
+  const RecordBytes record = mesh_record(packed::kMeshHasLods);
   ASSERT_STREQ(mesh(record.span()), nullptr);
   const format::MeshHeader h{6, 12, 0, 0, 2, 0, 2, 0, {1, 1, 1, 1}, 0, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
@@ -296,7 +296,7 @@ TEST_F(Structure, ClipByHand) {
 // that has the spline's values, and a channel, all in the same list of times; behind them a value that none has.
 TEST_F(Structure, ListsByHand) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  Bytes record;
+  RecordBytes record;
   record.u8(packed::kClipHasLists).u8(6).u8(0).u8(30).u8(30);
   record.u8(3).u8(1).u8(2).u8(25).u8(0).u8(0);
   // By a program apart, from docs/packed_format.md.
@@ -329,10 +329,10 @@ TEST_F(Structure, ListsByHand) {
 // No lists and nothing coded: a header. Its duration as it is, or in thirds.
 TEST_F(Structure, ClipOfNothing) {
   ASSERT_STREQ(skeleton(skeleton_record().span()), nullptr);
-  ASSERT_STREQ(clip(Bytes().u8(0).u8(6).u8(0).u8(3).u8(4).span()), nullptr);
+  ASSERT_STREQ(clip(RecordBytes().u8(0).u8(6).u8(0).u8(3).u8(4).span()), nullptr);
   EXPECT_EQ(floats(kMesh + 8)[0], 1.3333334f);
   ASSERT_STREQ(
-      clip(Bytes().u8(packed::kClipIsAdditive | packed::kClipGivesDuration).u8(6).u8(0).u8(3).add(1.5f).span()),
+      clip(RecordBytes().u8(packed::kClipIsAdditive | packed::kClipGivesDuration).u8(6).u8(0).u8(3).add(1.5f).span()),
       nullptr);
   const format::ClipHeader h{6, 0, 1.5f, 0, 0, 0, 0, 1, 0};
   EXPECT_EQ(std::memcmp(file_.data() + kMesh, &h, sizeof h), 0);
@@ -374,19 +374,19 @@ TEST(Bounds, Damaged) {
       refused += run(changed) != nullptr;
     }
   EXPECT_GT(refused, 200 * whole.size());
-  changed = Bytes().varint(0).varint(0xFFFFFFFF).varint(0x80000000).all;
+  changed = RecordBytes().varint(0).varint(0xFFFFFFFF).varint(0x80000000).all;
   EXPECT_EQ(measure_bounds_record(span(changed)), 0u) << "more than a file holds";
   EXPECT_NE(run(changed), nullptr);
   // Billions of clips of nothing, which would go on for minutes.
   for (const auto& [clips, meshes] : {std::pair(0xFFFFFFFFu, 0u), std::pair(0u, 0xFFFFFFFFu), std::pair(0u, 0u)}) {
-    changed = Bytes().varint(0).varint(clips).varint(meshes).all;
+    changed = RecordBytes().varint(0).varint(clips).varint(meshes).all;
     EXPECT_EQ(measure_bounds_record(span(changed)), 0u);
     EXPECT_NE(run(changed), nullptr);
   }
 }
 
 TEST(Names, ByHand) {
-  const Bytes record = names_record();
+  const RecordBytes record = names_record();
   test::AlignedBlock pool(18);
   std::uint32_t bytes = 0;
   ASSERT_STREQ(unpack_names(record.span(), {pool.data(), pool.size()}, bytes), nullptr);
@@ -398,18 +398,18 @@ TEST(Names, ByHand) {
 
 TEST(Names, Refused) {
   test::AlignedBlock pool(64);
-  const auto refused = [&](const Bytes& record) {
+  const auto refused = [&](const RecordBytes& record) {
     std::uint32_t bytes = 0;
     return unpack_names(record.span(), {pool.data(), pool.size()}, bytes) != nullptr;
   };
-  EXPECT_TRUE(refused(Bytes())) << "nothing";
-  EXPECT_TRUE(refused(Bytes().u8(0))) << "not even the empty name";
-  EXPECT_TRUE(refused(Bytes().u8(65).u8(0).text(std::string(62, 'a')))) << "more than there is room for";
-  EXPECT_TRUE(refused(Bytes().u8(6).u8(1).text("abc"))) << "shares with a name that is not there";
-  EXPECT_TRUE(refused(Bytes().u8(9).u8(0).text("ab").u8(3).text("c"))) << "shares more than a name has";
-  EXPECT_TRUE(refused(Bytes().u8(4).u8(0).text("abc"))) << "pool too small";
-  EXPECT_TRUE(refused(Bytes().u8(6).u8(0).text("abc"))) << "pool not filled";
-  EXPECT_FALSE(refused(Bytes().u8(5).u8(0).text("abc")));
+  EXPECT_TRUE(refused(RecordBytes())) << "nothing";
+  EXPECT_TRUE(refused(RecordBytes().u8(0))) << "not even the empty name";
+  EXPECT_TRUE(refused(RecordBytes().u8(65).u8(0).text(std::string(62, 'a')))) << "more than there is room for";
+  EXPECT_TRUE(refused(RecordBytes().u8(6).u8(1).text("abc"))) << "shares with a name that is not there";
+  EXPECT_TRUE(refused(RecordBytes().u8(9).u8(0).text("ab").u8(3).text("c"))) << "shares more than a name has";
+  EXPECT_TRUE(refused(RecordBytes().u8(4).u8(0).text("abc"))) << "pool too small";
+  EXPECT_TRUE(refused(RecordBytes().u8(6).u8(0).text("abc"))) << "pool not filled";
+  EXPECT_FALSE(refused(RecordBytes().u8(5).u8(0).text("abc")));
 }
 
 TEST_F(Structure, Refused) {
@@ -424,7 +424,7 @@ TEST_F(Structure, Refused) {
                             {"joints without a parent", 4, kOneChild | packed::kJointRotates},
                             {"more children than joints", 4, 3u << 6 | packed::kJointRotates}};
   for (const Case& c : skeletons) {
-    Bytes record = skeleton_record();
+    RecordBytes record = skeleton_record();
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(skeleton(record.span()), nullptr) << c.what;
   }
@@ -435,7 +435,7 @@ TEST_F(Structure, Refused) {
                          {"a joint before the first", 8, 1},
                          {"more joints than bytes", 6, 3}};
   for (const Case& c : meshes) {
-    Bytes record = mesh_record();
+    RecordBytes record = mesh_record();
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(mesh(record.span()), nullptr) << c.what;
   }
@@ -451,7 +451,7 @@ TEST_F(Structure, Refused) {
                         {"more channels than room", 6, 100}};
   ASSERT_STREQ(clip(clip_record().span()), nullptr);
   for (const Case& c : clips) {
-    Bytes record = clip_record();
+    RecordBytes record = clip_record();
     record.all[c.byte] = static_cast<std::byte>(c.now);
     EXPECT_NE(clip(record.span()), nullptr) << c.what;
   }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/info/clip_motions.h"
 #include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
 #include "common/section_names.h"
@@ -14,7 +15,6 @@
 #include "gpu_cost/vertex_cost.h"
 #include "marrow/clip_pack.h"
 #include "marrow/version.h"
-#include "pose/bare_skeleton.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -238,43 +238,8 @@ ordered_json describe_shapes(const LoadedFile& loaded) {
   return out;
 }
 
-// Less than this is no travel.
-constexpr double kStays = 0.01;
-
-// From where a clip begins to where it ends, a second; null where it stays.
-ordered_json speed_of(const double (&travel)[3], const Clip& clip) {
-  const double length = std::hypot(travel[0], travel[1], travel[2]);
-  if (!(length > kStays)) return nullptr;
-  return length / static_cast<double>(clip.duration_s);
-}
-
-// How fast the first root goes, metres; null of clips that are added to others or whose skeleton is in another file.
-ordered_json describe_speed(Character& character, const Clip& clip, const Play& play) {
-  if (clip.additive || play.empty() || !(clip.duration_s > 0)) return nullptr;
-  character.pose(play, 0);
-  const Affine first = character.model_from_joint(clip.skeleton)[0];
-  character.pose(play, clip.duration_s);
-  const Affine last = character.model_from_joint(clip.skeleton)[0];
-  double travel[3];
-  for (int r = 0; r < 3; ++r) travel[r] = static_cast<double>(last.rows[r][3]) - static_cast<double>(first.rows[r][3]);
-  return speed_of(travel, clip);
-}
-
-// The same of a clip pack, in the units of what the root hangs on, which stands in the character's file alone.
-ordered_json describe_root_speed(const File& file, const Clip& clip) {
-  if (clip.additive || clip.skeleton >= file.reference_count() || !(clip.duration_s > 0)) return nullptr;
-  const BareSkeleton bare(file.reference(clip.skeleton));
-  const SoaTransform first = bare.pose(clip, 0)[0], last = bare.pose(clip, clip.duration_s)[0];
-  double travel[3];
-  for (int c = 0; c < 3; ++c)
-    travel[c] = static_cast<double>(last.translation[c][0]) - static_cast<double>(first.translation[c][0]);
-  return speed_of(travel, clip);
-}
-
 ordered_json describe_clips(const LoadedFile& loaded) {
   const File& file = loaded.file;
-  Character character(file);
-  const std::vector<Play> plays = plays_of(file, file);
   const std::vector<File::Section> sections = sections_of(loaded, "CLIP");
   std::vector<ordered_json> bounds = cook::report_bounds(file, loaded.bytes);
   ordered_json out = ordered_json::array();
@@ -290,8 +255,7 @@ ordered_json describe_clips(const LoadedFile& loaded) {
                    {"frames", coded.frame_count},
                    {"skeleton", c.skeleton},
                    {"bytes", sections[i].bytes},
-                   {"speed_m_s", describe_speed(character, c, plays[i])},
-                   {"root_speed", describe_root_speed(file, c)},
+                   {"motion", describe_motion(file, file.motion(i))},
                    {"additive", c.additive},
                    {"reference", c.reference != nullptr ? "own" : "rest"},
                    {"channels", channels},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/info/clip_motions.h"
 #include "commands/info/describe.h"
 #include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
@@ -42,13 +43,6 @@ std::string reach_of(const ordered_json& clip) {
     size[c] = most - least;
   }
   return fmt::format(", reaches {} × {} × {}", plain_number(size[0]), plain_number(size[1]), plain_number(size[2]));
-}
-
-// Of a clip that goes somewhere: ", moves at 1.4 m/s". A pack does not know its character's units.
-std::string speed_of(const ordered_json& clip) {
-  const ordered_json &speed = clip["speed_m_s"], &root = clip["root_speed"];
-  if (!root.is_null()) return fmt::format(", moves at {:.3g} units/s", root.get<double>());
-  return speed.is_null() ? "" : fmt::format(", moves at {:.3g} m/s", speed.get<double>());
 }
 
 // "12 springs in 3 chains, 4 colliders, ", or nothing.
@@ -235,7 +229,7 @@ class Tree {
            source_bytes("clip_bytes", c["name"]),
            fmt::format("{:.3f} s, {}{} tracks, {}{}{}{}", c["duration_s"].get<double>(),
                        frames > 0 ? fmt::format("{} frames, ", frames) : "", c["tracks"].get<int>(), text(c["codec"]),
-                       kind, reach_of(c), speed_of(c), of_skeleton(c)));
+                       kind, reach_of(c), summary_of_motion(c["motion"]), of_skeleton(c)));
       for (const auto& channel : c["channels"]) below_leaf(last, fmt::format("channel \"{}\"", text(channel)), "", "");
     }
   }
@@ -264,8 +258,9 @@ void run_info(const InfoArguments& a) {
     if (a.json) {
       if (!source.is_null()) description["source"] = source;
       all.push_back(std::move(description));
-    } else if (a.roles) {
-      print_roles(description);
+    } else if (a.roles || a.motion) {
+      if (a.roles) print_roles(description);
+      if (a.motion) print_motions(description);
     } else {
       if (&in != &a.in.front()) fmt::print("\n");
       print(description, source);

@@ -12,6 +12,7 @@ void add_info(CLI::App& app, int&) {
   command->add_option("--source", a.source, "the glTF file it was cooked from, to show its bytes beside")
       ->type_name("IN.glb");
   command->add_flag("--roles", a.roles, "only what joints are for, which mirror each other, and where feet stand");
+  command->add_flag("--motion", a.motion, "only what clips do: their speeds, events, steps, and how their roots move");
   command->add_flag("--json", a.json, "as JSON; of several files as an array");
   command->callback([] { run_info(a); });
 }

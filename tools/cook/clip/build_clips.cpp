@@ -11,6 +11,7 @@
 #include "cook/clip/compress/compress_clip.h"
 #include "cook/clip/morph_errors.h"
 #include "cook/clip/split_clips.h"
+#include "cook/motion/root_track.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
 
@@ -141,10 +142,15 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
 
 std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
                                    const CookOptions& options, Notes& notes) {
-  const std::vector<ClipPart> parts = split_clips(scene, built);
+  std::vector<ClipPart> parts = split_clips(scene, built);
   std::vector<BuiltClip> clips;
-  for (const ClipPart& part : parts) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    ClipPart& part = parts[i];
+    const BuiltClip* const raw = built.clips.empty() ? nullptr : &built.clips[i];
+    if (raw != nullptr && !raw->motion.root_in_pose.empty())
+      take_out_root(raw->motion.root_in_pose, *raw, built.skeletons[part.skeleton], part.clip);
     clips.push_back(build_tracks(part.clip, built.joint_of_node));
+    clips.back().source = part.source;
     clips.back().skeleton = part.skeleton;
     clips.back().duration_s = part.duration_s;
   }
@@ -167,6 +173,7 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
     add_channels(parts[i].clip, options.raw_clips, clips[i]);
+    if (!built.clips.empty()) clips[i].motion = built.clips[i].motion;
     clips[i].error.vertex_error_m +=
         morph_error_m(channels[i], clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
   }

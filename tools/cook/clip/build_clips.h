@@ -16,8 +16,9 @@ struct Carried {
   std::vector<MorphedMesh> morphed;
 };
 
-// Clip by clip of the source, in each skeleton by skeleton. built: its skeletons. Throws tools::Failure (usage) if an
-// option names what there is not.
+// Clip by clip of the source, in each skeleton by skeleton. built: its skeletons, and the clips of build_raw_clips()
+// with their motions, or no clips. Roots' motion is taken out. Throws tools::Failure (usage) if an option names what
+// there is not.
 std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
                                    const CookOptions& options, Notes& notes);
 // The same without compression and without notes, for those who look at poses.

@@ -33,7 +33,8 @@ std::vector<ClipPart> split_clips(const RawScene& scene, const BuiltScene& built
     for (auto& [skeleton, part] : parts) {
       part.name = clip.name;
       part.additive = clip.additive;
-      out.push_back({static_cast<std::uint32_t>(skeleton), std::move(part), duration_s});
+      out.push_back({static_cast<std::uint32_t>(skeleton), static_cast<std::size_t>(&clip - scene.clips.data()),
+                     std::move(part), duration_s});
     }
   }
   return out;

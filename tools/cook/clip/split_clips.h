@@ -12,6 +12,7 @@ namespace marrow::cook {
 // What a clip of the source moves in one skeleton.
 struct ClipPart {
   std::uint32_t skeleton;
+  std::size_t source;  // which clip of the scene
   RawClip clip;
   float duration_s;  // of the whole clip, so that its parts stay in step
 };

@@ -82,6 +82,16 @@ NodeShown read_shown(const Json& node) {
   return out;
 }
 
+Json events_of(const Json& animation) {
+  const Json* at = &animation;
+  for (const char* name : {"extras", "marrow", "events"}) {
+    const auto member = at->find(name);
+    if (member == at->end()) return {};
+    at = &*member;
+  }
+  return *at;
+}
+
 // What is imported from the JSON itself.
 void set_aside(Json& root, Document& document) {
   for (const char* name : {"materials", "textures", "samplers", "images"})
@@ -89,6 +99,8 @@ void set_aside(Json& root, Document& document) {
   if (const auto all = root.find("extensions"); all != root.end())
     for (const char* name : kVrmExtensions)
       if (const auto member = all->find(name); member != all->end()) document.vrm[name] = std::move(*member);
+  if (const auto animations = root.find("animations"); animations != root.end())
+    for (const Json& animation : *animations) document.clip_events.push_back(events_of(animation));
   const auto nodes = root.find("nodes");
   if (nodes == root.end()) return;
   for (Json& node : *nodes) {

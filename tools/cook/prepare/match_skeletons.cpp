@@ -310,6 +310,10 @@ Character view_character(const std::string& path, const File& file) {
     built.parents.assign(s.parents, s.parents + s.joint_count);
     built.model_from_root.assign(s.model_from_root, s.model_from_root + s.root_count);
     built.rest.assign(s.rest, s.rest + s.soa_size());
+    const Roles roles = file.roles(i);
+    built.roles = {{roles.roles.begin(), roles.roles.end()},
+                   {roles.pairs.begin(), roles.pairs.end()},
+                   {roles.soles.begin(), roles.soles.end()}};
   }
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i)
     for (std::uint32_t level = 0; level <= file.mesh(i).lods.size; ++level) out.meshes.push_back(file.mesh(i, level));

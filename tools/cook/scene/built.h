@@ -11,6 +11,7 @@
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
 #include "cook/scene/raw.h"
+#include "marrow/clip_motion.h"
 #include "marrow/file.h"
 #include "marrow/roles.h"
 
@@ -68,8 +69,24 @@ struct ClipError {
   double vertex_error_m = 0, vertex_share = 0;  // of vertices, of what is promised for each
 };
 
+struct BuiltEvent {
+  std::string name;
+  float time_s = 0, until_s = 0, number = 0;  // as in ClipEvent
+};
+
+// As a MOTN section has it.
+struct BuiltMotion {
+  float speed_m_s = 0;
+  float heading[3] = {};
+  std::vector<RootKey> root;
+  std::vector<RootKey> root_in_pose;  // what of it the source's poses have, and the clip's have not
+  std::vector<BuiltEvent> events;     // by time_s
+  std::vector<float> marks;
+};
+
 struct BuiltClip {
   std::string name;
+  std::size_t source = 0;  // which clip of the scene
   std::uint32_t skeleton = 0;
   float duration_s = 0;
   std::uint32_t most_keys = 0;  // of any track
@@ -83,6 +100,7 @@ struct BuiltClip {
   std::string raw_because;              // why it keeps its keys; empty: coded, or nothing moves
   std::string additive;                 // over what, in --additive's words; empty: an ordinary clip
   std::vector<SoaTransform> reference;  // empty: the rest pose
+  BuiltMotion motion = {};
 };
 
 // What quantisation has done at worst, lengths in the mesh's own units.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cook/scene/event_text.h"
 #include "deform/deformers.h"
 #include "deform/elastic/elastic_options.h"
 #include "deform/fit/progress.h"
@@ -142,6 +143,35 @@ struct RoleRule {
   RuleOrigin origin = {"--roles", ""};
 };
 
+// How much of a clip's motion the root has in place of the poses: none; over the ground, with its heading; and also up
+// and down.
+enum class RootMotion { none, ground, full };
+struct RootRule {
+  std::string clips;  // a name with wildcards as above
+  RootMotion root = RootMotion::none;
+  RuleOrigin origin = {"--root", ""};
+};
+
+struct EventRule {
+  std::string clips;
+  EventText event;
+  RuleOrigin origin = {"--event", ""};
+};
+
+// Where the segments of a cycle begin, in place of where feet come down.
+struct PhaseRule {
+  std::string clips;
+  std::vector<ClipMoment> marks;
+  RuleOrigin origin = {"--phase", ""};
+};
+
+// What clips do beside their poses. Of roots and phases the last rule that fits a clip counts.
+struct MotionOptions {
+  std::vector<RootRule> roots;
+  std::vector<EventRule> events;
+  std::vector<PhaseRule> phases;
+};
+
 // A level of detail.
 struct LodRule {
   double ratio = 1;                         // of the mesh's triangles
@@ -189,7 +219,8 @@ struct CookOptions {
   std::vector<WeightsOverTime> weights_over_time;
   std::string auto_skeleton;  // a template's name, see read_template(); empty: the file's own skeletons
   std::vector<ShapeRule> shapes;
-  std::vector<RoleRule> roles;     // in place of those that are found
+  std::vector<RoleRule> roles;  // in place of those that are found
+  MotionOptions motion;
   deform::Progress clip_progress;  // of clips that are compressed
 };
 

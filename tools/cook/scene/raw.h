@@ -18,6 +18,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "cook/scene/event_text.h"
 #include "marrow/file.h"
 #include "marrow/limits.h"
 
@@ -162,7 +163,8 @@ struct RawClip {
   std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
-  bool additive = false;  // over the rest pose, without --additive
+  std::vector<EventText> events = {};  // `extras.marrow.events`
+  bool additive = false;               // over the rest pose, without --additive
 };
 
 // A chain of spring bones, each node somewhere below the one before it. No node is in two chains.

@@ -212,6 +212,27 @@ Section write_roles(const BuiltRoles& r, std::uint32_t skeleton) {
   return out;
 }
 
+// Whether anything is known of a clip.
+bool moves(const BuiltMotion& m) {
+  return m.speed_m_s > 0 || !m.root.empty() || !m.events.empty() || !m.marks.empty();
+}
+
+Section write_motion(const BuiltMotion& m, std::uint32_t clip, Names& names) {
+  Section out;
+  format::MotionHeader h{clip, m.speed_m_s, {}, 0, 0, 0};
+  std::memcpy(h.heading, m.heading, sizeof h.heading);
+  h.root_count = static_cast<std::uint32_t>(m.root.size());
+  h.event_count = static_cast<std::uint32_t>(m.events.size());
+  h.mark_count = static_cast<std::uint32_t>(m.marks.size());
+  std::vector<ClipEvent> events;
+  for (const BuiltEvent& e : m.events) events.push_back({e.time_s, e.until_s, names.add(e.name), e.number});
+  const auto l = out.begin(h);
+  out.set(l.root, m.root);
+  out.set(l.events, events);
+  out.set(l.marks, m.marks);
+  return out;
+}
+
 Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   Section out;
   const auto l = out.begin(format::ExampleHeader{
@@ -349,6 +370,9 @@ class SceneWriter {
     for (const RawImage& image : scene_.images) add(format::kImages, write_image(image, names_));
     for (const BuiltNode& node : scene_.nodes) add(format::kNodes, write_node(node, names_));
     if (!scene_.is_pack) add_limits_springs_and_roles();
+    for (std::size_t c = 0; c < scene_.clips.size(); ++c)
+      if (const BuiltMotion& m = scene_.clips[c].motion; moves(m))
+        add(format::kMotions, write_motion(m, static_cast<std::uint32_t>(c), names_));
     for (const BuiltExampleSpace& space : scene_.example_spaces)
       add(format::kExamples, write_example_space(space, names_));
     add_names();

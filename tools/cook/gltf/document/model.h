@@ -26,6 +26,7 @@ struct Document {
   Json looks;                      // the root's materials, textures, samplers and images
   Json vrm;                        // the root's extensions VRM, VRMC_vrm and VRMC_springBone, those that there are
   std::vector<Json> node_extras;   // by node; null where there are none
+  std::vector<Json> clip_events;   // by animation: `extras.marrow.events`; null where there are none
   std::vector<Json> node_limits;   // by node: extras.marrow.limits, taken out of the above; null where there are none
   std::vector<bool> node_is_view;  // by node: a camera or a light
   std::vector<NodeShown> node_shown;

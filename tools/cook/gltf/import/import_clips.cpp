@@ -208,6 +208,28 @@ class Said {
   std::map<std::pair<int, std::string>, std::size_t> first_;
 };
 
+constexpr std::size_t kMostEvents = 4096;
+
+// A list of texts, or one text.
+std::vector<EventText> import_events(const Json& events, const std::string& where, Report& report) {
+  std::vector<EventText> out;
+  const Json all = events.is_array() ? events : events.is_null() ? Json::array() : Json::array({events});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EventText event;
+    if (out.size() == kMostEvents) {
+      report.mend(where, "event-left-out", "a clip has at most " + std::to_string(kMostEvents) + " events");
+      break;
+    }
+    if (all[i].is_string() && read_event(all[i].get<std::string>(), event)) {
+      out.push_back(std::move(event));
+    } else {
+      report.mend(events.is_array() ? under(where, i) : where, "event-left-out",
+                  "no event, as \"hit@0.35\" or \"swing@0.2..0.5\"");
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<RawClip> import_clips(const Document& document, const NodeGraph& graph, const std::vector<RawNode>& nodes,
@@ -220,6 +242,8 @@ std::vector<RawClip> import_clips(const Document& document, const NodeGraph& gra
     const std::string where = pointer("animations", a);
     RawClip clip;
     clip.name = clean_name(animation.name, where, report);
+    if (a < document.clip_events.size())
+      clip.events = import_events(document.clip_events[a], where + "/extras/marrow/events", report);
     ChannelImporter importer(document, animation, where, budget, report);
     Said said(where, report);
     for (std::size_t c = 0; c < animation.channels.size(); ++c) {

@@ -1,0 +1,51 @@
+// Where feet and hips go in the course of a clip.
+#pragma once
+
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+
+#include "cook/clip/measure/source_curves.h"
+#include "cook/scene/built.h"
+#include "marrow/roles.h"
+
+namespace marrow::cook {
+
+// What of a foot is lowest at a moment: the ball or the heel. Model space, metres and seconds.
+struct FootPoint {
+  glm::dvec3 place{0}, velocity{0};
+};
+
+// A foot, or a hand that is a front foot.
+struct FootTrace {
+  Role role = Role::none;
+  double leg_m = 0;               // from the top of the leg to the sole, at rest
+  double rest_m = 0;              // the sole's height at rest
+  std::vector<FootPoint> points;  // a frame
+};
+
+// A clip in frames that are evenly spaced; the first at its start, the last at its end.
+struct ClipTrace {
+  double frame_s = 0;  // 0: a clip that is too short or too long to be looked at
+  std::vector<FootTrace> feet;
+  std::vector<glm::dvec3> hips;       // a frame, model space; where there are no hips, of the first root
+  std::vector<glm::dquat> hips_turn;  // a frame: since rest, model space
+
+  std::size_t size() const { return hips.size(); }
+  double duration_s() const { return frame_s * static_cast<double>(size() - 1); }
+};
+
+// On the ground.
+inline glm::dvec3 level(const glm::dvec3& v) {
+  return {v.x, 0, v.z};
+}
+// The mean of its legs' lengths; 1 m without legs.
+double leg_of(const ClipTrace& trace);
+// The turn about the upright in a rotation; upside down, where there is none, the identity.
+glm::dquat heading_of(const glm::dquat& turn);
+
+// clip: of the skeleton, with its keys as the source has them.
+ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton);
+
+}  // namespace marrow::cook
