@@ -1326,6 +1326,17 @@ mrw_status mrw_pose_character(mrw_character* character, const mrw_animation_laye
   return code(marrow::pose_character(to<Character>(character), span<const AnimationLayer>(layers, layer_count)));
 }
 
+mrw_status mrw_step_layer(const mrw_playback* before, const mrw_playback* after, mrw_animation_layer* layer) {
+  MRW_NEEDS(leads_to<Playback>(before) && leads_to<Playback>(after) && leads_to<AnimationLayer>(layer), MRW_BAD_ARGUMENT);
+  return code(marrow::step_layer(of<Playback>(before), of<Playback>(after), to<AnimationLayer>(layer)));
+}
+
+mrw_status mrw_character_root_step(const mrw_character* character, const mrw_animation_layer* layers,
+    size_t layer_count, mrw_rigid_step* out) {
+  MRW_NEEDS(leads_to<Character>(character) && is_list<AnimationLayer>(layers, layer_count) && leads_to<RigidStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::character_root_step(of<Character>(character), span<const AnimationLayer>(layers, layer_count), to<RigidStep>(out)));
+}
+
 mrw_status mrw_add_expression(mrw_character* character, const mrw_animation_layer* expression) {
   MRW_NEEDS(leads_to<Character>(character) && leads_to<AnimationLayer>(expression), MRW_BAD_ARGUMENT);
   return code(marrow::add_expression(to<Character>(character), of<AnimationLayer>(expression)));

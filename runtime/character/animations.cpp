@@ -93,6 +93,25 @@ Status find_channels(const File& file, const Animation& animation, Span<std::uin
   return Status::ok;
 }
 
+bool says_anything(const ClipMotion& m) {
+  return m.speed_m_s > 0 || !m.events.empty() || !m.phase_marks.empty() || !m.root.empty();
+}
+
+// Of the first skeleton that has one with a root, else any, else of the first that plays.
+void choose_motion(Animation& animation) {
+  int best = -1;
+  for (std::uint32_t s = 0; s < animation.clip_of_skeleton.size; ++s) {
+    const std::uint32_t clip = animation.clip_of_skeleton[s];
+    if (clip == kNoClip) continue;
+    const ClipMotion motion = animation.clips.motion(clip);
+    const int rank = !motion.root.empty() ? 2 : says_anything(motion) ? 1 : 0;
+    if (rank <= best) continue;
+    best = rank;
+    animation.motion = motion;
+    animation.motion_skeleton = s;
+  }
+}
+
 bool moves_anything(const Animation& animation) {
   for (const std::uint32_t clip : animation.clip_of_skeleton)
     if (clip != kNoClip) return true;
@@ -120,7 +139,8 @@ Status make_animations(const File& file, const File& clips, Span<std::byte> memo
     const Span<std::uint32_t> chosen(pieces.clips.data + i * skeletons, skeletons);
     const Span<std::uint32_t> channels(pieces.channels.data + i * targets, targets);
     choose_clips(file, clips, i, chosen);
-    Animation made{clips.clip(i).name, clips, 0, chosen, channels};
+    Animation made{clips.clip(i).name, clips, 0, chosen, channels, {}, 0};
+    choose_motion(made);
     for (const std::uint32_t clip : chosen)
       if (clip != kNoClip && clips.clip(clip).duration_s > made.duration_s)
         made.duration_s = clips.clip(clip).duration_s;

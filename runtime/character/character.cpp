@@ -3,6 +3,7 @@
 
 #include <cstring>
 
+#include "character/layer_rules.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
@@ -198,20 +199,6 @@ std::size_t masked_joints(const Character& c) {
   return joints;
 }
 
-BadCall check_layer(const Character& c, const AnimationLayer& layer) {
-  MARROW_CHECK(within(layer.weight, 0.0f, layer.mask.empty() ? kMaxBlendWeight : 1.0f));
-  MARROW_CHECK(layer.mask.empty() || holds(layer.mask, masked_joints(c)));
-  MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
-  return check_animation(c, layer.animation);
-}
-
-BadCall check_layers(const Character& c, Span<const AnimationLayer> layers) {
-  MARROW_CHECK(holds(layers) && layers.size <= c.options.layers);
-  for (const AnimationLayer& layer : layers)
-    if (const BadCall bad = check_layer(c, layer)) return bad;
-  return {};
-}
-
 Status sample_layers(Character& character, Span<const AnimationLayer> layers) {
   std::size_t first_joint = 0;
   for (std::uint32_t s = 0; s < character.skeletons.size; ++s) {
@@ -227,6 +214,20 @@ Status sample_layers(Character& character, Span<const AnimationLayer> layers) {
 }
 
 }  // namespace
+
+BadCall check_layer(const Character& c, const AnimationLayer& layer) {
+  MARROW_CHECK(within(layer.weight, 0.0f, layer.mask.empty() ? kMaxBlendWeight : 1.0f));
+  MARROW_CHECK(layer.mask.empty() || holds(layer.mask, masked_joints(c)));
+  MARROW_CHECK(layer.weight == 0 || layer.time_s == layer.time_s);  // else it is not read
+  return check_animation(c, layer.animation);
+}
+
+BadCall check_layers(const Character& c, Span<const AnimationLayer> layers) {
+  MARROW_CHECK(holds(layers) && layers.size <= c.options.layers);
+  for (const AnimationLayer& layer : layers)
+    if (const BadCall bad = check_layer(c, layer)) return bad;
+  return {};
+}
 
 std::size_t character_bytes(const File& file, const CharacterOptions& options) {
   Memory counted;

@@ -57,8 +57,9 @@ void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const Co
 }
 
 // Of clips that are as the source has them.
-void measure_motions(const RawScene& scene, const CookOptions& options, BuiltScene& out, Notes& notes) {
-  std::vector<BuiltMotion> motions = build_motions(scene, out, options.motion, notes);
+void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, const CookOptions& options,
+                     BuiltScene& out, Notes& notes) {
+  std::vector<BuiltMotion> motions = build_motions(scene, out, meshes, options.motion, notes);
   for (std::size_t i = 0; i < motions.size(); ++i) out.clips[i].motion = std::move(motions[i]);
 }
 
@@ -86,7 +87,7 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
   }
   if (!options.onto) find_roles(scene, {}, options, out, notes);
   out.clips = build_raw_clips(scene, out, options.additive);
-  measure_motions(scene, options, out, notes);
+  measure_motions(scene, carried.meshes, options, out, notes);
   out.clips = build_clips(scene, out, carried, options, notes);
   return without_unmoved(std::move(out));
 }
@@ -137,8 +138,9 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   if (options.mesh_codec != MeshCodec::none) meshes = derive_inverse_binds(out.skeletons, std::move(meshes));
   BuiltLooks looks = build_materials(scene, meshes.meshes, options.images, notes);
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
-  if (!out.is_outfit) find_roles(scene, full_meshes(meshes), options, out, notes);  // an outfit's body has them
-  measure_motions(scene, options, out, notes);
+  const std::vector<Mesh> full = full_meshes(meshes);
+  if (!out.is_outfit) find_roles(scene, full, options, out, notes);  // an outfit's body has them
+  measure_motions(scene, full, options, out, notes);
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
   out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
                           options, notes);

@@ -17,9 +17,12 @@
 
 #include "marrow/api.h"
 #include "marrow/blend.h"
+#include "marrow/clip_motion.h"
 #include "marrow/file.h"
 #include "marrow/local_to_model.h"
 #include "marrow/morph.h"
+#include "marrow/playback.h"
+#include "marrow/root_motion.h"
 #include "marrow/sample.h"
 
 namespace marrow {
@@ -34,6 +37,10 @@ struct Animation {
   // One a morph target of the character, mesh after mesh: its channel in the clip that the mesh's skeleton plays, or
   // kNoChannel. From find_weight_channels().
   Span<const std::uint32_t> channels = {};
+  // What its clips do beside their poses: that of the first skeleton whose clip has a root's motion, else of the first
+  // whose clip has any.
+  ClipMotion motion = {};
+  std::uint32_t motion_skeleton = 0;  // which skeleton's clip that is
 };
 
 // All animations of a file, by name.
@@ -126,6 +133,7 @@ struct AnimationLayer {
   // several skeletons follow one another, each skeleton's beginning at a multiple of four floats. mask_below() fills
   // one skeleton's.
   Span<const float> mask = {};
+  RigidStep step = {};  // how its root moves in this frame: for character_root_step(); poses do not need it
 };
 
 // Samples and blends. Local poses of all skeletons and weights of all morph targets become weighted means of the layers
@@ -144,6 +152,18 @@ MARROW_API Status local_to_model(Character& character);
 // sample_character(), then local_to_model(): the pose is ready for inverse kinematics, feet and springs. Errors: as
 // sample_character().
 MARROW_API Status pose_character(Character& character, Span<const AnimationLayer> layers);
+
+// Puts a layer where a step of its animation's playback has come to: sets time_s, and `step` by root_step(). `after` is
+// `before` after one advance() with Animation::motion's duration, or both are from follow_phase().
+// Errors: bad_argument (no animation; as root_step()); nothing is written. Cost: as root_step().
+MARROW_API Status step_layer(const Playback& before, const Playback& after, AnimationLayer& layer);
+
+// How the layers together move the character, for move_root(). Steps of layers without masks are averaged, as
+// blend_root_steps() of root_motion.h does. Then each layer with a mask, in their order, takes the share weight · mask
+// at the hips.
+// Errors: bad_argument (as pose_character(); a result that is not finite); nothing is written. Cost: some 400
+// operations in double precision a layer of weight above 0.
+MARROW_API Status character_root_step(const Character& character, Span<const AnimationLayer> layers, RigidStep& out);
 
 // Adds an expression, such as a face's, to the weights of morph targets: the difference between the animation's weight
 // and the default, times `weight`. Call it once for each expression, between pose_character() and finish_character(). A

@@ -2,27 +2,32 @@
 #include "actor.h"
 #include "ground.h"
 
-constexpr float kWalk_mps = 0.375f;  // how fast the clip's feet go over the ground
-constexpr float kBall_m = 0.03f;     // how high the ball of a standing foot is in the clip
-
 struct Legs {
   marrow::Foot legs[2];
+  std::uint32_t steps[2];  // names of the events in which each foot stands
   marrow::Feet feet;
   marrow::FootMotion motion[2];
 
-  Legs(const marrow::File& file, const marrow::Skeleton& skeleton) {
+  Legs(const marrow::File& file, const marrow::ClipMotion& walk) {
+    const marrow::Roles roles = file.roles(0);
     for (int i = 0; i < 2; ++i) {
-      const std::string side = i == 0 ? ".L" : ".R";
-      legs[i].hip = find(file, skeleton, "thigh" + side);
-      legs[i].knee = find(file, skeleton, "shin" + side);
-      legs[i].ankle = find(file, skeleton, "foot" + side);
-      legs[i].sole[1] = 0.119f;  // the ball of the foot: so far from the ankle, along the foot
+      const marrow::Role role = i == 0 ? marrow::Role::left_foot : marrow::Role::right_foot;
+      must(foot_of(roles, role, legs[i]), "a leg");
+      steps[i] = walk.events[file.find_event(walk, role_name(role))].name;
     }
     feet.feet = legs;
-    feet.pelvis = find(file, skeleton, "pelvis");
+    feet.pelvis = joint_of(roles, marrow::Role::hips);
   }
 
-  void stand(const marrow::Pose& pose, Height height, float walked, float dt_s) {
+  // Whether a foot of the walk stands at a time.
+  bool stands(int foot, const marrow::ClipMotion& walk, float time_s) const {
+    for (const marrow::ClipEvent& e : walk.events)
+      if (e.name == steps[foot] && is_within(e, time_s, walk.duration_s)) return true;
+    return false;
+  }
+
+  void stand(const marrow::Pose& pose, const marrow::ClipMotion& walk, float time_s, Height height, float walked,
+             float dt_s) {
     marrow::FeetFrame frame;
     frame.dt_s = dt_s;
     frame.world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, walked}}};
@@ -39,7 +44,7 @@ struct Legs {
       ground[i].normal[0] = n.x;
       ground[i].normal[1] = n.y;
       ground[i].normal[2] = n.z;
-      ground[i].planted = ball[1] < kBall_m + 0.002f;  // as low as a foot of the clip that stands
+      ground[i].planted = stands(i, walk, time_s);
     }
     must(place_feet(pose, feet, frame, ground, motion), "feet");
   }
@@ -53,17 +58,17 @@ int main(int argc, char** argv) {
   Programs programs;
   Actor newt(file, window, programs);
   const marrow::Animation& walk = find(newt.animations, "walk");
-  Legs legs(file, newt.body.skeletons[0].pose.skeleton);
+  Legs legs(file, walk.motion);
   Ground ground(hills);
   ground.upload(window);
 
   marrow::Playback playback;
   float walked = 0;
   for (float dt_s; window.begin(dt_s); window.end()) {
-    walked += kWalk_mps * dt_s;
+    walked += walk.motion.speed_m_s * dt_s;
     must(advance(playback, walk.duration_s, dt_s), "time");
     must(pose_character(newt.body, {{&walk, clip_time(playback)}}), "pose");
-    legs.stand(newt.body.skeletons[0].pose, ground.height, walked, dt_s);
+    legs.stand(newt.body.skeletons[0].pose, walk.motion, clip_time(playback), ground.height, walked, dt_s);
     window.clear();
     ground.draw(window, walked);
     newt.draw(window, programs);

@@ -134,6 +134,19 @@ std::vector<MisuseRow> rows_of_characters() {
          m.never_refuses();
          m.returned(local_to_model(m.truth(true) ? whole.character : none));
        }},
+      {"step_layer",
+       [](Misuse& m) {
+         Whole whole(golden_channels_copy);
+         AnimationLayer& layer = m.one(AnimationLayer{m.pointer(&whole.animations.all[0])});
+         m.returned(step_layer({.time_s = m.number(0.0f)}, {.time_s = m.number(0.1f)}, layer));
+       }},
+      {"character_root_step",
+       [](Misuse& m) {
+         Whole whole(golden_channels_copy);
+         const std::vector<AnimationLayer> layers = layers_of(m, whole.animations);
+         RigidStep& out = m.one(RigidStep{});
+         m.returned(character_root_step(whole.character, layers, out));
+       }},
       {"add_expression",
        [](Misuse& m) {
          Whole whole(golden_channels_copy);

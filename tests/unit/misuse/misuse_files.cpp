@@ -119,6 +119,8 @@ std::vector<MisuseRow> rows_of_views() {
       {"find_clip", MISUSED(file_of(m).find_clip(m.pointer(name_of(m)), m.index(0)))},
       {"find_joint", MISUSED(face().file.find_joint(face().file.skeleton(m.index(0)), m.pointer(name_of(m))))},
       {"find_channel", MISUSED(face().file.find_channel(face().file.clip(m.index(0)), m.pointer(name_of(m))))},
+      {"motion", MISUSED(m.either(roles().file, File{}).motion(m.index(1)).events.size)},
+      {"find_event", MISUSED(roles().file.find_event(roles().file.motion(m.index(1)), m.pointer(name_of(m))))},
       {"node_property", MISUSED(looks().file.node_property(looks().file.node(m.index(0)), m.pointer(name_of(m))))},
       {"soa_size", MISUSED(file_of(m).skeleton(m.index(0)).soa_size())},
       {"time_of",

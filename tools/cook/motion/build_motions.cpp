@@ -114,8 +114,9 @@ std::vector<float> steps_of(const ClipTrace& trace, const Contacts& contacts) {
   return out.size() <= kMaxMarks && out.back() < static_cast<float>(trace.duration_s()) ? out : std::vector<float>();
 }
 
-void measure(const BuiltClip& clip, const BuiltSkeleton& skeleton, RootMotion how, BuiltMotion& out) {
-  const ClipTrace trace = trace_clip(clip, skeleton);
+void measure(const BuiltClip& clip, const BuiltSkeleton& skeleton, const std::vector<FootShape>& feet, RootMotion how,
+             BuiltMotion& out) {
+  const ClipTrace trace = trace_clip(clip, skeleton, feet);
   if (!(trace.frame_s > 0)) return;
   const Contacts contacts = find_contacts(trace);
   const glm::dvec3 velocity = velocity_of(trace, contacts);
@@ -160,14 +161,22 @@ void expect_all_fit(const MotionOptions& options, const std::vector<BuiltClip>& 
 
 }  // namespace
 
-std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const MotionOptions& options,
-                                       Notes& notes) {
+std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const std::vector<Mesh>& meshes,
+                                       const MotionOptions& options, Notes& notes) {
   const std::vector<BuiltClip>& clips = built.clips;
   expect_all_fit(options, clips);
+  std::vector<std::vector<FootShape>> feet;
+  for (std::size_t s = 0; s < built.skeletons.size() && !clips.empty(); ++s) {
+    std::vector<Mesh> own;
+    for (const Mesh& mesh : meshes)
+      if (mesh.skeleton == s) own.push_back(mesh);
+    feet.push_back(find_foot_points(built.skeletons[s], own));
+  }
   std::vector<BuiltMotion> out(clips.size());
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     if (clips[i].additive.empty())
-      measure(clips[i], built.skeletons[clips[i].skeleton], root_of(options.roots, clips[i]), out[i]);
+      measure(clips[i], built.skeletons[clips[i].skeleton], feet[clips[i].skeleton], root_of(options.roots, clips[i]),
+              out[i]);
   });
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const BuiltClip& clip = clips[i];

@@ -10,9 +10,10 @@
 namespace marrow::cook {
 
 // Of each of the built clips, which have their keys as the source has them. built: skeletons with roles, and clips.
-// Additive clips have events alone. Notes what of the source's events is wrong, and roots that cannot be taken out of
-// their clips. Throws tools::Failure (usage) at rules that fit no clip or lie outside it.
-std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const MotionOptions& options,
-                                       Notes& notes);
+// meshes: of all skeletons, without levels of detail. Additive clips have events alone. Notes what of the source's
+// events is wrong, and roots that cannot be taken out of their clips. Throws tools::Failure (usage) at rules that fit
+// no clip or lie outside it.
+std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const std::vector<Mesh>& meshes,
+                                       const MotionOptions& options, Notes& notes);
 
 }  // namespace marrow::cook

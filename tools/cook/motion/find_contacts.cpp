@@ -20,7 +20,7 @@ constexpr double kShortest_s = 0.05;     // of a contact, and of a gap between t
 // Of the ground's velocity: how low a foot is looked at, and how alike velocities are.
 constexpr double kLookedAt = 0.08, kAlike = 0.15, kAlikeShare = 0.1;
 constexpr std::size_t kMostSamples = 1500;
-constexpr int kRounds = 3;
+constexpr int kRounds = 3, kShifts = 8;
 // Of the way's speed, and legs: a ground that goes slower, or no farther in a step, does not go.
 constexpr double kStill = 0.1, kLeastStep = 0.15;
 constexpr double kOnTheSpot = 0.05;  // of the ground's speed: the way of a clip that walks on the spot
@@ -33,7 +33,7 @@ std::vector<std::vector<double>> heights_above_ground(const ClipTrace& trace, do
   double lowest = HUGE_VAL, rest = HUGE_VAL;
   for (const FootTrace& foot : trace.feet) {
     double low = HUGE_VAL;
-    for (const FootPoint& point : foot.points) low = std::min(low, point.place.y);
+    for (const LowPoint& point : foot.points) low = std::min(low, point.place.y);
     lows.push_back(low);
     lowest = std::min(lowest, low);
     rest = std::min(rest, foot.rest_m);
@@ -43,9 +43,15 @@ std::vector<std::vector<double>> heights_above_ground(const ClipTrace& trace, do
   for (std::size_t f = 0; f < lows.size(); ++f) {
     const double ground = lows[f] - lowest < kOneGround * leg ? lows[f] : lowest;
     std::vector<double>& heights = out.emplace_back();
-    for (const FootPoint& point : trace.feet[f].points) heights.push_back(point.place.y - ground);
+    for (const LowPoint& point : trace.feet[f].points) heights.push_back(point.place.y - ground);
   }
   return out;
+}
+
+// How much a velocity counts beside another; 0 if they are farther apart than `width`.
+double likeness(const glm::dvec3& a, const glm::dvec3& b, double width) {
+  const double apart = glm::length(a - b) / width;
+  return apart < 1 ? (1 - apart * apart) * (1 - apart * apart) : 0;
 }
 
 struct Sample {
@@ -59,7 +65,7 @@ glm::dvec3 ground_by_mode(const ClipTrace& trace, const std::vector<std::vector<
   const std::size_t count = trace.size() * trace.feet.size(), stride = count / kMostSamples + 1;
   for (std::size_t i = 0; i < count; i += stride) {
     const std::size_t f = i % trace.feet.size(), frame = i / trace.feet.size();
-    const glm::dvec3& velocity = trace.feet[f].points[frame].velocity;
+    const glm::dvec3& velocity = trace.feet[f].points[frame].ball_velocity;
     const double high = heights[f][frame] / (kLookedAt * leg);
     if (high < 1) samples.push_back({level(velocity), (1 - high) * (1 - high)});
   }
@@ -70,9 +76,7 @@ glm::dvec3 ground_by_mode(const ClipTrace& trace, const std::vector<std::vector<
     double score = 0;
     glm::dvec3 sum(0);
     for (const Sample& other : samples) {
-      const double apart = glm::length(other.velocity - at.velocity) / width;
-      if (apart >= 1) continue;
-      const double share = other.weight * (1 - apart * apart) * (1 - apart * apart);
+      const double share = other.weight * likeness(other.velocity, at.velocity, width);
       score += share;
       sum += share * other.velocity;
     }
@@ -92,7 +96,8 @@ std::vector<char> standing(const FootTrace& foot, const std::vector<double>& hei
   bool stands = false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int now = stands ? 1 : 0;
-    const double slip = glm::length(foot.points[i % frames].velocity - ground);
+    const LowPoint& point = foot.points[i % frames];
+    const double slip = std::min(glm::length(point.velocity - ground), glm::length(point.ball_velocity - ground));
     const double slow = std::max(kSlow[now] * foot.leg_m, kSlowShare[now] * speed);
     stands = heights[i % frames] < kLow[now] * foot.leg_m && slip < slow;
     out[i] = stands ? 1 : 0;
@@ -137,22 +142,25 @@ std::vector<Contact> spans_of(const ClipTrace& trace, const std::vector<std::vec
   return out;
 }
 
-// The mean velocity of feet inside of contacts, two frames from where they begin and end; of those that go about as
-// fast as was thought.
-glm::dvec3 ground_of(const ClipTrace& trace, const std::vector<Contact>& spans, const glm::dvec3& thought,
-                     double speed) {
+// The velocity that most feet have inside of contacts, two frames from where these begin and end: mean shift from what
+// was thought. A foot that rolls over its toes is faster than one that stands, so their mean is not meant.
+glm::dvec3 ground_of(const ClipTrace& trace, const std::vector<Contact>& spans, glm::dvec3 thought, double speed) {
   constexpr std::size_t kOff = 2;
-  glm::dvec3 sum(0);
-  double count = 0;
-  for (const Contact& span : spans)
-    for (std::size_t i = span.from + kOff; i + kOff <= span.to; ++i) {
-      const FootTrace& foot = trace.feet[span.foot];
-      const glm::dvec3 velocity = level(foot.points[i % trace.size()].velocity);
-      if (glm::length(velocity - thought) > std::max(kSlow[0] * foot.leg_m, kSlowShare[0] * speed)) continue;
-      sum += velocity;
-      ++count;
-    }
-  return count > 0 ? sum / count : thought;
+  for (int step = 0; step < kShifts; ++step) {
+    glm::dvec3 sum(0);
+    double whole = 0;
+    for (const Contact& span : spans)
+      for (std::size_t i = span.from + kOff; i + kOff <= span.to; ++i) {
+        const FootTrace& foot = trace.feet[span.foot];
+        const glm::dvec3 velocity = level(foot.points[i % trace.size()].ball_velocity);
+        const double weight = likeness(velocity, thought, std::max(kAlike * foot.leg_m, kAlikeShare * speed));
+        sum += weight * velocity;
+        whole += weight;
+      }
+    if (!(whole > 0)) break;
+    thought = sum / whole;
+  }
+  return thought;
 }
 
 // Whether the ground goes so far while a foot stands that it can be said to go: in a loop, or on the spot.

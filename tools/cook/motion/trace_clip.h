@@ -7,22 +7,22 @@
 #include <glm/vec3.hpp>
 
 #include "cook/clip/measure/source_curves.h"
+#include "cook/motion/foot_points.h"
 #include "cook/scene/built.h"
-#include "marrow/roles.h"
 
 namespace marrow::cook {
 
-// What of a foot is lowest at a moment: the ball or the heel. Model space, metres and seconds.
-struct FootPoint {
-  glm::dvec3 place{0}, velocity{0};
+// The lowest point of a foot at a moment, and how fast that point and the ball of the foot go. Model space, metres and
+// seconds.
+struct LowPoint {
+  glm::dvec3 place{0}, velocity{0}, ball_velocity{0};
 };
 
-// A foot, or a hand that is a front foot.
+// A foot, see FootShape.
 struct FootTrace {
   Role role = Role::none;
-  double leg_m = 0;               // from the top of the leg to the sole, at rest
-  double rest_m = 0;              // the sole's height at rest
-  std::vector<FootPoint> points;  // a frame
+  double leg_m = 0, rest_m = 0;
+  std::vector<LowPoint> points;  // a frame
 };
 
 // A clip in frames that are evenly spaced; the first at its start, the last at its end.
@@ -45,7 +45,7 @@ double leg_of(const ClipTrace& trace);
 // The turn about the upright in a rotation; upside down, where there is none, the identity.
 glm::dquat heading_of(const glm::dquat& turn);
 
-// clip: of the skeleton, with its keys as the source has them.
-ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton);
+// clip: of the skeleton, with its keys as the source has them. feet: of find_foot_points().
+ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton, const std::vector<FootShape>& feet);
 
 }  // namespace marrow::cook

@@ -163,8 +163,8 @@ struct RawClip {
   std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
-  std::vector<EventText> events = {};  // `extras.marrow.events`
   bool additive = false;               // over the rest pose, without --additive
+  std::vector<EventText> events = {};  // `extras.marrow.events`
 };
 
 // A chain of spring bones, each node somewhere below the one before it. No node is in two chains.
