@@ -46,6 +46,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
   unit/cook/prepare/paint_file_test.cpp unit/cook/prepare/skeletons_test.cpp
   unit/cook/prepare/weights_over_time_test.cpp unit/cook/roles/role_models_test.cpp
+  unit/cook/motion/contacts_test.cpp unit/cook/motion/event_text_test.cpp unit/cook/motion/root_track_test.cpp
   unit/cook/roles/role_names_test.cpp)
 # Two halves side by side, as it takes as long as most other tests together. To cook twice, and the newt with a fit, takes
 # minutes under a sanitizer, which sees the same code in all the others.
@@ -211,7 +212,7 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
   set(example_draw_c $<TARGET_FILE:marrow_example_draw_c>)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
-  -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DJOBS=$<TARGET_FILE:marrow_example_jobs>
+  -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DHERO=$<TARGET_FILE:marrow_example_hero> -DASSETS=${PROJECT_SOURCE_DIR}/../shared/assets -DJOBS=$<TARGET_FILE:marrow_example_jobs>
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

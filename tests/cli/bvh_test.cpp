@@ -67,8 +67,8 @@ TEST_F(CliBvh, InfoSaysHowFastAClipMoves) {
   write_text(in("gone.bvh"), text);
   for (const std::string name : {"walk", "gone"})
     ASSERT_EQ(run_marrow({"cook", in(name + ".bvh"), "-o", in(name + ".mrw")}).code, 0);
-  EXPECT_NEAR(described(in("gone.mrw")).at("clips")[0].at("speed_m_s").get<double>(), 0.5, 1e-3);
-  EXPECT_TRUE(described(in("walk.mrw")).at("clips")[0].at("speed_m_s").is_null());
+  EXPECT_NEAR(described(in("gone.mrw")).at("clips")[0].at("motion").at("speed_m_s").get<double>(), 0.5, 1e-3);
+  EXPECT_TRUE(described(in("walk.mrw")).at("clips")[0].at("motion").at("speed_m_s").is_null());
   EXPECT_NE(run_marrow({"info", in("gone.mrw")}).out.find(", moves at 0.5 m/s"), std::string::npos);
   EXPECT_EQ(run_marrow({"info", in("walk.mrw")}).out.find("m/s"), std::string::npos);
 }

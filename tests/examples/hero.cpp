@@ -16,7 +16,7 @@ struct Hero : OwnedCharacter {
   Phase phase;                              // that the gaits go by
   Playback strike{.mode = PlayMode::once};  // of the last layer
   std::vector<float> upper_body;            // its mask
-  std::uint32_t gaze[2];                    // neck and head
+  std::vector<std::uint32_t> gaze;          // neck and head
   Affine world_from_model{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
   Hero(const OwnedFile& owner, char** names) {
@@ -30,7 +30,8 @@ struct Hero : OwnedCharacter {
     const Roles roles = file.roles(0);
     must(mask_below(skeletons[0].pose.skeleton, joint_of(roles, Role::spine), 2, upper_body));
     layers[kGaits].mask = upper_body;
-    gaze[0] = joint_of(roles, Role::neck), gaze[1] = joint_of(roles, Role::head);
+    for (const Role role : {Role::neck, Role::head})
+      if (joint_of(roles, role) != kNoJoint) gaze.push_back(joint_of(roles, role));
   }
 
   void update(float dt_s, float speed_m_s, const float (&point)[3]) {

@@ -15,9 +15,10 @@ void add_view(CLI::App& app, int&) {
   std::vector<std::string> shown{"uv"};
   for (const auto& [name, flag] : kOverlays) shown.emplace_back(name);
   command
-      ->add_option("--show", a.show,
-                   "what is drawn with it, separated by commas: bones, names and axes of joints, the trail of --joint "
-                   "over the clip, a ground grid, wireframe, normals, a checker by UV")
+      ->add_option(
+          "--show", a.show,
+          "what is drawn with it, separated by commas: bones, names and axes of joints, the trail of --joint "
+          "over the clip, steps of the feet and the root's path, a ground grid, wireframe, normals, a checker by UV")
       ->type_name("WHAT,...")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -9,17 +10,22 @@
 namespace marrow::cook {
 namespace {
 
-// Lengths of legs, and those a second. A foot that does not stand begins to at the first of each pair, and one that
-// stands goes on to the second. Shares are of the speed at which the character goes.
-constexpr double kLow[2] = {0.06, 0.12};
-constexpr double kSlow[2] = {0.5, 0.9}, kSlowShare[2] = {0.5, 0.8};
+// Lengths of legs. A foot that does not stand begins to below the first of each pair, and one that stands goes on to
+// the second.
+constexpr double kLow[2] = {0.056, 0.076};
+// How fast a foot that stands goes over the ground, of the speed at which the character goes, and at least in legs a
+// second. Where the character goes slower than kWalks it counts little how fast a foot goes.
+constexpr double kWalks = 0.3, kSlowShare[2] = {0.42, 1.0}, kLeastSlow[2] = {0.25, 0.5}, kSlow[2] = {2, 3};
+constexpr double kDragged = 0.2;
+// A foot's ground is where it is for so much of the time no higher: soles sink into the ground here and there.
+constexpr double kLowShare = 0.12;
 // Feet whose lowest places are so far apart stand on one ground; else only the lower one does.
 constexpr double kOneGround = 0.15;
 constexpr double kFarFromGround = 0.35;  // a clip whose feet stay so far from the ground that they rest on has none
-constexpr double kShortest_s = 0.05;     // of a contact, and of a gap between two
+constexpr double kShortest_s = 0.05, kShortestGap_s = 0.1;  // of a contact, and of a gap between two
 // Of the ground's velocity: how low a foot is looked at, and how alike velocities are.
-constexpr double kLookedAt = 0.08, kAlike = 0.15, kAlikeShare = 0.1;
-constexpr std::size_t kMostSamples = 1500;
+constexpr double kLookedAt = 0.115, kAlike = 0.18, kAlikeShare = 0.1;
+constexpr std::size_t kMostSamples = 1500, kMostGrounds = 6;
 constexpr int kRounds = 3, kShifts = 8;
 // Of the way's speed, and legs: a ground that goes slower, or no farther in a step, does not go.
 constexpr double kStill = 0.1, kLeastStep = 0.15;
@@ -32,8 +38,10 @@ std::vector<std::vector<double>> heights_above_ground(const ClipTrace& trace, do
   std::vector<double> lows;
   double lowest = HUGE_VAL, rest = HUGE_VAL;
   for (const FootTrace& foot : trace.feet) {
-    double low = HUGE_VAL;
-    for (const LowPoint& point : foot.points) low = std::min(low, point.place.y);
+    std::vector<double> heights;
+    for (const LowPoint& point : foot.points) heights.push_back(point.place.y);
+    std::ranges::sort(heights);
+    const double low = heights[static_cast<std::size_t>(static_cast<double>(heights.size() - 1) * kLowShare)];
     lows.push_back(low);
     lowest = std::min(lowest, low);
     rest = std::min(rest, foot.rest_m);
@@ -59,46 +67,66 @@ struct Sample {
   double weight = 0;
 };
 
-// The velocity that most low feet have.
-glm::dvec3 ground_by_mode(const ClipTrace& trace, const std::vector<std::vector<double>>& heights, double leg) {
+// The velocities that low feet have most of the time: modes, the likeliest first.
+std::vector<glm::dvec3> likely_grounds(const ClipTrace& trace, const std::vector<std::vector<double>>& heights,
+                                       double leg) {
   std::vector<Sample> samples;
   const std::size_t count = trace.size() * trace.feet.size(), stride = count / kMostSamples + 1;
   for (std::size_t i = 0; i < count; i += stride) {
     const std::size_t f = i % trace.feet.size(), frame = i / trace.feet.size();
-    const glm::dvec3& velocity = trace.feet[f].points[frame].ball_velocity;
     const double high = heights[f][frame] / (kLookedAt * leg);
-    if (high < 1) samples.push_back({level(velocity), (1 - high) * (1 - high)});
+    if (high < 1) samples.push_back({level(trace.feet[f].points[frame].ball_velocity), (1 - high) * (1 - high)});
   }
-  glm::dvec3 best(0);
-  double most = 0;
+  const auto width_at = [&](const glm::dvec3& velocity) {
+    return std::max(kAlike * leg, kAlikeShare * glm::length(velocity));
+  };
+  std::vector<Sample> means;  // about each sample: where most are, and how many
   for (const Sample& at : samples) {
-    const double width = std::max(kAlike * leg, kAlikeShare * glm::length(at.velocity));
-    double score = 0;
     glm::dvec3 sum(0);
+    double score = 0;
     for (const Sample& other : samples) {
-      const double share = other.weight * likeness(other.velocity, at.velocity, width);
+      const double share = other.weight * likeness(other.velocity, at.velocity, width_at(at.velocity));
       score += share;
       sum += share * other.velocity;
     }
-    if (score <= most) continue;
-    most = score;
-    best = sum / score;
+    means.push_back({score > 0 ? sum / score : at.velocity, score});
   }
-  return best;
+  std::ranges::stable_sort(means, std::ranges::greater(), &Sample::weight);
+  std::vector<glm::dvec3> out;
+  for (const Sample& mean : means) {
+    const auto is_near = [&](const glm::dvec3& other) {
+      return glm::length(other - mean.velocity) < 2 * width_at(mean.velocity);
+    };
+    if (out.size() < kMostGrounds && std::ranges::none_of(out, is_near)) out.push_back(mean.velocity);
+  }
+  return out;
+}
+
+// How fast a foot goes over the ground. Feet of many clips are dragged backwards while they stand, and none is dragged
+// forwards: so backwards counts little. travel: of the character over the ground.
+double slip_of(const glm::dvec3& velocity, const glm::dvec3& ground, const glm::dvec3& travel) {
+  const glm::dvec3 slip = velocity - ground;
+  const double speed = glm::length(travel);
+  if (!(speed > 0)) return glm::length(slip);
+  const double ahead = glm::dot(slip, travel) / speed;
+  const double across = glm::length(slip - travel * (ahead / speed));
+  return glm::length(glm::dvec2(across, ahead > 0 ? ahead : kDragged * ahead));
 }
 
 // Where a foot stands, a frame. A loop's frames are gone through thrice, so that each has been come to from the one
 // before it; its last frame is its first again and is left out.
 std::vector<char> standing(const FootTrace& foot, const std::vector<double>& heights, const glm::dvec3& ground,
-                           double speed, bool is_loop) {
+                           const glm::dvec3& travel, bool is_loop) {
+  const double speed = glm::length(travel);
   const std::size_t frames = heights.size() - (is_loop ? 1 : 0);
   std::vector<char> out(frames * (is_loop ? 3 : 1), 0);
   bool stands = false;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int now = stands ? 1 : 0;
     const LowPoint& point = foot.points[i % frames];
-    const double slip = std::min(glm::length(point.velocity - ground), glm::length(point.ball_velocity - ground));
-    const double slow = std::max(kSlow[now] * foot.leg_m, kSlowShare[now] * speed);
+    const double slip = std::min(slip_of(point.velocity, ground, travel), slip_of(point.ball_velocity, ground, travel));
+    const double slow = speed < kWalks * foot.leg_m ? kSlow[now] * foot.leg_m
+                                                    : std::max(kLeastSlow[now] * foot.leg_m, kSlowShare[now] * speed);
     stands = heights[i % frames] < kLow[now] * foot.leg_m && slip < slow;
     out[i] = stands ? 1 : 0;
   }
@@ -130,13 +158,13 @@ void add_spans(std::size_t foot, const std::vector<char>& stands, bool is_loop, 
 }
 
 std::vector<Contact> spans_of(const ClipTrace& trace, const std::vector<std::vector<double>>& heights,
-                              const glm::dvec3& ground, double speed, bool is_loop) {
-  const auto least = static_cast<std::size_t>(std::ceil(kShortest_s / trace.frame_s));
+                              const glm::dvec3& ground, const glm::dvec3& travel, bool is_loop) {
+  const auto frames = [&](double time_s) { return static_cast<std::size_t>(std::ceil(time_s / trace.frame_s)); };
   std::vector<Contact> out;
   for (std::size_t f = 0; f < trace.feet.size(); ++f) {
-    std::vector<char> stands = standing(trace.feet[f], heights[f], ground, speed, is_loop);
-    drop_short(stands, 0, least);
-    drop_short(stands, 1, least);
+    std::vector<char> stands = standing(trace.feet[f], heights[f], ground, travel, is_loop);
+    drop_short(stands, 0, frames(kShortestGap_s));
+    drop_short(stands, 1, frames(kShortest_s));
     add_spans(f, stands, is_loop, out);
   }
   return out;
@@ -163,14 +191,18 @@ glm::dvec3 ground_of(const ClipTrace& trace, const std::vector<Contact>& spans, 
   return thought;
 }
 
-// Whether the ground goes so far while a foot stands that it can be said to go: in a loop, or on the spot.
-bool goes(const ClipTrace& trace, const Contacts& contacts, const glm::dvec3& ground, double way) {
-  const double speed = glm::length(ground);
+// Whether the ground can be said to go: in a loop, or on the spot; and both feet, or all that stand, go far with it.
+bool goes(const ClipTrace& trace, const Contacts& contacts, double way) {
+  const double speed = glm::length(contacts.ground_m_s);
   if (speed < kStill * way || (!contacts.is_loop && way > kOnTheSpot * speed)) return false;
-  return std::ranges::any_of(contacts.spans, [&](const Contact& span) {
-    const double time_s = static_cast<double>(span.to - span.from) * trace.frame_s;
-    return speed * time_s > kLeastStep * trace.feet[span.foot].leg_m;
-  });
+  for (std::size_t f = 0; f < trace.feet.size(); ++f) {
+    double longest_s = 0;
+    for (const Contact& span : contacts.spans)
+      if (span.foot == f) longest_s = std::max(longest_s, static_cast<double>(span.to - span.from) * trace.frame_s);
+    const bool is_hind = trace.feet[f].role == Role::left_foot || trace.feet[f].role == Role::right_foot;
+    if (is_hind && speed * longest_s < kLeastStep * trace.feet[f].leg_m) return false;
+  }
+  return true;
 }
 
 // Whether feet stand below the hips in the end as at the start.
@@ -181,33 +213,59 @@ bool is_loop(const ClipTrace& trace, double leg) {
   if (glm::length(glm::dvec2(turn.w, turn.y)) < kLoopTurn) return false;
   const glm::dquat heading = heading_of(turn);
   for (const FootTrace& foot : trace.feet) {
-    const glm::dvec3 first = foot.points[0].place - trace.hips[0], end = foot.points[last].place - trace.hips[last];
+    const glm::dvec3 first = foot.points[0].ball - trace.hips[0], end = foot.points[last].ball - trace.hips[last];
     if (glm::length(end - heading * first) > kLoopGap * leg) return false;
   }
   return true;
 }
 
+// The contacts with a ground that goes about as fast as is thought.
+Contacts contacts_with(const ClipTrace& trace, const std::vector<std::vector<double>>& heights, glm::dvec3 ground,
+                       bool is_loop) {
+  const glm::dvec3 way = level(trace.hips.back() - trace.hips.front()) / trace.duration_s();
+  Contacts out{is_loop, ground, {}};
+  for (int round = 0; round < kRounds; ++round) {
+    const glm::dvec3 travel = way - out.ground_m_s;
+    out.spans = spans_of(trace, heights, out.ground_m_s, travel, is_loop);
+    out.ground_m_s = ground_of(trace, out.spans, out.ground_m_s, glm::length(travel));
+  }
+  if (goes(trace, out, glm::length(way))) return out;
+  out.ground_m_s = glm::dvec3(0);
+  out.spans = spans_of(trace, heights, out.ground_m_s, way, is_loop);
+  return out;
+}
+
+// For how many frames feet stand and go about as fast as the ground.
+double fit_of(const ClipTrace& trace, const Contacts& contacts) {
+  double out = 0;
+  for (const Contact& span : contacts.spans) {
+    const FootTrace& foot = trace.feet[span.foot];
+    const double width = 2 * std::max(kAlike * foot.leg_m, kAlikeShare * glm::length(contacts.ground_m_s));
+    for (std::size_t i = span.from; i <= span.to; ++i)
+      out += likeness(foot.points[i % trace.size()].ball_velocity, contacts.ground_m_s, width);
+  }
+  return out;
+}
+
 }  // namespace
 
 Contacts find_contacts(const ClipTrace& trace) {
-  Contacts out;
-  if (trace.feet.empty() || trace.frame_s <= 0) return out;
+  if (trace.feet.empty() || trace.frame_s <= 0) return {};
   const double leg = leg_of(trace);
-  out.is_loop = is_loop(trace, leg);
+  Contacts best;
+  best.is_loop = is_loop(trace, leg);
   const std::vector<std::vector<double>> heights = heights_above_ground(trace, leg);
-  if (heights.empty()) return out;
-  const glm::dvec3 way = level(trace.hips.back() - trace.hips.front()) / trace.duration_s();
-  glm::dvec3 ground = ground_by_mode(trace, heights, leg);
-  for (int round = 0; round < kRounds; ++round) {
-    const double speed = glm::length(way - ground);
-    out.spans = spans_of(trace, heights, ground, speed, out.is_loop);
-    ground = ground_of(trace, out.spans, ground, speed);
-    if (!goes(trace, out, ground, glm::length(way))) ground = glm::dvec3(0);
+  if (heights.empty()) return best;
+  double most = 0;
+  for (const glm::dvec3& ground : likely_grounds(trace, heights, leg)) {
+    Contacts found = contacts_with(trace, heights, ground, best.is_loop);
+    const double fit = fit_of(trace, found);
+    if (fit <= most) continue;
+    most = fit;
+    best = std::move(found);
   }
-  out.spans = spans_of(trace, heights, ground, glm::length(way - ground), out.is_loop);
-  out.ground_m_s = out.spans.empty() ? glm::dvec3(0) : ground;
-  std::ranges::sort(out.spans, {}, &Contact::from);
-  return out;
+  std::ranges::sort(best.spans, {}, &Contact::from);
+  return best;
 }
 
 }  // namespace marrow::cook

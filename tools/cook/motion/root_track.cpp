@@ -17,8 +17,10 @@ namespace {
 // Legs a second: what is slower stays where it is.
 constexpr double kStays = 0.02;
 constexpr double kKeysPerS = 60;
-// How far keys may be off: of a leg, and the sine of half a degree.
-constexpr double kNear = 0.01, kSineOfHalfDegree = 0.008726535498373935;
+// How far keys may be off: of a leg, and the sine of half of five degrees.
+constexpr double kNear = 0.03, kSineOfHalfTurn = 0.043619387365336;
+// Of a loop, in radians: what turns less, in a round, does not turn; and how far keys are apart.
+constexpr double kNoTurn = 0.0175, kTurnOfAKey = 0.26;
 // Of the way that the ground goes: what moves less walks on the spot.
 constexpr double kLittle = 0.1;
 constexpr double kEvenScale = 1e-3;  // of scales along two axes
@@ -62,7 +64,7 @@ bool are_on_line(const std::vector<Rigid>& m, std::size_t from, std::size_t to, 
     const Rigid on = between(m[from], m[to], static_cast<double>(i - from) / static_cast<double>(to - from));
     const glm::dquat off = on.rotation * glm::conjugate(m[i].rotation);
     if (glm::length(on.translation - m[i].translation) > near) return false;
-    if (glm::length(glm::dvec3(off.x, off.y, off.z)) > kSineOfHalfDegree) return false;
+    if (glm::length(glm::dvec3(off.x, off.y, off.z)) > kSineOfHalfTurn) return false;
   }
   return true;
 }
@@ -81,6 +83,35 @@ std::size_t line_from(const std::vector<Rigid>& m, std::size_t from, double near
     (are_on_line(m, from, from + middle, near) ? good : bad) = middle;
   }
   return from + std::min(good, most);
+}
+
+// The turn about the upright, in radians, up to half a round.
+double turn_of(const glm::dquat& heading) {
+  return 2 * tools::angle_of(heading.w < 0 ? -heading.y : heading.y, std::abs(heading.w));
+}
+
+// The even way of a loop to where it ends: along a line, or round an arc. With θ its turn and v its velocity in its own
+// axes, it has come to ∫ R(uθ) v du.
+std::vector<RootKey> even_keys(const Rigid& end, double duration_s) {
+  const double whole = turn_of(end.rotation), turn = std::abs(whole) > kNoTurn ? whole : 0;
+  const auto way = [](double angle) {
+    return angle == 0 ? glm::dvec2(1, 0) : glm::dvec2(tools::sine(angle) / angle, (1 - tools::cosine(angle)) / angle);
+  };
+  const glm::dvec2 all = way(turn);
+  const glm::dvec3& to = end.translation;
+  const glm::dvec3 velocity =
+      glm::dvec3(all.x * to.x - all.y * to.z, 0, all.y * to.x + all.x * to.z) / glm::dot(all, all);
+  const auto steps = static_cast<std::size_t>(1 + std::abs(turn) / kTurnOfAKey);
+  std::vector<RootKey> out;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(steps), angle = turn * share;
+    const glm::dvec2 arc = way(angle) * share;
+    const glm::dquat heading(tools::cosine(angle / 2), 0, tools::sine(angle / 2), 0);
+    out.push_back(key_of(
+        {heading, {arc.x * velocity.x + arc.y * velocity.z, to.y * share, arc.x * velocity.z - arc.y * velocity.x}},
+        i < steps ? duration_s * share : duration_s));
+  }
+  return out;
 }
 
 Rigid rigid_of(const RootKey& k) {
@@ -170,7 +201,7 @@ void replace(RawClip& clip, RawChannel channel, int node, RawPath path) {
 glm::dvec3 velocity_of(const ClipTrace& trace, const Contacts& contacts) {
   const glm::dvec3 way = level(trace.hips.back() - trace.hips.front());
   const glm::dquat turn = heading_of(trace.hips_turn.back() * glm::conjugate(trace.hips_turn.front()));
-  const double half = 2 * tools::angle_of(turn.y, turn.w) / 2;  // of the turn, up to ± half a round
+  const double half = turn_of(turn) / 2;
   const double longer = std::abs(half) > 0.05 && std::abs(half) < 2.9 ? half / tools::sine(half) : 1;
   const glm::dvec3 out = way * longer / trace.duration_s() - contacts.ground_m_s;
   return glm::length(out) > kStays * leg_of(trace) ? out : glm::dvec3(0);
@@ -184,9 +215,10 @@ RootTrack find_root(const ClipTrace& trace, const Contacts& contacts, RootMotion
   const bool on_the_spot =
       glm::length(level(trace.hips.back() - trace.hips.front())) < kLittle * glm::length(implied) * duration;
   const std::vector<Rigid> m = motion_of_hips(trace, how);
-  const bool stays = are_on_line(m, 0, m.size() - 1, near) && glm::length(m.back().translation) < near &&
-                     std::abs(m.back().rotation.y) < kSineOfHalfDegree;
-  if (!on_the_spot && !stays) {
+  const bool stays = (contacts.is_loop || are_on_line(m, 0, m.size() - 1, near)) &&
+                     glm::length(m.back().translation) < near && std::abs(m.back().rotation.y) < kSineOfHalfTurn;
+  if (!on_the_spot && !stays && contacts.is_loop) out.in_pose = even_keys(m.back(), duration);
+  if (!on_the_spot && !stays && !contacts.is_loop) {
     out.in_pose.push_back(key_of({}, 0));
     for (std::size_t i = 0; i + 1 < m.size();) {
       i = line_from(m, i, near);

@@ -22,9 +22,10 @@ struct RootTrack {
   std::vector<RootKey> in_pose;  // what of it the clip's poses have: all, but for clips that walk on the spot
 };
 
-// From the hips, and for clips that walk on the spot from their contacts, which imply an even way. Keys are thinned:
-// they are off by at most a hundredth of a leg and a degree, and what they leave out stays in the pose. The last key is
-// exact, so loops do not drift.
+// From the hips, and for clips that walk on the spot from their contacts. What it leaves out stays in the pose, so both
+// together are the clip. A loop goes evenly from its start to its end, along a line or round an arc: then clips may be
+// blended at changing weights without the sway of their hips turning the character. Other clips follow the hips within
+// a thirtieth of a leg and five degrees; their last key is exact.
 RootTrack find_root(const ClipTrace& trace, const Contacts& contacts, RootMotion how);
 
 // Whether take_out_root() can do its work: the scale above each root is the same along all axes, and no root jumps.

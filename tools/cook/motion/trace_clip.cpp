@@ -79,7 +79,7 @@ bool keep_lowest(const std::vector<Places>& frames, double frame_s, std::vector<
     const std::size_t from = i > 0 ? i - 1 : 0, to = std::min(i + 1, last);
     const double time_s = frame_s * static_cast<double>(to - from);
     const auto velocity = [&](std::size_t p) { return (frames[to][p] - frames[from][p]) / time_s; };
-    out.push_back({frames[i][low], velocity(low), velocity(0)});
+    out.push_back({frames[i][low], velocity(low), frames[i][0], velocity(0)});
     const LowPoint& made = out.back();
     if (!is_finite(made.place) || !is_finite(made.velocity) || !is_finite(made.ball_velocity)) return false;
   }

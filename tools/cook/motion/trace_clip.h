@@ -12,10 +12,9 @@
 
 namespace marrow::cook {
 
-// The lowest point of a foot at a moment, and how fast that point and the ball of the foot go. Model space, metres and
-// seconds.
+// The lowest point of a foot at a moment, and the ball of the foot. Model space, metres and seconds.
 struct LowPoint {
-  glm::dvec3 place{0}, velocity{0}, ball_velocity{0};
+  glm::dvec3 place{0}, velocity{0}, ball{0}, ball_velocity{0};
 };
 
 // A foot, see FootShape.

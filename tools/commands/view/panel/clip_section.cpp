@@ -41,7 +41,7 @@ void frame_row(const Actor& actor, float scale, Settings& s) {
 
 }  // namespace
 
-void clip_section(const Actor& actor, float scale, Settings& s) {
+void clip_section(Actor& actor, float scale, Settings& s) {
   const std::vector<NamedPlay>& plays = actor.plays();
   const auto name = [&](std::size_t i) { return plays[i].name; };
   if (!section("Clip", true)) return;
@@ -59,6 +59,7 @@ void clip_section(const Actor& actor, float scale, Settings& s) {
     s.playback.time_s = static_cast<double>(time_s);
     s.playing = false;
   }
+  actor.footprints(s).draw_rows(time_s, scale);
   frame_row(actor, scale, s);
   label("speed", scale);
   const float button = 62 * scale;

@@ -7,7 +7,7 @@
 namespace marrow::tools {
 
 // What plays, and when: seconds and frames.
-void clip_section(const Actor& actor, float scale, Settings& settings);
+void clip_section(Actor& actor, float scale, Settings& settings);
 // The tree of joints, the chosen one's transforms, and its curves over the clip.
 void joint_section(Actor& actor, float scale, Settings& settings);
 // The brush for a joint's weights.

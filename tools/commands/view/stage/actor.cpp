@@ -129,6 +129,12 @@ const JointCurves* Actor::curves(const Settings& settings) {
   return &curves_;
 }
 
+const Footprints& Actor::footprints(const Settings& settings) {
+  if (!footprints_ || footprints_of_ != settings.clip) footprints_.emplace(file(), plays_[settings.clip].play);
+  footprints_of_ = settings.clip;
+  return *footprints_;
+}
+
 std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
   if (!ghost_) ghost_.emplace(file(), AsNormals::blended, static_cast<std::uint32_t>(coarsest_lod_));
   ghost_->set_parameters(settings.parameters);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands/view/files/source.h"
+#include "commands/view/overlay/footprints.h"
 #include "commands/view/paint/painting.h"
 #include "commands/view/stage/recording.h"
 #include "commands/view/stage/rigging.h"
@@ -64,6 +65,8 @@ class Actor {
   JointTransform local(std::size_t joint) const;
   // The curves of the chosen joint over the chosen clip; null: nothing moves. Made when they are first asked for.
   const JointCurves* curves(const Settings& settings);
+  // Of the chosen clip. Made when they are first asked for.
+  const Footprints& footprints(const Settings& settings);
   // All meshes as they are at a moment of the chosen clip alone.
   std::vector<PosedMesh> ghost(const Settings& settings, float time_s);
   // All meshes as they are now, skinned on the processor.
@@ -119,6 +122,8 @@ class Actor {
   };
   std::optional<Recorded> recorded_;
   JointCurves curves_;
+  std::size_t footprints_of_ = 0;
+  std::optional<Footprints> footprints_;
   std::optional<Character> character_;
   std::optional<Performance> performance_;
   std::optional<Figure> figure_;

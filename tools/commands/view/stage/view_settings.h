@@ -25,16 +25,16 @@ enum class Colours : std::uint8_t {
 
 // What is drawn over the picture, and among the figures.
 struct Overlays {
-  bool bones = false, names = false, axes = false, trail = false;
+  bool bones = false, names = false, axes = false, trail = false, steps = false;
   bool grid = false, wireframe = false, normals = false;
   int ghosts = 0;      // before and after each
   int ghost_step = 4;  // frames
 };
 
 inline constexpr Named<bool Overlays::*> kOverlays[] = {
-    {"bones", &Overlays::bones},    {"names", &Overlays::names}, {"axes", &Overlays::axes},
-    {"trail", &Overlays::trail},    {"grid", &Overlays::grid},   {"wireframe", &Overlays::wireframe},
-    {"normals", &Overlays::normals}};
+    {"bones", &Overlays::bones},         {"names", &Overlays::names},    {"axes", &Overlays::axes},
+    {"trail", &Overlays::trail},         {"steps", &Overlays::steps},    {"grid", &Overlays::grid},
+    {"wireframe", &Overlays::wireframe}, {"normals", &Overlays::normals}};
 
 struct Settings {
   std::size_t clip = 0;    // of Actor::plays(); 0 is the rest pose

@@ -1,0 +1,131 @@
+#include "commands/view/overlay/footprints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+
+#include "marrow/feet.h"
+#include "marrow/roles.h"
+
+namespace marrow::tools {
+namespace {
+
+constexpr ImU32 kLeft = IM_COL32(255, 170, 60, 255), kRight = IM_COL32(90, 180, 255, 255),
+                kOther = IM_COL32(220, 220, 220, 255), kPath = IM_COL32(140, 230, 140, 255),
+                kNow = IM_COL32(255, 255, 255, 200), kGone = IM_COL32(120, 120, 120, 160);
+
+bool is_left(Role role) {
+  return role == Role::left_foot || role == Role::left_hand;
+}
+
+ImU32 colour_of(Role role) {
+  return role == Role::none ? kOther : is_left(role) ? kLeft : kRight;
+}
+
+// M(t), rounds of a loop included.
+glm::mat4 root_at(const ClipMotion& motion, double time_s) {
+  const auto duration = static_cast<double>(motion.duration_s);
+  const double rounds = duration > 0 ? std::floor(time_s / duration) : 0;
+  Playback from{.mode = PlayMode::loop}, to{.time_s = time_s - rounds * duration, .mode = PlayMode::loop};
+  to.time_s = std::clamp(to.time_s, 0.0, duration);
+  to.turns = static_cast<std::int32_t>(rounds);
+  RigidStep step;
+  check(root_step(motion, from, to, step));
+  glm::mat4 out = glm::mat4_cast(glm::quat(step.rotation[3], step.rotation[0], step.rotation[1], step.rotation[2]));
+  out[3] = glm::vec4(step.translation[0], step.translation[1], step.translation[2], 1);
+  return out;
+}
+
+// Where a joint stands at a moment, and a point of it.
+glm::vec3 placed(const File& file, const Play& play, std::uint32_t joint, const float* point, float time_s) {
+  Character probe(file);
+  probe.pose(play, time_s);
+  const Affine& m = probe.model_from_joint(play.motion_skeleton)[joint];
+  glm::vec3 out;
+  for (int r = 0; r < 3; ++r)
+    out[r] = m.rows[r][0] * point[0] + m.rows[r][1] * point[1] + m.rows[r][2] * point[2] + m.rows[r][3];
+  return out;
+}
+
+glm::vec3 heading_of(const ClipMotion& m) {
+  return {m.heading[0], m.heading[1], m.heading[2]};
+}
+
+}  // namespace
+
+Footprints::Footprints(const File& file, const Play& play) : motion_(play.motion) {
+  const Roles roles = file.roles(play.motion_skeleton);
+  const float origin[3] = {0, 0, 0};
+  for (const ClipEvent& e : motion_.events) {
+    names_.emplace_back(play.clips.text(e.name));
+    const Role role = find_role(names_.back().c_str());
+    const std::uint16_t joint = joint_of(roles, role);
+    const JointSole* const sole = joint != kNoJoint ? sole_of(roles, joint) : nullptr;
+    if (sole == nullptr) continue;
+    const float middle = 0.5f * (e.time_s + e.until_s), time_s = std::fmod(middle, std::max(motion_.duration_s, 1e-6f));
+    const glm::vec3 at = placed(file, play, joint, sole->place, time_s);
+    prints_.push_back({role, e.time_s, e.until_s, at});
+    prints_.back().at = glm::vec3(ground_since(middle, e.time_s) * glm::vec4(at, 1));
+  }
+  if (!motion_.root.empty() || motion_.duration_s <= 0) return;
+  const std::uint16_t hips = joint_of(roles, Role::hips);
+  const std::uint32_t joint = hips != kNoJoint ? hips : 0;
+  const glm::vec3 way = placed(file, play, joint, origin, motion_.duration_s) - placed(file, play, joint, origin, 0);
+  ground_m_s_ = glm::vec3(way.x, 0, way.z) / motion_.duration_s - motion_.speed_m_s * heading_of(motion_);
+  if (glm::length(ground_m_s_) < 0.1f * motion_.speed_m_s) ground_m_s_ = glm::vec3(0);
+}
+
+// How what lies on the ground has moved in the character's eyes.
+glm::mat4 Footprints::ground_since(double from_s, double to_s) const {
+  if (!motion_.root.empty()) return glm::inverse(root_at(motion_, to_s)) * root_at(motion_, from_s);
+  glm::mat4 out(1);
+  out[3] = glm::vec4(static_cast<float>(to_s - from_s) * ground_m_s_, 1);
+  return out;
+}
+
+void Footprints::draw(float time_s, Drawer& drawer) const {
+  const auto now = static_cast<double>(time_s), duration = static_cast<double>(motion_.duration_s);
+  for (const Footprint& print : prints_)
+    for (int round = -1; round <= 1; ++round) {
+      const double from = static_cast<double>(print.time_s) + round * duration,
+                   until = static_cast<double>(print.until_s) + round * duration;
+      const glm::vec3 at(ground_since(from, now) * glm::vec4(print.at, 1));
+      const bool stands = from <= now && now <= until;
+      drawer.square(at, stands ? 7.0f : 4.0f, stands ? colour_of(print.role) : kGone);
+    }
+  constexpr int kPieces = 48;
+  const auto path = [&](int i) { return glm::vec3(ground_since(duration * i / kPieces, now)[3]); };
+  for (int i = 0; i < kPieces && motion_.speed_m_s > 0; ++i) drawer.line(path(i), path(i + 1), kPath, 1.5f);
+}
+
+void Footprints::draw_rows(float time_s, float scale) const {
+  if (motion_.events.empty() || motion_.duration_s <= 0) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = ImGui::GetContentRegionAvail().x, height = 9 * scale;
+  const auto bar = [&](const ImVec2& corner, float from_s, float until_s, ImU32 colour) {
+    const float left = corner.x + width * from_s / motion_.duration_s,
+                right = corner.x + width * std::min(until_s / motion_.duration_s, 1.0f);
+    list.AddRectFilled({left, corner.y + 1}, {std::max(right, left + 2 * scale), corner.y + height - 1}, colour);
+  };
+  for (const Role role : {Role::left_foot, Role::right_foot, Role::left_hand, Role::right_hand, Role::none}) {
+    bool any = false;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    for (std::size_t e = 0; e < names_.size(); ++e) {
+      if (find_role(names_[e].c_str()) != role) continue;
+      const ClipEvent& event = motion_.events[e];
+      bar(corner, event.time_s, event.until_s, colour_of(role));
+      if (event.until_s > motion_.duration_s) bar(corner, 0, event.until_s - motion_.duration_s, colour_of(role));
+      any = true;
+    }
+    if (!any) continue;
+    const float x = corner.x + width * time_s / motion_.duration_s;
+    list.AddLine({x, corner.y}, {x, corner.y + height}, kNow, scale);
+    ImGui::Dummy({width, height});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", role == Role::none ? "events" : role_name(role));
+  }
+}
+
+}  // namespace marrow::tools
