@@ -45,7 +45,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/prepare/limits_test.cpp unit/cook/prepare/mirrors_test.cpp
   unit/cook/prepare/outfits_rules_test.cpp unit/cook/prepare/packs_test.cpp
   unit/cook/prepare/paint_file_test.cpp unit/cook/prepare/skeletons_test.cpp
-  unit/cook/prepare/weights_over_time_test.cpp unit/cook/roles/role_models_test.cpp
+  unit/cook/prepare/weights_over_time_test.cpp unit/cook/roles/role_bodies_test.cpp unit/cook/roles/role_models_test.cpp
   unit/cook/motion/contacts_test.cpp unit/cook/motion/event_text_test.cpp unit/cook/motion/root_track_test.cpp
   unit/cook/roles/role_names_test.cpp)
 # Two halves side by side, as it takes as long as most other tests together. To cook twice, and the newt with a fit, takes

@@ -2,6 +2,7 @@
 #include <marrow/gles3_skinner.h>
 #include <marrow/marrow.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "asset.h"
@@ -30,21 +31,16 @@ struct Hero {
     if (walk == nullptr) fail(options.file + ": has no animation \"walk\"" + kCookSample);
     const marrow::CharacterOptions on_gpu{.layers = 1, .level = 0, .skin = false, .animation_space = false};
     must(make_character(file, on_gpu, block_of(character_bytes(file, on_gpu)), body), "the hero");
-    const marrow::Skeleton& skeleton = body.skeletons[0].pose.skeleton;
-    const auto joint = [&](const std::string& name) {
-      const std::uint32_t found = file.find_joint(skeleton, name.c_str());
-      if (found == skeleton.joint_count) fail(options.file + ": has no joint \"" + name + "\"" + kCookSample);
-      return found;
-    };
+    const marrow::Roles roles = file.roles(0);
+    const marrow::Role feet_roles[2] = {marrow::Role::left_foot, marrow::Role::right_foot};
     for (int i = 0; i < 2; ++i) {
-      const std::string side = i == 0 ? ".L" : ".R";
-      legs[i].hip = joint("thigh" + side);
-      legs[i].knee = joint("shin" + side);
-      legs[i].ankle = joint("foot" + side);
-      legs[i].sole[1] = 0.119f;  // the ball, about which the foot rolls: so far along it
+      if (foot_of(roles, feet_roles[i], legs[i]) != marrow::Status::ok)
+        fail(options.file + ": has no " + role_name(feet_roles[i]) + kCookSample);
+      const float ball[3] = {0, 0.119f, 0};  // about which the foot rolls: so far along it
+      std::copy(ball, ball + 3, legs[i].sole);
     }
     feet.feet = legs;
-    feet.pelvis = joint("pelvis");
+    feet.pelvis = joint_of(roles, marrow::Role::hips);
   }
 
   void upload(const Stage& stage, gles3::ProgramSet& programs) {

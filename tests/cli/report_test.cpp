@@ -36,6 +36,8 @@ TEST(Report, HoldsEveryField) {
 
   ASSERT_EQ(r.at("skeletons").size(), 1u);
   EXPECT_EQ(r["skeletons"][0].at("joints"), 3);
+  for (const char* const count : {"joints", "pairs", "soles", "doubted"})
+    EXPECT_EQ(r["skeletons"][0].at("roles").at(count), 0) << count;
   EXPECT_TRUE(r["skeletons"][0].at("name").is_string());
   ASSERT_EQ(r.at("meshes").size(), 2u);
   const struct {

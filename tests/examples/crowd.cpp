@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-#include <string>
 #include <vector>
 
 struct Walker {
@@ -63,18 +62,14 @@ int main(int argc, char** argv) {
   const marrow::Animation* const walk = find_animation(animations, "walk");
   if (idle == nullptr || walk == nullptr) return 1;
 
-  const marrow::Skeleton skeleton = file.skeleton(0);
+  const marrow::Roles roles = file.roles(0);
   marrow::Foot legs[2];
-  for (int i = 0; i < 2; ++i) {
-    const std::string side = i == 0 ? ".L" : ".R";
-    legs[i].hip = file.find_joint(skeleton, ("thigh" + side).c_str());
-    legs[i].knee = file.find_joint(skeleton, ("shin" + side).c_str());
-    legs[i].ankle = file.find_joint(skeleton, ("foot" + side).c_str());
-    legs[i].sole[1] = 0.12f;  // the ball of the foot
-  }
+  if (foot_of(roles, marrow::Role::left_foot, legs[0]) != marrow::Status::ok ||
+      foot_of(roles, marrow::Role::right_foot, legs[1]) != marrow::Status::ok)
+    return 1;
   marrow::Feet feet;
   feet.feet = legs;
-  feet.pelvis = file.find_joint(skeleton, "pelvis");
+  feet.pelvis = joint_of(roles, marrow::Role::hips);
 
   std::vector<Walker> walkers(100);
   for (std::size_t i = 0; i < walkers.size(); ++i) {

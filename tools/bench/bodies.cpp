@@ -1,17 +1,16 @@
 // The row ik/full_body: a whole body follows its hands, feet and head. One iteration is one solve, from the same pose
 // each time, of one target of a fixed set of 1024.
-#include <cstring>
-
 #include "bench/workload.h"
 #include "marrow/ik_solve.h"
 #include "marrow/local_to_model.h"
+#include "marrow/roles.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
 namespace {
 
 constexpr std::size_t kTargets = 1024, kEnds = 5;
-constexpr const char* kEndNames[kEnds] = {"Lefthand", "RightHand", "LeftFoot", "RightFoot", "Head"};
+constexpr Role kEndRoles[kEnds] = {Role::left_hand, Role::right_hand, Role::left_foot, Role::right_foot, Role::head};
 
 // Hands within 0.2 m of where the animation has them, feet and head within 0.05 m, along each axis. All joints turn,
 // and the hips travel.
@@ -22,10 +21,12 @@ class FollowingBody : public Workload {
     check(sample(skeleton_, source.clip, source.clip.duration_s / 2, pose_));
     check(local_to_model(skeleton_, pose_, joints_));
     for (std::uint32_t j = 0; j < skeleton_.joint_count; ++j) turning_.push_back(static_cast<std::uint16_t>(j));
+    const Roles roles = file.roles(source.clip.skeleton);
     Noise noise;
     for (std::size_t i = 0; i < kTargets * kEnds; ++i) {
       IkGoal goal;
-      while (std::strcmp(file.text(skeleton_.names[goal.joint]), kEndNames[i % kEnds]) != 0) ++goal.joint;
+      goal.joint = joint_of(roles, kEndRoles[i % kEnds]);
+      check(goal.joint == kNoJoint ? Status::mismatch : Status::ok);
       const float range = i % kEnds < 2 ? 0.2f : 0.05f;
       for (int r = 0; r < 3; ++r) goal.position[r] = joints_[goal.joint].rows[r][3] + noise.between(-range, range);
       goals_.push_back(goal);

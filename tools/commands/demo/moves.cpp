@@ -97,36 +97,29 @@ struct Rig {
   Aim look;
 };
 
-std::uint32_t joint_of(const File& file, const Skeleton& skeleton, const std::string& name) {
-  for (std::uint32_t j = 0; j < skeleton.joint_count; ++j)
-    if (name == file.text(skeleton.names[j])) return j;
-  throw Failure(Exit::internal, "the sample", "", "no joint \"" + name + "\"", "please report this");
-}
-
 void put(float (&to)[3], glm::vec3 v) {
   for (int c = 0; c < 3; ++c) to[c] = v[c];
 }
 
-// The sample's own measures: soles below the middle of the feet, forward and up of the head, eyes before it.
+std::uint32_t joint_with(const Roles& roles, Role role) {
+  const std::uint16_t joint = joint_of(roles, role);
+  if (joint != kNoJoint) return joint;
+  throw Failure(Exit::internal, "the sample", "", std::string("no ") + role_name(role), "please report this");
+}
+
 void make_rig(const File& file, Rig& rig) {
   const Skeleton skeleton = file.skeleton(0);
+  const Roles roles = file.roles(0);
+  const auto joint = [&](Role role) { return joint_with(roles, role); };
+  check(foot_of(roles, Role::left_foot, rig.feet[0]));
+  check(foot_of(roles, Role::right_foot, rig.feet[1]));
+  rig.both.feet = rig.feet;
+  rig.both.pelvis = joint(Role::hips);
+  rig.arm = {joint(Role::left_upper_arm), joint(Role::left_lower_arm), joint(Role::left_hand)};
+  rig.looking = {joint(Role::neck), joint(Role::head)};
+  // Forward and up of the head, as the sample stands at rest.
   std::vector<Affine> rest(skeleton.joint_count);
   check(local_to_model(skeleton, {skeleton.rest, skeleton.soa_size()}, rest));
-  const auto joint = [&](const std::string& name) { return joint_of(file, skeleton, name); };
-  const auto at = [&](std::uint32_t j) { return glm::vec3(to_glm(rest[j])[3]); };
-  for (std::size_t side = 0; side < 2; ++side) {
-    const std::string end = side == 0 ? ".L" : ".R";
-    Foot& foot = rig.feet[side];
-    foot.hip = joint("thigh" + end);
-    foot.knee = joint("shin" + end);
-    foot.ankle = joint("foot" + end);
-    const glm::vec3 middle = 0.5f * (at(foot.ankle) + at(joint("toes" + end)));
-    put(foot.sole, glm::vec3(glm::inverse(to_glm(rest[foot.ankle])) * glm::vec4(middle.x, 0, middle.z, 1)));
-  }
-  rig.both.feet = rig.feet;
-  rig.both.pelvis = joint("pelvis");
-  rig.arm = {joint("upper_arm.L"), joint("forearm.L"), joint("hand.L")};
-  rig.looking = {joint("neck"), joint("head")};
   const glm::mat4 head = glm::inverse(to_glm(rest[rig.looking[1]]));
   put(rig.look.forward, glm::vec3(head * glm::vec4(0, 0, 1, 0)));
   put(rig.look.up, glm::vec3(head * glm::vec4(0, 1, 0, 0)));

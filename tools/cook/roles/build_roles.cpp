@@ -16,8 +16,8 @@ namespace {
 // Roles with a side, which is then in doubt.
 void take_sides(Body& body, const Doubt& doubt) {
   doubt(body.joint_of(Role::left_upper_arm), "by its name it is on the other side than the leg of that name");
-  for (Role& role : body.roles)
-    if (other_side(role) != role) role = Role::none;
+  for (std::size_t r = 1; r < kRoleCount; ++r)
+    if (const auto role = static_cast<Role>(r); other_side(role) != role) body.take(role);
 }
 
 void find_roles(Body& body, const Doubt& doubt) {
@@ -31,7 +31,8 @@ void find_roles(Body& body, const Doubt& doubt) {
 BuiltRoles roles_in(const Body& body, const std::vector<Mesh>& meshes) {
   BuiltRoles out;
   for (std::size_t j = 0; j < body.size(); ++j)
-    if (body.roles[j] != Role::none) out.roles.push_back({static_cast<std::uint16_t>(j), body.roles[j], 0});
+    if (const Role role = body.role(static_cast<int>(j)); role != Role::none)
+      out.roles.push_back({static_cast<std::uint16_t>(j), role, 0});
   if (out.roles.empty()) return out;
   out.pairs = find_pairs(body);
   out.soles = find_soles_of_roles(body, meshes);
@@ -45,10 +46,12 @@ BuiltRoles build_roles_of(const RawScene& scene, const BuiltSkeleton& skeleton, 
   const auto is_ruled = [&](const std::string& name) {
     return std::ranges::any_of(rules, [&](const RoleRule& r) { return r.joint == name; });
   };
+  std::size_t doubted = 0;
   const Doubt doubt = [&](int joint, const std::string& why) {
     const std::string& name = body.names[to_index(joint)];
     const int node = skeleton.node_of_joint[to_index(joint)];
     if (node == kNone || is_ruled(name)) return;
+    ++doubted;
     notes.warnings.push_back({"/nodes/" + std::to_string(node), "role-in-doubt",
                               "\"" + name + "\" gets no role: " + why + "; [roles] in marrow.toml says what it is"});
   };
@@ -60,7 +63,9 @@ BuiltRoles build_roles_of(const RawScene& scene, const BuiltSkeleton& skeleton, 
     find_roles(body, doubt);
   }
   give_ruled_roles(rules, body);
-  return roles_in(body, meshes);
+  BuiltRoles out = roles_in(body, meshes);
+  out.doubted = doubted;
+  return out;
 }
 
 }  // namespace

@@ -79,10 +79,14 @@ std::vector<Chains> mirrored_chains(const Body& body, double tolerance) {
   constexpr std::size_t kMostChildren = 32;
   std::vector<Chains> out;
   for (std::size_t j = 0; j < body.size(); ++j) {
-    std::vector<std::vector<int>> ways;
+    std::vector<int> deep;
     for (const int child : body.children[j])
-      if (to_index(depths[to_index(child)]) >= kLeastJoints && ways.size() < kMostChildren)
-        ways.push_back(longest_way(body, depths, child));
+      if (to_index(depths[to_index(child)]) >= kLeastJoints && deep.size() < kMostChildren) deep.push_back(child);
+    // Only ways of the same length mirror each other. So all ways together have hardly more joints than the skeleton.
+    const auto depth = [&](int child) { return depths[to_index(child)]; };
+    std::vector<std::vector<int>> ways;
+    for (const int child : deep)
+      if (std::ranges::count(deep, depth(child), depth) > 1) ways.push_back(longest_way(body, depths, child));
     for (std::size_t a = 0; a < ways.size(); ++a)
       for (std::size_t b = a + 1; b < ways.size(); ++b) {
         if (!mirror_each_other(body, ways[a], ways[b], body.places[j].x, tolerance)) continue;

@@ -1,7 +1,9 @@
 #include "cook/roles/find_limbs.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <utility>
 
 namespace marrow::cook {
 namespace {
@@ -202,15 +204,19 @@ void find_limb(Body& body, bool leg, Side side, const Doubt& doubt) {
   if (!leg) give(Role::left_shoulder, limb.girdle);
 }
 
-// Feet that something else moves hang where legs do not.
+// Feet that something else moves hang where legs do not. Of each role one is told.
 void tell_of_lost_ends(const Body& body, const Doubt& doubt) {
+  std::array<bool, kRoleCount> told{};
   for (std::size_t j = 0; j < body.size(); ++j) {
     const JointPart& p = body.parts[j];
     const bool foot = p.part == Part::foot, hand = p.part == Part::hand;
-    if ((!foot && !hand) || !p.own_side || body.roles[j] != Role::none || body.is_end(static_cast<int>(j))) continue;
+    if ((!foot && !hand) || !p.own_side || body.role(static_cast<int>(j)) != Role::none ||
+        body.is_end(static_cast<int>(j)))
+      continue;
     const Role end = on_side(foot ? Role::left_foot : Role::left_hand, p.side);
     const int upper = body.joint_of(on_side(foot ? Role::left_upper_leg : Role::left_upper_arm, p.side));
     if (upper == kNone || body.joint_of(end) != kNone || body.is_at_or_above(upper, static_cast<int>(j))) continue;
+    if (std::exchange(told[static_cast<std::size_t>(end)], true)) continue;
     doubt(static_cast<int>(j), "it does not hang below \"" + body.names[to_index(upper)] + "\"");
   }
 }

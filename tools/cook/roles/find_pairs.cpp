@@ -9,7 +9,8 @@
 namespace marrow::cook {
 namespace {
 
-constexpr double kMirroredPlaces = 0.02;  // of the body's size: how far mirrored places may be off
+constexpr double kMirroredPlaces = 0.02;    // of the body's size: how far mirrored places may be off
+constexpr std::size_t kMostChildren = 256;  // of a joint of a body
 
 // A name without its side, and which that is.
 std::string without_side(const NameWords& words, const std::string& name) {
@@ -41,7 +42,7 @@ class PairFinder {
 
   void add_roles() {
     for (std::size_t j = 0; j < body_.size(); ++j)
-      if (const Role role = body_.roles[j]; other_side(role) > role)
+      if (const Role role = body_.role(static_cast<int>(j)); other_side(role) > role)
         if (const int right = body_.joint_of(other_side(role)); right != kNone) add(static_cast<int>(j), right);
   }
 
@@ -75,7 +76,8 @@ class PairFinder {
     // Parents come before their children, so a pair of parents is known by then.
     for (std::size_t j = 0; j < body_.size(); ++j) {
       const double aside = glm::dot(body_.places[j] - middle, across);
-      if (other_[j] != kNone || body_.roles[j] != Role::none || !(aside > kMirroredPlaces * size)) continue;
+      if (other_[j] != kNone || body_.role(static_cast<int>(j)) != Role::none || !(aside > kMirroredPlaces * size))
+        continue;
       const glm::dvec3 mirrored = body_.places[j] - 2 * aside * across;
       if (const int right = only_at(mirrored, body_.parents[j], kMirroredPlaces * size); right != kNone)
         add(static_cast<int>(j), right);
@@ -100,9 +102,11 @@ class PairFinder {
   int only_at(const glm::dvec3& place, int parent, double within) const {
     if (parent == kNone) return kNone;
     const int there = other_[to_index(parent)] != kNone ? other_[to_index(parent)] : parent;
+    const std::vector<int>& children = body_.children[to_index(there)];
+    if (children.size() > kMostChildren) return kNone;
     int found = kNone;
-    for (const int j : body_.children[to_index(there)]) {
-      if (other_[to_index(j)] != kNone || body_.roles[to_index(j)] != Role::none) continue;
+    for (const int j : children) {
+      if (other_[to_index(j)] != kNone || body_.role(j) != Role::none) continue;
       if (!(glm::length(body_.place(j) - place) <= within)) continue;
       if (found != kNone) return kNone;
       found = j;

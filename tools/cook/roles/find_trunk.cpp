@@ -54,43 +54,47 @@ int any_above(const Body& body) {
   return kNone;
 }
 
-int hips_above_legs(const Body& body, const Doubt& doubt) {
-  const int left = body.joint_of(Role::left_upper_leg), right = body.joint_of(Role::right_upper_leg);
-  const int legs = body.common(left, right);
-  if (legs == kNone || legs == left || legs == right) return kNone;
-  const int trunk = body.common(legs, any_above(body));
-  const int meet = trunk == kNone ? legs : trunk;
-  for (int j = meet; j != kNone; j = body.parent(j))
-    if (body.part(j).part == Part::hips && !body.part(j).own_side) return j;
-  const bool sure = is_near_legs(body, meet);
-  for (const int named : called(body, Part::hips))
-    if (!body.is_at_or_above(named, left)) {
-      const std::string carry = "no legs hang below it";
-      doubt(named, sure ? carry + "; \"" + body.names[to_index(meet)] + "\" carries them" : carry);
-    }
-  return sure ? meet : kNone;
-}
-
-// Of what has no legs: a joint so named that carries a trunk.
+// The joint so named that carries a trunk.
 int hips_by_name(const Body& body) {
   const std::vector<int> named = called(body, Part::hips);
   const int above = any_above(body);
   return named.size() == 1 && above != kNone && body.is_at_or_above(named[0], above) ? named[0] : kNone;
 }
 
+int hips_above_legs(const Body& body, const Doubt& doubt) {
+  const int left = body.joint_of(Role::left_upper_leg), right = body.joint_of(Role::right_upper_leg);
+  const int legs = body.common(left, right);
+  if (legs != kNone && (legs == left || legs == right)) return kNone;
+  const int trunk = body.common(legs, any_above(body));
+  const int meet = trunk == kNone ? legs : trunk;
+  for (int j = meet; j != kNone; j = body.parent(j))
+    if (body.part(j).part == Part::hips && !body.part(j).own_side) return j;
+  const bool sure = meet != kNone && is_near_legs(body, meet);
+  for (const int named : called(body, Part::hips))
+    if (!body.is_at_or_above(named, left)) {
+      const std::string carry = "no legs hang below it";
+      doubt(named, sure ? carry + "; \"" + body.names[to_index(meet)] + "\" carries them" : carry);
+      break;
+    }
+  return sure ? meet : kNone;
+}
+
 void find_hips(Body& body, const Doubt& doubt) {
   const bool legs = body.joint_of(Role::left_upper_leg) != kNone && body.joint_of(Role::right_upper_leg) != kNone;
   const int hips = legs ? hips_above_legs(body, doubt) : hips_by_name(body);
   body.give(Role::hips, hips);
-  int root = hips;
+  body.trunk = hips;
+  // Legs may hang beside the trunk, on nothing or on what stands on the ground.
+  if (const int named = hips_by_name(body); legs && hips == kNone && named != kNone && is_near_legs(body, named))
+    body.trunk = named;
+  int root = body.trunk;
   while (root != kNone && body.parent(root) != kNone) root = body.parent(root);
-  if (root != hips) body.give(Role::root, root);
+  if (root != body.trunk) body.give(Role::root, root);
 }
 
 // Something of the trunk is at or above it, or the hips are.
 bool hangs_on_a_body(const Body& body, int joint) {
-  const int hips = body.joint_of(Role::hips);
-  if (hips != kNone) return body.is_at_or_above(hips, joint);
+  if (body.trunk != kNone) return body.is_at_or_above(body.trunk, joint);
   for (int j = body.parent(joint); j != kNone; j = body.parent(j))
     if (is_spine(body.part(j).part) || body.part(j).part == Part::neck) return true;
   return false;
@@ -131,7 +135,7 @@ int unnamed_head(const Body& body) {
   for (const int neck : necks)
     if (last == kNone || body.is_at_or_above(last, neck)) last = neck;
   if (necks.size() >= 2 && last != necks.front() && hangs_on_a_body(body, last)) return last;
-  if (!necks.empty() || body.joint_of(Role::hips) == kNone) return kNone;
+  if (!necks.empty() || body.trunk == kNone) return kNone;
   const int arms = arms_meet(body);
   if (arms == kNone || !called(body, Part::head).empty()) return kNone;
   const int head = last_in_middle(body, arms);
@@ -156,7 +160,7 @@ void give_trunk(Body& body, const std::vector<int>& trunk) {
 }
 
 void find_spine_and_neck(Body& body) {
-  const int hips = body.joint_of(Role::hips), head = body.joint_of(Role::head), arms = arms_meet(body);
+  const int hips = body.trunk, head = body.joint_of(Role::head), arms = arms_meet(body);
   int top = head;
   for (const int neck : called(body, Part::neck)) {
     if (head != kNone || !hangs_on_a_body(body, neck)) continue;
@@ -203,9 +207,15 @@ void find_face(Body& body) {
   body.give(Role::right_eye, only(Part::eye, Side::right));
 }
 
+// It hangs below the hips, or beside them.
+bool may_be_tail(const Body& body, int joint) {
+  const int hips = body.trunk;
+  if (hips == kNone || body.is_at_or_above(body.joint_of(Role::head), joint)) return false;
+  return body.is_at_or_above(hips, joint) || body.parent(joint) == body.parent(hips);
+}
+
 // From the first joint so called on, as long as there is one way.
 void find_tail(Body& body) {
-  const int hips = body.joint_of(Role::hips), head = body.joint_of(Role::head);
   std::vector<int> firsts;
   const auto is_tail = [&](int j) {
     return body.part(j).part == Part::tail && !body.part(j).own_side && !body.is_end(j);
@@ -213,8 +223,7 @@ void find_tail(Body& body) {
   for (std::size_t j = 0; j < body.size(); ++j) {
     const int joint = static_cast<int>(j);
     if (!is_tail(joint) || (body.parent(joint) != kNone && is_tail(body.parent(joint)))) continue;
-    if (hips == kNone || !body.is_at_or_above(hips, joint) || body.is_at_or_above(head, joint)) continue;
-    firsts.push_back(joint);
+    if (may_be_tail(body, joint)) firsts.push_back(joint);
   }
   if (firsts.size() != 1) return;
   for (int j = firsts[0]; j != kNone;) {

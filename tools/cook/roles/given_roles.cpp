@@ -47,7 +47,7 @@ int joint_called(const Body& body, const std::string& name) {
 void set_tail(Body& body, int first) {
   body.take(Role::tail);
   for (int j = first; j != kNone;) {
-    body.roles[to_index(j)] = Role::tail;
+    body.set(Role::tail, j);
     const std::vector<int>& below = body.children[to_index(j)];
     j = below.size() == 1 ? below[0] : kNone;
   }

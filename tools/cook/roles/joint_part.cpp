@@ -1,6 +1,7 @@
 #include "cook/roles/joint_part.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "marrow/skeleton.h"
@@ -97,8 +98,9 @@ Part part_of(const NameWords& n) {
   return part_of_trunk(n);
 }
 
-// "Finger0", "Finger01" of 3ds Max, whose thumb is 0, or "finger1-1" of MakeHuman, whose thumb is 1.
-void number_finger(const NameWords& n, bool from_0, JointPart& out) {
+// "Finger0", "Finger01" of 3ds Max, whose thumb is 0, or "finger1-1" of MakeHuman, whose thumb is 1. Where a thumb has
+// its own name, fingers are counted from the index on.
+void number_finger(const NameWords& n, bool from_0, bool has_thumb, JointPart& out) {
   constexpr Part kFingers[] = {Part::thumb, Part::index, Part::middle, Part::ring, Part::little};
   if (!n.has(Word::finger) || out.part != Part::none || n.numbers.empty()) return;
   const std::string& first = n.numbers[0];
@@ -107,10 +109,29 @@ void number_finger(const NameWords& n, bool from_0, JointPart& out) {
     segment = finger % 10;
     finger /= 10;
   }
-  finger -= from_0 ? 0 : 1;
+  finger += (has_thumb ? 1 : 0) - (from_0 ? 0 : 1);
   if (finger < 0 || finger > 4) return;
   out.part = kFingers[finger];
   out.number = segment + (from_0 ? 1 : 0);
+}
+
+// Of a skeleton with names for all four legs each is a leg; of another such letters say nothing.
+void read_corners(std::vector<NameWords>& names) {
+  std::array<bool, 5> seen{};
+  for (const NameWords& n : names) seen[static_cast<std::size_t>(n.corner)] = true;
+  const bool all = std::ranges::all_of(seen.begin() + 1, seen.end(), [](bool one) { return one; });
+  for (NameWords& n : names) {
+    if (n.corner == Corner::none) continue;
+    if (!all || n.side != Side::none) {
+      n.add(Word::unknown);
+      continue;
+    }
+    const bool left = n.corner == Corner::front_left || n.corner == Corner::back_left;
+    const bool front = n.corner == Corner::front_left || n.corner == Corner::front_right;
+    n.side = left ? Side::left : Side::right;
+    n.add(front ? Word::front : Word::back);
+    n.add(Word::leg);
+  }
 }
 
 // Words that so many joints have, as a rig's own name, say nothing of one.
@@ -135,10 +156,12 @@ bool begins_with_def(const std::string& name) {
 std::vector<JointPart> parts_of(const std::vector<std::string>& names, const std::vector<std::uint16_t>& parents) {
   std::vector<NameWords> words;
   for (const std::string& name : names) words.push_back(words_of(name));
+  read_corners(words);
   forget_prefixes(words);
   const auto deforming = static_cast<std::size_t>(std::ranges::count_if(names, begins_with_def));
   const bool from_0 = std::ranges::any_of(
       words, [](const NameWords& n) { return n.has(Word::finger) && !n.numbers.empty() && n.numbers[0] == "0"; });
+  const bool has_thumb = std::ranges::any_of(words, [](const NameWords& n) { return part_of(n) == Part::thumb; });
   std::vector<JointPart> out(names.size());
   for (std::size_t j = 0; j < names.size(); ++j) {
     const NameWords& n = words[j];
@@ -151,7 +174,7 @@ std::vector<JointPart> parts_of(const std::vector<std::string>& names, const std
     to.is_front = n.has(Word::front);
     to.is_humerus = n.has(Word::humerus);
     to.number = first_number(n);
-    number_finger(n, from_0, to);
+    number_finger(n, from_0, has_thumb, to);
     const bool meant = deforming < kFewDeform || begins_with_def(names[j]) || to.part == Part::root;
     if (!meant) to.part = Part::other;
   }

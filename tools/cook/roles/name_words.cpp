@@ -2,97 +2,32 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
+
+#include "cook/roles/word_table.h"
 
 namespace marrow::cook {
 namespace {
 
 constexpr std::size_t kLongest = 24;  // letters of a run that is taken apart
 
-const std::map<std::string_view, Word>& dictionary() {
-  static const std::map<std::string_view, Word> words = [] {
-    const std::pair<Word, std::string_view> rows[] = {
-        {Word::neutral,
-         "bone bones joint joints jnt jt bn skeleton armature rig character mixamorig mixamo bip bipe biped base cc sk "
-         "skin j b c f ccbase valve valvebiped def animal bend in of the body rl genesis metarig proximal intermediate "
-         "distal phalanx"},
-        {Word::upper, "upper up upr uper"},
-        {Word::lower, "lower low lwr"},
-        {Word::front, "front fore"},
-        {Word::back, "back hind rear"},
-        {Word::mid, "mid"},
-        {Word::leg, "leg legs"},
-        {Word::thigh, "thigh femur hipleg"},
-        {Word::shin, "shin calf tibia crus"},
-        {Word::knee, "knee"},
-        {Word::ankle, "ankle hock"},
-        {Word::foot, "foot feet paw hoof"},
-        {Word::toe, "toe toes ball"},
-        {Word::hip, "hip hips"},
-        {Word::pelvis, "pelvis"},
-        {Word::spine, "spine torso abdomen waist abdominal lumbar"},
-        {Word::chest, "chest thorax ribcage"},
-        {Word::neck, "neck"},
-        {Word::head, "head"},
-        {Word::jaw, "jaw mandible"},
-        {Word::mouth, "mouth"},
-        {Word::eye, "eye eyes eyeball"},
-        {Word::collar, "clavicle collar scapula collarbone clav"},
-        {Word::shoulder, "shoulder shldr shoulders"},
-        {Word::arm, "arm arms"},
-        {Word::humerus, "humerus"},
-        {Word::forearm, "forearm radius ulna"},
-        {Word::elbow, "elbow"},
-        {Word::wrist, "wrist carpus"},
-        {Word::hand, "hand hands fist"},
-        {Word::finger, "finger fingers"},
-        {Word::thumb, "thumb"},
-        {Word::index, "index pointer"},
-        {Word::middle, "middle"},
-        {Word::ring, "ring"},
-        {Word::little, "little pinky pinkie"},
-        {Word::palm, "palm metacarpal carpal metacarpals"},
-        {Word::tail, "tail"},
-        {Word::root, "root master world global origin reference main"},
-        {Word::deform, "deform"},
-        {Word::mechanism, "org"},
-        {Word::twist, "twist roll"},
-        {Word::control,
-         "ik fk ctrl control controller controls pole target poletarget mch tweak helper drv driver corrective aim "
-         "orient pivot vis offset null dummy grp group constraint socket slot attach mount anchor proxy bendy widget"},
-        {Word::end, "end tip nub leaf top site effector"},
-        {Word::other,
-         "wing feather fin flipper ear horn hair bang fringe pony ponytail skirt cape cloak cloth coat dress scarf "
-         "breast boob bust butt glute pouch belt bag weapon gun sword shield blade bow lid eyelid brow eyebrow lash "
-         "lip "
-         "cheek nose nostril tongue teeth tooth beard gill muscle pad armor strap hat hood helmet crown mask belly "
-         "stomach tummy heel big hoop chin face snout trunk antenna tentacle claw nail sleeve collider jiggle link "
-         "horse bulge pec lat trap biceps bicep triceps glasses backpack chain rope button prop camera light"},
-    };
-    std::map<std::string_view, Word> out;
-    for (const auto& [word, row] : rows)
-      for (std::size_t at = 0; at < row.size();) {
-        const std::size_t end = std::min(row.find(' ', at), row.size());
-        out.emplace(row.substr(at, end - at), word);
-        at = end + 1;
-      }
-    return out;
-  }();
-  return words;
-}
-
-std::optional<Word> known(std::string_view text) {
-  const auto found = dictionary().find(text);
-  return found == dictionary().end() ? std::nullopt : std::optional(found->second);
-}
-
 Side side_of(std::string_view text) {
-  for (const std::string_view left : {"l", "left", "lft", "lt"})
+  for (const std::string_view left : {"l", "left", "lft", "lt", "gauche", "links", "izquierda", "sinistra"})
     if (text == left) return Side::left;
-  for (const std::string_view right : {"r", "right", "rgt", "rt"})
+  for (const std::string_view right : {"r", "right", "rgt", "rt", "droite", "rechts", "derecha", "destra"})
     if (text == right) return Side::right;
   return Side::none;
+}
+
+Corner corner_of(std::string_view text) {
+  for (const auto& [name, corner] : {std::pair{"fl", Corner::front_left},
+                                     {"fr", Corner::front_right},
+                                     {"hl", Corner::back_left},
+                                     {"bl", Corner::back_left},
+                                     {"hr", Corner::back_right},
+                                     {"br", Corner::back_right}})
+    if (text == name) return corner;
+  return Corner::none;
 }
 
 bool is_letter(char c) {
@@ -110,7 +45,11 @@ class WordReader {
  public:
   void add_letters(const std::string& text) {
     if (const Side side = side_of(text); side != Side::none) return add_side(side);
-    if (const std::optional<Word> word = known(text)) return add(*word);
+    if (const std::optional<Word> word = known_word(text)) return add(*word);
+    if (const Corner corner = corner_of(text); corner != Corner::none) {
+      out_.corner = corner;
+      return;
+    }
     if (text.size() <= kLongest && (add_with_side(text) || add_run(text))) return;
     out_.unknown.push_back(text);
     add(Word::unknown);
@@ -127,7 +66,7 @@ class WordReader {
 
  private:
   void add(Word word) {
-    out_.words |= std::uint64_t{1} << static_cast<unsigned>(word);
+    out_.add(word);
     begun_ |= word != Word::neutral;
   }
   void add_side(Side side) { (side == Side::left ? left_ : right_) = true; }
@@ -141,7 +80,7 @@ class WordReader {
       for (const bool front : {true, false}) {
         if (front ? !text.starts_with(side) : !ends_with) continue;
         const std::string rest = front ? text.substr(side.size()) : text.substr(0, text.size() - side.size());
-        const std::optional<Word> word = known(rest);
+        const std::optional<Word> word = known_word(rest);
         if (!word && !add_run(rest)) continue;
         if (word) add(*word);
         add_side(side_of(side));
@@ -160,11 +99,12 @@ class WordReader {
     best[0].pieces = 0;
     for (std::size_t end = 1; end <= text.size(); ++end)
       for (std::size_t from = 0; from + 2 <= end; ++from)
-        if (best[from].pieces < 3 && best[from].pieces + 1 < best[end].pieces && known(text.substr(from, end - from)))
+        if (best[from].pieces < 3 && best[from].pieces + 1 < best[end].pieces &&
+            known_word(text.substr(from, end - from)))
           best[end] = {best[from].pieces + 1, from};
     if (text.empty() || best[text.size()].pieces > 3) return false;
     for (std::size_t end = text.size(); end > 0; end = best[end].from)
-      add(*known(text.substr(best[end].from, end - best[end].from)));
+      add(*known_word(text.substr(best[end].from, end - best[end].from)));
     return true;
   }
 

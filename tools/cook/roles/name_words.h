@@ -10,6 +10,9 @@ namespace marrow::cook {
 
 enum class Side : std::uint8_t { none, left, right };
 
+// "fl", "hr": which of four legs, if a skeleton has such names of all.
+enum class Corner : std::uint8_t { none, front_left, front_right, back_left, back_right };
+
 enum class Word : std::uint8_t {
   neutral,  // "bone", "joint", "mixamorig"
   upper,
@@ -61,10 +64,12 @@ enum class Word : std::uint8_t {
 
 struct NameWords {
   Side side = Side::none;
+  Corner corner = Corner::none;
   std::uint64_t words = 0;           // a bit each
   std::vector<std::string> numbers;  // behind the first word that is not neutral
   std::vector<std::string> unknown;  // in small letters
 
+  void add(Word word) { words |= std::uint64_t{1} << static_cast<unsigned>(word); }
   bool has(Word word) const { return (words >> static_cast<unsigned>(word) & 1) != 0; }
   template <class... More>
   bool has(Word word, More... more) const {

@@ -58,24 +58,29 @@ bool Body::is_end(int joint) const {
          (children[to_index(joint)].empty() || part(joint).part != Part::tail);
 }
 
-int Body::joint_of(Role role) const {
-  const auto found = std::ranges::find(roles, role);
-  return found == roles.end() ? kNone : static_cast<int>(found - roles.begin());
-}
-
 void Body::give(Role role, int joint) {
-  if (joint == kNone || roles[to_index(joint)] != Role::none) return;
-  if (role != Role::tail && joint_of(role) != kNone) return;
-  roles[to_index(joint)] = role;
+  if (joint == kNone || this->role(joint) != Role::none) return;
+  int& first = first_[static_cast<std::size_t>(role)];
+  if (role != Role::tail && first != kNone) return;
+  roles_[to_index(joint)] = role;
+  first = first == kNone ? joint : std::min(first, joint);
 }
 
 void Body::take(Role role) {
-  std::ranges::replace(roles, role, Role::none);
+  int& first = first_[static_cast<std::size_t>(role)];
+  if (first == kNone) return;
+  std::ranges::replace(roles_, role, Role::none);
+  first = kNone;
 }
 
 void Body::set(Role role, int joint) {
-  take(role);
-  roles[to_index(joint)] = role;
+  if (role != Role::tail) take(role);
+  if (const Role old = this->role(joint); old != Role::none) {
+    roles_[to_index(joint)] = Role::none;
+    const auto next = std::ranges::find(roles_, old);
+    first_[static_cast<std::size_t>(old)] = next == roles_.end() ? kNone : static_cast<int>(next - roles_.begin());
+  }
+  give(role, joint);
 }
 
 Body body_of(const BuiltSkeleton& skeleton) {
@@ -84,7 +89,8 @@ Body body_of(const BuiltSkeleton& skeleton) {
   out.names = skeleton.joint_names;
   out.parts = parts_of(out.names, skeleton.parents);
   out.children.resize(count);
-  out.roles.assign(count, Role::none);
+  out.roles_.assign(count, Role::none);
+  out.first_.fill(kNone);
   const std::vector<Transform> rest = rest_transforms(skeleton);
   for (std::size_t j = 0; j < count; ++j) {
     const bool is_root = skeleton.parents[j] == kNoJoint;

@@ -1,6 +1,7 @@
 // A skeleton as roles are looked for in it, and the roles found so far.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -28,12 +29,12 @@ struct Body {
   std::vector<glm::dmat4> model_from_joint;  // at rest
   std::vector<glm::dvec3> places;            // the same
   std::vector<char> carries;                 // whether vertices follow a joint; empty: not known
-  std::vector<Role> roles;                   // a joint
+  int trunk = kNone;                         // where it begins: the hips, or what is so called and carries no legs
   bool is_nameless = false;                  // limbs were found by their shape
 
   std::size_t size() const { return parents.size(); }
   const JointPart& part(int joint) const { return parts[to_index(joint)]; }
-  Role role(int joint) const { return roles[to_index(joint)]; }
+  Role role(int joint) const { return roles_[to_index(joint)]; }
   int parent(int joint) const { return parents[to_index(joint)]; }
   const glm::dvec3& place(int joint) const { return places[to_index(joint)]; }
 
@@ -50,12 +51,17 @@ struct Body {
   // An end in name and in fact: nothing but ends hangs on it.
   bool is_end(int joint) const;
 
-  // kNone: nothing has it.
-  int joint_of(Role role) const;
+  // The first; kNone: nothing has it. O(1).
+  int joint_of(Role role) const { return first_[static_cast<std::size_t>(role)]; }
   // A joint keeps the first role that it is given, and a role its first joint.
   void give(Role role, int joint);
   void take(Role role);
-  void set(Role role, int joint);  // instead of what both had
+  void set(Role role, int joint);  // instead of what both had; a tail may have more joints
+
+ private:
+  friend Body body_of(const BuiltSkeleton& skeleton);
+  std::vector<Role> roles_;              // a joint
+  std::array<int, kRoleCount> first_{};  // the first joint of each
 };
 
 // Without the roles and `carries`.

@@ -36,6 +36,7 @@ struct BuiltRoles {
   std::vector<JointRole> roles;
   std::vector<JointPair> pairs;
   std::vector<JointSole> soles;
+  std::size_t doubted = 0;  // joints that got no role and a warning; not in the section
 };
 
 struct BuiltSkeleton {

@@ -211,8 +211,16 @@ ordered_json report_scene(const SourceFile& source, const BuiltScene& built, con
   r["output"] = {{"bytes", written.bytes.size()}, {"sections", report_sections(written)}};
   r["clip_pack"] = built.is_pack;
   r["skeletons"] = ordered_json::array();
-  for (const BuiltSkeleton& skeleton : built.skeletons)
-    r["skeletons"].push_back({{"name", skeleton.name}, {"joints", skeleton.parents.size()}});
+  for (const BuiltSkeleton& skeleton : built.skeletons) {
+    const BuiltRoles& roles = skeleton.roles;
+    r["skeletons"].push_back({{"name", skeleton.name},
+                              {"joints", skeleton.parents.size()},
+                              {"roles",
+                               {{"joints", roles.roles.size()},
+                                {"pairs", roles.pairs.size()},
+                                {"soles", roles.soles.size()},
+                                {"doubted", roles.doubted}}}});
+  }
   r["meshes"] = report_meshes(built, written);
   r["clips"] = report_clips(built, written);
   report_looks(built, r);
