@@ -16,7 +16,6 @@ namespace {
 
 // Legs a second: what is slower stays where it is.
 constexpr double kStays = 0.02;
-constexpr double kKeysPerS = 60;
 // How far keys may be off: of a leg, and the sine of half of five degrees.
 constexpr double kNear = 0.03, kSineOfHalfTurn = 0.043619387365336;
 // Of a loop, in radians: what turns less, in a round, does not turn; and how far keys are apart.
@@ -69,20 +68,21 @@ bool are_on_line(const std::vector<Rigid>& m, std::size_t from, std::size_t to, 
   return true;
 }
 
-// The farthest frame that one line goes to: tried at doubled distances, then between the last two.
-std::size_t line_from(const std::vector<Rigid>& m, std::size_t from, double near) {
+// The farthest frame that one line goes to, of every `step`th: tried at doubled distances, then between the last two.
+std::size_t line_from(const std::vector<Rigid>& m, std::size_t from, std::size_t step, double near) {
+  const std::size_t last = m.size() - 1, most = (last - from + step - 1) / step;
+  const auto frame = [&](std::size_t steps) { return std::min(from + steps * step, last); };
   std::size_t good = 1, bad = 2;
-  const std::size_t most = m.size() - 1 - from;
-  while (bad <= most && are_on_line(m, from, from + bad, near)) {
+  while (bad <= most && are_on_line(m, from, frame(bad), near)) {
     good = bad;
     bad = std::min(2 * bad, most);
-    if (good == most) return from + most;
+    if (good == most) return last;
   }
   while (bad - good > 1 && bad <= most) {
     const std::size_t middle = (good + bad) / 2;
-    (are_on_line(m, from, from + middle, near) ? good : bad) = middle;
+    (are_on_line(m, from, frame(middle), near) ? good : bad) = middle;
   }
-  return from + std::min(good, most);
+  return frame(good);
 }
 
 // The turn about the upright, in radians, up to half a round.
@@ -146,17 +146,14 @@ bool jumps_at(const BuiltClip& clip, std::size_t joint) {
       clip.tracks, [&](const Track& t) { return t.joint == joint && t.path != TrackPath::scale && jumps(clip, t); });
 }
 
-// Those of the root's keys and of M's, and even ones between.
+// Those of the root's keys and of M's. Between them the root is where lines have it: a few more keys would be more
+// frames of the whole clip.
 std::vector<float> times_of(const std::vector<RootKey>& root, const BuiltClip& clip, std::size_t joint) {
   std::vector<float> out;
   for (const RootKey& key : root) out.push_back(key.time_s);
   for (const Track& t : clip.tracks)
     if (t.joint == joint && t.path != TrackPath::scale)
       out.insert(out.end(), clip.times_s.begin() + t.first_time, clip.times_s.begin() + t.first_time + t.key_count);
-  const auto steps = static_cast<std::size_t>(std::ceil(static_cast<double>(clip.duration_s) * kKeysPerS));
-  for (std::size_t i = 0; i <= steps; ++i)
-    out.push_back(
-        static_cast<float>(static_cast<double>(clip.duration_s) * static_cast<double>(i) / static_cast<double>(steps)));
   std::ranges::sort(out);
   // Keys nearer than that would be one but for rounding.
   std::vector<float> apart;
@@ -221,7 +218,7 @@ RootTrack find_root(const ClipTrace& trace, const Contacts& contacts, RootMotion
   if (!on_the_spot && !stays && !contacts.is_loop) {
     out.in_pose.push_back(key_of({}, 0));
     for (std::size_t i = 0; i + 1 < m.size();) {
-      i = line_from(m, i, near);
+      i = line_from(m, i, trace.frames_a_key, near);
       out.in_pose.push_back(key_of(m[i], i + 1 < m.size() ? static_cast<double>(i) * trace.frame_s : duration));
     }
   }

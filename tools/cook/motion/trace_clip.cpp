@@ -14,7 +14,8 @@ namespace marrow::cook {
 namespace {
 
 constexpr double kFramesPerS = 60;
-constexpr double kLeastDuration_s = 0.05;  // a clip of less has one pose
+constexpr std::size_t kMostFramesAKey = 4;  // of clips with few keys
+constexpr double kLeastDuration_s = 0.05;   // a clip of less has one pose
 // So that no clip takes long: of frames, and of joints that are placed in all of them.
 constexpr std::size_t kMostFrames = 1u << 15, kMostPlaced = 1u << 23;
 // Some joints and all above them.
@@ -67,6 +68,13 @@ bool is_finite(const glm::dvec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// The keys of the track with most of them, as even steps.
+std::size_t frames_a_key(const BuiltClip& clip, std::size_t frames) {
+  std::size_t most = 2;
+  for (const Track& track : clip.tracks) most = std::max<std::size_t>(most, track.key_count);
+  return std::clamp<std::size_t>((frames + (most - 1) / 2) / (most - 1), 1, kMostFramesAKey);
+}
+
 using Places = std::vector<glm::dvec3>;  // of a foot's ball, then of its points
 
 // Of each frame. frames: one a frame. False if a place is not finite.
@@ -114,6 +122,7 @@ ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton, const
   const SourceCurves curves(clip, skeleton);
   ClipTrace out;
   out.frame_s = duration / static_cast<double>(steps);
+  out.frames_a_key = frames_a_key(clip, steps);
   std::vector<std::vector<Places>> places(feet.size());
   for (std::size_t frame = 0; frame <= steps; ++frame) {
     walker.pose(curves, duration * static_cast<double>(frame) / static_cast<double>(steps));

@@ -26,7 +26,8 @@ struct FootTrace {
 
 // A clip in frames that are evenly spaced; the first at its start, the last at its end.
 struct ClipTrace {
-  double frame_s = 0;  // 0: a clip that is too short or too long to be looked at
+  double frame_s = 0;            // 0: a clip that is too short or too long to be looked at
+  std::size_t frames_a_key = 1;  // about as many as from key to key of the source
   std::vector<FootTrace> feet;
   std::vector<glm::dvec3> hips;       // a frame, model space; where there are no hips, of the first root
   std::vector<glm::dquat> hips_turn;  // a frame: since rest, model space
