@@ -79,6 +79,7 @@ int run() {
   set_call_error_handler(nullptr);  // of clips of both kinds each is tried as the other
   StageHashes found;
   hash_poses(found);
+  hash_motions(found);
   hash_reach(found);
   hash_files(found);
   std::uint64_t all = kHashStart;

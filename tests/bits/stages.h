@@ -16,9 +16,10 @@ struct StageHash {
 };
 using StageHashes = std::vector<StageHash>;
 
-void hash_poses(StageHashes& out);  // sampling to skinning, blends, curves, playback, on creatures of noise
-void hash_reach(StageHashes& out);  // limbs, aims, chains, feet and springs
-void hash_files(StageHashes& out);  // files that are loaded, and unpacked
+void hash_poses(StageHashes& out);    // sampling to skinning, blends, curves, playback, on creatures of noise
+void hash_motions(StageHashes& out);  // events, root motion, phases, spaces
+void hash_reach(StageHashes& out);    // limbs, aims, chains, feet and springs
+void hash_files(StageHashes& out);    // files that are loaded, and unpacked
 
 // Ends the program if a call did not end as it must.
 void must(Status status, Status wanted = Status::ok);

@@ -255,7 +255,7 @@ TEST(GoldenPacked, UnpacksToTheClipPack) {
   ASSERT_EQ(begin_unpack(bytes, {}, {again.data(), again.size()}, unpacking), Status::ok);
   std::size_t steps = 0;
   for (; unpacking.file.empty(); ++steps) ASSERT_EQ(unpack_step(unpacking), Status::ok);
-  EXPECT_EQ(steps, 4u) << "a reference, a clip, names, and the checksum";
+  EXPECT_EQ(steps, 5u) << "a reference, a clip, its motion, names, and the checksum";
   EXPECT_EQ(std::memcmp(again.data(), want.data(), want.size()), 0);
 }
 

@@ -43,7 +43,7 @@ void set_phase(CookOptions& options, const Value& given) {
   rule.clips = clip_of(given, "walk=0,0.5", text);
   while (!text.empty()) {
     const std::size_t comma = text.find(',');
-    ClipMoment& mark = rule.marks.emplace_back();
+    tools::ClipMoment& mark = rule.marks.emplace_back();
     if (!read_moment(text.substr(0, comma), mark) || comma + 1 == text.size())
       refuse(given, "\"" + text + "\" is no list of times", "as in walk=0,0.5 or walk=0%,50%");
     text = comma == std::string::npos ? "" : text.substr(comma + 1);

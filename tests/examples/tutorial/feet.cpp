@@ -13,7 +13,9 @@ struct Legs {
     for (int i = 0; i < 2; ++i) {
       const marrow::Role role = i == 0 ? marrow::Role::left_foot : marrow::Role::right_foot;
       must(foot_of(roles, role, legs[i]), "a leg");
-      steps[i] = walk.events[file.find_event(walk, role_name(role))].name;
+      const std::uint32_t step = file.find_event(walk, role_name(role));
+      if (step == walk.events.size) fail("the walk has no steps");
+      steps[i] = walk.events[step].name;
     }
     feet.feet = legs;
     feet.pelvis = joint_of(roles, marrow::Role::hips);

@@ -34,12 +34,12 @@ void expect_fit(const std::string& pattern, const RuleOrigin& origin, const std:
     refuse(origin, "no clip is called \"" + pattern + "\"", tools::suggestion(pattern, names_of(clips)));
 }
 
-double seconds(const ClipMoment& moment, const BuiltClip& clip) {
+double seconds(const tools::ClipMoment& moment, const BuiltClip& clip) {
   return moment.value * (moment.is_share ? static_cast<double>(clip.duration_s) : 1);
 }
 
 // Empty: the event is in the clip.
-std::string fault_of(const EventText& event, const BuiltClip& clip) {
+std::string fault_of(const tools::EventText& event, const BuiltClip& clip) {
   const double from = seconds(event.from, clip), until = seconds(event.until, clip);
   const auto duration = static_cast<double>(clip.duration_s);
   if (from > duration || until > from + duration)
@@ -48,7 +48,7 @@ std::string fault_of(const EventText& event, const BuiltClip& clip) {
   return "";
 }
 
-void add(const EventText& text, const BuiltClip& clip, BuiltMotion& to) {
+void add(const tools::EventText& text, const BuiltClip& clip, BuiltMotion& to) {
   BuiltEvent event;
   event.name = text.name;
   event.time_s = std::min(static_cast<float>(seconds(text.from, clip)), clip.duration_s);
@@ -60,7 +60,7 @@ void add(const EventText& text, const BuiltClip& clip, BuiltMotion& to) {
 
 // What the source says of a clip.
 void add_own_events(const RawClip& raw, const BuiltClip& clip, BuiltMotion& to, Notes& notes) {
-  for (const EventText& event : raw.events) {
+  for (const tools::EventText& event : raw.events) {
     const std::string fault = fault_of(event, clip);
     if (fault.empty()) add(event, clip, to);
     if (!fault.empty()) notes.warnings.push_back({"/animations", "event-left-out", fault});
@@ -143,7 +143,7 @@ void give_marks(const std::vector<PhaseRule>& rules, const BuiltClip& clip, Buil
   for (const PhaseRule& rule : rules) {
     if (!tools::fits(rule.clips, clip.name)) continue;
     to.marks.clear();
-    for (const ClipMoment& moment : rule.marks) to.marks.push_back(static_cast<float>(seconds(moment, clip)));
+    for (const tools::ClipMoment& moment : rule.marks) to.marks.push_back(static_cast<float>(seconds(moment, clip)));
     ClipMotion motion;
     motion.duration_s = clip.duration_s;
     motion.phase_marks = to.marks;

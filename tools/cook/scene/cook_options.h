@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "cook/scene/event_text.h"
 #include "deform/deformers.h"
 #include "deform/elastic/elastic_options.h"
 #include "deform/fit/progress.h"
 #include "marrow/file.h"
 #include "marrow/roles.h"
+#include "text/event_text.h"
 
 namespace marrow::deform {
 enum class WeightMethod;
@@ -154,14 +154,14 @@ struct RootRule {
 
 struct EventRule {
   std::string clips;
-  EventText event;
+  tools::EventText event;
   RuleOrigin origin = {"--event", ""};
 };
 
 // Where the segments of a cycle begin, in place of where feet come down.
 struct PhaseRule {
   std::string clips;
-  std::vector<ClipMoment> marks;
+  std::vector<tools::ClipMoment> marks;
   RuleOrigin origin = {"--phase", ""};
 };
 

@@ -18,9 +18,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "cook/scene/event_text.h"
 #include "marrow/file.h"
 #include "marrow/limits.h"
+#include "text/event_text.h"
 
 namespace marrow::cook {
 
@@ -164,7 +164,7 @@ struct RawClip {
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
   bool additive = false;               // over the rest pose, without --additive
-  std::vector<EventText> events = {};  // `extras.marrow.events`
+  std::vector<tools::EventText> events = {};  // `extras.marrow.events`
 };
 
 // A chain of spring bones, each node somewhere below the one before it. No node is in two chains.

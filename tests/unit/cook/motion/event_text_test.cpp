@@ -5,7 +5,7 @@
 
 #include "common/failure.h"
 #include "cook/cook.h"
-#include "cook/scene/event_text.h"
+#include "text/event_text.h"
 #include "options/options.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
@@ -14,14 +14,14 @@ namespace marrow::cook {
 namespace {
 
 TEST(EventText, IsRead) {
-  EventText e;
-  ASSERT_TRUE(read_event("hit@0.35", e));
+  tools::EventText e;
+  ASSERT_TRUE(tools::read_event("hit@0.35", e));
   EXPECT_EQ(e.name, "hit");
   EXPECT_EQ(e.from.value, 0.35);
   EXPECT_EQ(e.until.value, 0.35);
   EXPECT_FALSE(e.from.is_share);
   EXPECT_EQ(e.number, 0);
-  ASSERT_TRUE(read_event("a name@b@25%..0.5s:-2.5", e));
+  ASSERT_TRUE(tools::read_event("a name@b@25%..0.5s:-2.5", e));
   EXPECT_EQ(e.name, "a name@b");
   EXPECT_EQ(e.from.value, 0.25);
   EXPECT_TRUE(e.from.is_share);
@@ -30,7 +30,7 @@ TEST(EventText, IsRead) {
   EXPECT_EQ(e.number, -2.5);
   for (const char* bad : {"", "hit", "@1", "hit@", "hit@-1", "hit@nan", "hit@inf", "hit@1e300", "hit@101%", "hit@1..",
                           "hit@..1", "hit@1:", "hit@1:x", "hit@+1", "hit@1 ", "hit@0x1"})
-    EXPECT_FALSE(read_event(bad, e)) << bad;
+    EXPECT_FALSE(tools::read_event(bad, e)) << bad;
 }
 
 void refuse(const char* option, const char* value, const char* rule) {

@@ -127,8 +127,8 @@ TEST(SpeedOfClips, IsThatOfTheHipsOverTheGround) {
 }
 
 // Where every joint is: root and pose together are the source's pose, whatever the root leaves out. At the source's
-// keys, 30 a second; between them a joint of a fast turn is a few millimetres inside of its arc.
-void expect_same_motion(const char* file, const char* clip, RootMotion how) {
+// keys, which pab has 30 a second; between them a joint of a fast turn is a few millimetres inside of its arc.
+void expect_same_motion(const char* file, const char* clip, RootMotion how, bool is_at_30_hz = false) {
   OwnedFile whole, taken;
   cook(scene_of(file), RootMotion::none, whole);
   cook(scene_of(file), how, taken);
@@ -139,7 +139,7 @@ void expect_same_motion(const char* file, const char* clip, RootMotion how) {
   ASSERT_GT(to->motion.root.size, 1u) << clip;
   const int frames = static_cast<int>(std::lround(60 * from->duration_s));
   for (int i = 0; i <= frames; ++i) {
-    const float time_s = static_cast<float>(i) / 60, most = i % 2 == 0 ? 1e-3f : 8e-3f;
+    const float time_s = static_cast<float>(i) / 60, most = is_at_30_hz && i % 2 == 0 ? 5e-4f : 8e-3f;
     ASSERT_EQ(pose_character(a, {{from, time_s}}), Status::ok);
     ASSERT_EQ(pose_character(b, {{to, time_s}}), Status::ok);
     RigidStep root;
@@ -158,8 +158,8 @@ void expect_same_motion(const char* file, const char* clip, RootMotion how) {
 
 TEST(RootOfClips, AndPoseTogetherAreTheSource) {
   if (missing("pab.glb") || missing("mannequiny.glb")) GTEST_SKIP() << "no models";
-  for (const auto& [clip, speed, on_the_spot] : kGaits) expect_same_motion("pab.glb", clip, RootMotion::ground);
-  expect_same_motion("pab.glb", "pab_atlas_raw", RootMotion::full);
+  for (const auto& [clip, speed, on_the_spot] : kGaits) expect_same_motion("pab.glb", clip, RootMotion::ground, true);
+  expect_same_motion("pab.glb", "pab_atlas_raw", RootMotion::full, true);
   expect_same_motion("mannequiny.glb", "dash_root.001", RootMotion::ground);
   expect_same_motion("mannequiny.glb", "fight_kick_root.001", RootMotion::full);
 }

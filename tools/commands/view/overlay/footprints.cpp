@@ -7,7 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "marrow/feet.h"
+#include "commands/view/overlay/drawer.h"
+#include "common/check_status.h"
 #include "marrow/roles.h"
 
 namespace marrow::tools {

@@ -7,11 +7,12 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "commands/view/overlay/drawer.h"
 #include "marrow/roles.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
+
+class Drawer;
 
 // A foot on the ground from time_s until until_s.
 struct Footprint {

@@ -211,11 +211,11 @@ class Said {
 constexpr std::size_t kMostEvents = 4096;
 
 // A list of texts, or one text.
-std::vector<EventText> import_events(const Json& events, const std::string& where, Report& report) {
-  std::vector<EventText> out;
+std::vector<tools::EventText> import_events(const Json& events, const std::string& where, Report& report) {
+  std::vector<tools::EventText> out;
   const Json all = events.is_array() ? events : events.is_null() ? Json::array() : Json::array({events});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    EventText event;
+    tools::EventText event;
     if (out.size() == kMostEvents) {
       report.mend(where, "event-left-out", "a clip has at most " + std::to_string(kMostEvents) + " events");
       break;

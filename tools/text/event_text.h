@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace marrow::cook {
+namespace marrow::tools {
 
 // Seconds in a clip, or a share of it.
 struct ClipMoment {
@@ -25,4 +25,4 @@ bool read_moment(std::string_view text, ClipMoment& out);
 // "hit@0.35", "swing@0.2..0.5", "hit@50%:2" with a number. False for anything else.
 bool read_event(std::string_view text, EventText& out);
 
-}  // namespace marrow::cook
+}  // namespace marrow::tools

@@ -1,9 +1,9 @@
-#include "cook/scene/event_text.h"
+#include "text/event_text.h"
 
 #include <charconv>
 #include <cmath>
 
-namespace marrow::cook {
+namespace marrow::tools {
 namespace {
 
 constexpr double kLargest = 1e9;
@@ -40,4 +40,4 @@ bool read_event(std::string_view text, EventText& out) {
   return dots == std::string_view::npos || read_moment(text.substr(dots + 2), out.until);
 }
 
-}  // namespace marrow::cook
+}  // namespace marrow::tools
