@@ -35,7 +35,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/gltf/looks_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
   unit/cook/clip/channels_test.cpp unit/cook/clip/clip_measure_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
-  unit/cook/clip/retarget_feet_test.cpp unit/cook/clip/retarget_test.cpp unit/cook/emptied_lists_test.cpp
+  unit/cook/emptied_lists_test.cpp
   unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
   unit/cook/learn/learn_test.cpp unit/cook/learn/look_better_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
@@ -61,6 +61,14 @@ marrow_begin_first(cook cook.1)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco
   meshoptimizer::meshoptimizer)
+
+# Clips of one rig on others.
+marrow_tools_test(marrow_retarget_tests retarget
+  unit/cook/retarget/add_clips_test.cpp unit/cook/retarget/mirror_clips_test.cpp unit/cook/retarget/retarget_feet_test.cpp
+  unit/cook/retarget/retarget_map_test.cpp unit/cook/retarget/retarget_models_test.cpp
+  unit/cook/retarget/retarget_pose_test.cpp
+  unit/cook/retarget/retarget_test.cpp)
+target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow

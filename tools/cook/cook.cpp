@@ -8,6 +8,8 @@
 
 #include "common/failure.h"
 #include "common/hash.h"
+#include "common/load_mrw.h"
+#include "cook/add_clips.h"
 #include "cook/clip/build_clips.h"
 #include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_examples.h"
@@ -20,8 +22,9 @@
 #include "cook/prepare/match_skeletons.h"
 #include "cook/prepare/mirrors.h"
 #include "cook/prepare/prepare_scene.h"
-#include "cook/prepare/retarget.h"
 #include "cook/read_source.h"
+#include "cook/retarget/mirror_clips.h"
+#include "cook/retarget/retarget.h"
 #include "cook/roles/build_roles.h"
 #include "cook/scene/morphed_meshes.h"
 #include "cook/scene/views.h"
@@ -56,6 +59,14 @@ void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const Co
   for (std::size_t s = 0; s < roles.size(); ++s) out.skeletons[s].roles = std::move(roles[s]);
 }
 
+// Clips of other rigs, for the character or for what the scene is.
+Matched add_to_pack(RawScene scene, const CookOptions& options, Notes& notes) {
+  if (options.onto) return only_added_clips(*options.onto, std::move(scene), options, notes);
+  scene = prepare_scene(std::move(scene), options, notes);
+  const Character own = character_of(scene, options.roles);
+  return only_added_clips(own, std::move(scene), options, notes);
+}
+
 // Of clips that are as the source has them.
 void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, const CookOptions& options,
                      BuiltScene& out, Notes& notes) {
@@ -66,7 +77,11 @@ void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, con
 // A clip pack: clips and what they were made for, without the skeletons themselves and without meshes.
 BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) {
   BuiltScene out;
-  if (options.onto) {
+  if (!options.retarget.empty()) {
+    Matched matched = add_to_pack(std::move(scene), options, notes);
+    scene = std::move(matched.scene);
+    out = std::move(matched.built);
+  } else if (options.onto) {
     Matched matched = scene.is_capture ? retarget(*options.onto, std::move(scene), notes)
                                        : match_skeletons(*options.onto, std::move(scene), options.keep, notes);
     scene = std::move(matched.scene);
@@ -78,6 +93,10 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
   if (scene.clips.empty() || out.skeletons.empty())
     throw tools::Failure(tools::Exit::invalid, scene.source, "/animations", "no-clips",
                          "no animation moves a node of the scene; cook without --clips-only");
+  if (options.retarget.empty()) {
+    if (!options.onto) find_roles(scene, {}, options, out, notes);
+    scene = with_mirrored_clips(std::move(scene), out, options.mirror);
+  }
   out.is_pack = true;
   out.packs_clips = options.mesh_codec != MeshCodec::none;
   Carried carried;
@@ -85,7 +104,6 @@ BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) 
     carried.meshes = options.onto->meshes;
     carried.morphed = options.onto->morphed;
   }
-  if (!options.onto) find_roles(scene, {}, options, out, notes);
   out.clips = build_raw_clips(scene, out, options.additive);
   measure_motions(scene, carried.meshes, options, out, notes);
   out.clips = build_clips(scene, out, carried, options, notes);
@@ -119,13 +137,6 @@ std::vector<Mesh> views_of(const BuiltMeshes& built) {
   return out;
 }
 
-// Without levels of detail.
-std::vector<Mesh> full_meshes(const BuiltMeshes& built) {
-  std::vector<Mesh> out;
-  for (const BuiltMesh& mesh : built.meshes) out.push_back(view(mesh, built.geometries[mesh.geometry]));
-  return out;
-}
-
 // Of a scene that is prepared, and what its meshes follow.
 BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions& options, Notes& notes) {
   std::vector<std::vector<JointLimit>> limits = build_limits(scene, out, notes);
@@ -156,6 +167,17 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   return out;
 }
 
+// The body plays the clips, and the clothes follow.
+void refuse_for_outfit(const CookOptions& options) {
+  if (!options.onto) return;
+  const auto refuse = [](const RuleOrigin& origin, const std::string& option) {
+    throw tools::Failure(tools::Exit::usage, origin.file, origin.where, option + " for an outfit",
+                         "give it for the body, or --clips-only for a clip pack");
+  };
+  if (!options.retarget.empty()) refuse(options.retarget[0].origin, "--retarget");
+  if (!options.mirror.empty()) refuse(options.mirror[0].origin, "--mirror");
+}
+
 }  // namespace
 
 BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes) {
@@ -163,6 +185,8 @@ BuiltScene build_scene(RawScene scene, const CookOptions& options, Notes& notes)
   // What has no meshes and is for a character, as motion capture, can be nothing else.
   if (options.clips_only || (options.onto && scene.meshes.empty())) return build_pack(std::move(scene), options, notes);
   scene = prepare_scene(std::move(scene), options, notes);
+  refuse_for_outfit(options);
+  scene = with_added_clips(std::move(scene), options, notes);
   if (options.learn.eigen_targets > 0) scene = add_eigen_targets(std::move(scene), options.learn, notes);
   if (!options.onto) return build_whole(scene, build_skeletons(scene), options, notes);
   Matched matched = match_outfit(*options.onto, std::move(scene), notes);
@@ -183,7 +207,14 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   return result;
 }
 
-Character read_character(const std::string& gltf_path) {
+Character read_character(const std::string& path) {
+  if (path.ends_with(".mrw")) {
+    const auto loaded = std::make_shared<tools::LoadedFile>(tools::load_mrw(path));
+    Character out = view_character(path, loaded->file);
+    out.holds = loaded;
+    out.hash = tools::hash_of({loaded->bytes.data(), loaded->bytes.size()});
+    return out;
+  }
   struct Cooked {
     tools::AlignedBytes bytes;
     File file;
@@ -193,10 +224,10 @@ Character read_character(const std::string& gltf_path) {
   plain.images = Images::none;
   plain.raw_clips = true;
   const auto cooked = std::make_shared<Cooked>();
-  cooked->bytes = tools::AlignedBytes(cook_file(gltf_path, plain).file);
+  cooked->bytes = tools::AlignedBytes(cook_file(path, plain).file);
   if (load({cooked->bytes.data(), cooked->bytes.size()}, cooked->file) != Status::ok)
-    throw tools::Failure(tools::Exit::internal, gltf_path, "", "it cannot be loaded as cooked", "please report this");
-  Character out = view_character(gltf_path, cooked->file);
+    throw tools::Failure(tools::Exit::internal, path, "", "it cannot be loaded as cooked", "please report this");
+  Character out = view_character(path, cooked->file);
   out.holds = cooked;
   out.hash = tools::hash_of({cooked->bytes.data(), cooked->bytes.size()});
   return out;

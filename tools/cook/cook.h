@@ -23,8 +23,8 @@ struct CookResult {
 CookResult cook_file(const std::string& path, const CookOptions& options);
 CookResult cook_scene(RawScene scene, const CookOptions& options);
 
-// What a clip pack is for, cooked plainly. Throws as cook_file().
-Character read_character(const std::string& gltf_path);
+// What a clip pack is for: a cooked file, or one that is cooked plainly. Throws as load_mrw() and cook_file().
+Character read_character(const std::string& path);
 
 // What is written of a scene: from the artist's to the runtime's. Notes what is mended or left out. Throws
 // tools::Failure (invalid: nothing to cook; unsupported: a limit of the format; usage: an option fits nothing).

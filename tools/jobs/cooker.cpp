@@ -14,10 +14,8 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
-#include "common/load_mrw.h"
 #include "cook/cook.h"
 #include "cook/paint/paint_weights.h"
-#include "cook/prepare/match_skeletons.h"
 #include "cook/read_source.h"
 #include "text/printable.h"
 
@@ -31,26 +29,27 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The character that a clip pack is for.
-cook::Character read_character(const std::string& path) {
-  if (!path.ends_with(".mrw")) return cook::read_character(path);
-  const auto loaded = std::make_shared<LoadedFile>(load_mrw(path));
-  cook::Character out = cook::view_character(path, loaded->file);
-  out.holds = loaded;
-  out.hash = hash_of({loaded->bytes.data(), loaded->bytes.size()});
-  return out;
+std::string named_file_text(const Order& order, const char* option, const std::string& file) {
+  const cook::RawRead read = cook::read_of_mask(file);
+  return std::string("\n") + option + ' ' + relative_to_scene(order.job.in, read.path) + ' ' + read.hash;
 }
 
 // Masks and examples by where they are from the scene and by what they hold: their names in the options are from the
 // working directory, which may be another the next time.
 std::string named_files_text(const Order& order) {
   std::string out;
-  const auto add = [&](const char* option, const std::string& file) {
-    const cook::RawRead read = cook::read_of_mask(file);
-    out += std::string("\n") + option + ' ' + relative_to_scene(order.job.in, read.path) + ' ' + read.hash;
-  };
+  const auto add = [&](const char* option, const std::string& file) { out += named_file_text(order, option, file); };
   for (const cook::PaintRule& rule : order.options.weights.paint) add("paint", rule.file);
   if (!order.options.learn.examples_file.empty()) add("examples", order.options.learn.examples_file);
+  return out;
+}
+
+// The same of clips' sources, which packs have as well.
+std::string retargeted_files_text(const Order& order) {
+  std::string out;
+  for (const cook::RetargetRule& rule : order.options.retarget)
+    for (const std::string& file : {rule.file, rule.map})
+      if (!file.empty()) out += named_file_text(order, "retarget", file);
   return out;
 }
 
@@ -116,10 +115,11 @@ Cook::Cooked Cook::cook(const Order& order) {
   cook::CookOptions options = order.options;
   std::string options_text = order.options_text;
   if (!options.skeleton_file.empty()) {
-    options.onto = std::make_shared<cook::Character>(read_character(options.skeleton_file));
+    options.onto = std::make_shared<cook::Character>(cook::read_character(options.skeleton_file));
     options_text += "\nskeleton " + options.onto->file + ' ' + options.onto->hash;
   }
   if (cache_ && !options.clips_only) options_text += named_files_text(order);
+  if (cache_) options_text += retargeted_files_text(order);
   if (cache_) result = cache_->find(order.job.in, options_text);
   out.outcome.from_cache = result.has_value();
   if (!result) {

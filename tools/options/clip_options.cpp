@@ -44,6 +44,27 @@ void set_additive(CookOptions& options, const Value& given) {
   options.additive.push_back(rule);
 }
 
+// "FILE" or "FILE=MAP.toml", divided at the last "=".
+void set_retarget(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.rfind('=');
+  RetargetRule rule{given.text.substr(0, divide), "", given.origin};
+  if (divide != std::string::npos) rule.map = given.text.substr(divide + 1);
+  if (rule.file.empty() || (divide != std::string::npos && rule.map.empty()))
+    refuse(given, "\"" + given.text + "\" names no file or no map",
+           "give FILE or FILE=MAP.toml, as in walk.glb=walk.toml");
+  for (const RetargetRule& other : options.retarget)
+    if (other.file == rule.file) refuse(given, "\"" + rule.file + "\" a second time", "leave it out");
+  options.retarget.push_back(std::move(rule));
+}
+
+// "NEW=CLIP", divided at the first "=".
+void set_mirror(CookOptions& options, const Value& given) {
+  const std::size_t divide = given.text.find('=');
+  if (divide == std::string::npos || divide == 0 || divide + 1 == given.text.size())
+    refuse(given, "\"" + given.text + "\" names no clip", "give NEW=CLIP, as in walk_left=walk_right");
+  options.mirror.push_back({given.text.substr(0, divide), given.text.substr(divide + 1), given.origin});
+}
+
 constexpr Option kClipOptions[] = {
     {"clip-error",
      OptionKind::list,
@@ -70,6 +91,19 @@ constexpr Option kClipOptions[] = {
      "clip's first frame; CLIP may have * and ?; repeatable",
      {},
      set_additive},
+    {"retarget",
+     OptionKind::list,
+     "FILE[=MAP]",
+     "put the clips of another rig onto this skeleton: glTF, .bvh or .mrw; joints are paired by roles and names, or "
+     "as a MAP.toml says, see marrow retarget; with --clips-only the pack has these clips alone; repeatable",
+     {},
+     set_retarget},
+    {"mirror",
+     OptionKind::list,
+     "NEW=CLIP",
+     "add a clip NEW, which is CLIP with left and right exchanged; repeatable",
+     {},
+     set_mirror},
 };
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
     const std::string value = option.kind == OptionKind::flag          ? "true"
                               : option.kind == OptionKind::table       ? "{head = \"Head\"}"
                               : !option.choices.empty()                ? '"' + std::string(option.choices.back()) + '"'
+                              : shape == "NEW=CLIP"                    ? "\"other=walk\""
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape == "FIELDS" || shape[0] == 'N'
                                   ? "\"3\""

@@ -17,6 +17,7 @@
 #include "cook/mesh/lod.h"
 #include "cook/mesh/scene_scale.h"
 #include "cook/scene/matrices.h"
+#include "cook/scene/views.h"
 #include "cook/scene/whole_steps.h"
 #include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
@@ -297,6 +298,12 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
 }
 
 }  // namespace
+
+std::vector<Mesh> full_meshes(const BuiltMeshes& built) {
+  std::vector<Mesh> out;
+  for (const BuiltMesh& mesh : built.meshes) out.push_back(view(mesh, built.geometries[mesh.geometry]));
+  return out;
+}
 
 BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes) {
   BoundMeshes bound = bind_meshes(scene, built, options, notes);

@@ -15,6 +15,9 @@ struct BuiltMeshes {
   std::vector<BuiltMesh> meshes;  // node by node, primitive by primitive, part by part; without materials' sections
 };
 
+// Points into `built`, without levels of detail.
+std::vector<Mesh> full_meshes(const BuiltMeshes& built);
+
 // built: its skeletons and clips. Throws tools::Failure as bind_meshes() and build_geometry(), at the primitive.
 BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes);
 

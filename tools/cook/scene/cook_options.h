@@ -143,6 +143,19 @@ struct RoleRule {
   RuleOrigin origin = {"--roles", ""};
 };
 
+// Another file's clips, put onto the skeletons of this one.
+struct RetargetRule {
+  std::string file;
+  std::string map;  // a file that pairs joints, see read_retarget_map(); empty: by roles and names
+  RuleOrigin origin = {"--retarget", ""};
+};
+
+// A clip that is the mirror of another.
+struct MirrorRule {
+  std::string name, of;
+  RuleOrigin origin = {"--mirror", ""};
+};
+
 // How much of a clip's motion the root has in place of the poses: none; over the ground, with its heading; and also up
 // and down.
 enum class RootMotion { none, ground, full };
@@ -220,6 +233,8 @@ struct CookOptions {
   std::string auto_skeleton;  // a template's name, see read_template(); empty: the file's own skeletons
   std::vector<ShapeRule> shapes;
   std::vector<RoleRule> roles;  // in place of those that are found
+  std::vector<RetargetRule> retarget;
+  std::vector<MirrorRule> mirror;  // after `retarget`, one after the other
   MotionOptions motion;
   deform::Progress clip_progress;  // of clips that are compressed
 };

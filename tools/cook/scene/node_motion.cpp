@@ -14,6 +14,8 @@ CurveKind kind_of(RawInterpolation interpolation) {
                                                      : CurveKind::hermite;
 }
 
+}  // namespace
+
 glm::dvec4 value_at(const RawChannel& channel, float time_s) {
   static_assert(sizeof(glm::vec4) == 4 * sizeof(float));
   Curve curve;
@@ -26,8 +28,6 @@ glm::dvec4 value_at(const RawChannel& channel, float time_s) {
   static_cast<void>(evaluate_curve(curve, time_s, out));  // a curve and a time that are whole
   return {out[0], out[1], out[2], out[3]};
 }
-
-}  // namespace
 
 float value_at(const RawScalar& scalar, float time_s) {
   Curve curve;

@@ -11,8 +11,9 @@
 
 namespace marrow::cook {
 
-// A number's value, as evaluate_curve() gives it. Precondition: it has a key.
+// A value as evaluate_curve() gives it; of a channel that moves a node x, y, z, w. Precondition: it has a key.
 float value_at(const RawScalar& scalar, float time_s);
+glm::dvec4 value_at(const RawChannel& channel, float time_s);
 
 // Some nodes and all above them. Points into the scene and the clip.
 class NodeMotion {

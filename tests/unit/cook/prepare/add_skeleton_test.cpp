@@ -12,7 +12,7 @@
 
 #include "cook/cook.h"
 #include "cook/prepare/bind_bones.h"
-#include "cook/prepare/pair_joints.h"
+#include "cook/retarget/plan/pair_joints.h"
 #include "cook/rig/read_template.h"
 #include "deform/weights/auto_weights.h"
 #include "options/options.h"

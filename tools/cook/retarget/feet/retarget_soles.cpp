@@ -1,4 +1,4 @@
-#include "cook/prepare/retarget/retarget_soles.h"
+#include "cook/retarget/feet/retarget_soles.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/elementary.h"
-#include "cook/prepare/retarget/retarget_puppet.h"
+#include "cook/retarget/plan/retarget_puppet.h"
 #include "cook/scene/influences.h"
 
 namespace marrow::cook {
@@ -67,7 +67,7 @@ Feet find_parts(const RetargetPlan& plan, const Legs& legs) {
   const std::vector<RetargetJoint>& joints = plan.joints;
   std::vector<char> pairs(joints.size(), 0);  // a joint, or one below it
   for (std::size_t j = joints.size(); j-- > 0;) {
-    if (joints[j].node != kNone) pairs[j] = 1;
+    if (joints[j].at.is_there()) pairs[j] = 1;
     if (pairs[j] != 0 && joints[j].parent != kNone) pairs[to_index(joints[j].parent)] = 1;
   }
   Feet out;
@@ -82,14 +82,14 @@ Feet find_parts(const RetargetPlan& plan, const Legs& legs) {
     if (!is_ankle && above == kNone) continue;
     const bool hangs_on_ankle = above != kNone && out.parts[to_index(above)].second == 0;
     if (is_ankle) out.soles.emplace_back().leg = to_index(leg_of[j]);
-    if (is_ankle || (hangs_on_ankle && (joints[j].node != kNone || pairs[j] == 0))) {
+    if (is_ankle || (hangs_on_ankle && (joints[j].at.is_there() || pairs[j] == 0))) {
       const std::size_t sole = is_ankle ? out.soles.size() - 1 : out.parts[to_index(above)].first;
       out.part_of_joint[j] = static_cast<int>(out.parts.size());
       out.parts.emplace_back(sole, out.soles[sole].parts.size());
       out.soles[sole].parts.push_back({j, {}, {}});
     }
     const auto [sole, part] = out.parts[to_index(out.part_of_joint[j])];
-    if (joints[j].node != kNone || out.soles[sole].parts[part].joint == j)
+    if (joints[j].at.is_there() || out.soles[sole].parts[part].joint == j)
       out.soles[sole].parts[part].turned.push_back(j);
   }
   return out;

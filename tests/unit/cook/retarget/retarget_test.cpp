@@ -1,6 +1,6 @@
 // Motion capture from a BVH file, on its own skeleton and on others: against matrices composed here, in double
 // precision, by the file's channel order.
-#include "cook/prepare/retarget.h"
+#include "cook/retarget/retarget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "cook/prepare/pair_joints.h"
-#include "unit/cook/clip/retarget_bodies.h"
+#include "cook/retarget/plan/pair_joints.h"
+#include "unit/cook/retarget/retarget_bodies.h"
 
 namespace marrow::cook::mocap {
 namespace {
@@ -41,26 +41,40 @@ const std::pair<const char*, const char*> kBones[] = {{"left_leg", "left_shin"},
                                                       {"left_arm", "left_elbow"},   {"left_elbow", "left_hand"},
                                                       {"right_arm", "right_elbow"}, {"right_elbow", "right_hand"}};
 
-// The largest angle between bones of the rig and of the file, these turned about y by so much.
-double worst_angle_deg(const Onto& onto, double facing_deg) {
-  double worst = 0;
+// The largest angles between bones of the rig and of the file, these turned about y by so much.
+struct Angles {
+  double legs_deg = 0, arms_deg = 0;
+};
+Angles worst_angles(const Onto& onto, double facing_deg) {
+  Angles worst;
   for (int f = 0; f < kFrames; ++f) {
     const std::vector<Map> file = posed(kBody, f), rig = onto.at(f);
     for (const auto& [from, to] : kBones) {
       const Vec3 a = test::minus(place_of(rig[onto.joint(std::string("rig:") + to)]),
                                  place_of(rig[onto.joint(std::string("rig:") + from)]));
       const Vec3 b = test::minus(place_of(file[body_joint(to)]), place_of(file[body_joint(from)]));
-      worst = std::max(worst, test::angle_deg(a, test::direction(turn('Y', facing_deg), b)));
+      double& of =
+          std::string(to).find("shin") != std::string::npos || std::string(to).find("foot") != std::string::npos
+              ? worst.legs_deg
+              : worst.arms_deg;
+      of = std::max(of, test::angle_deg(a, test::direction(turn('Y', facing_deg), b)));
     }
   }
   return worst;
+}
+
+// Legs give a little, so that feet near the ground stay where the file's are.
+void expect_same_bones(const Onto& onto, double facing_deg) {
+  const Angles worst = worst_angles(onto, facing_deg);
+  EXPECT_LE(worst.arms_deg, 1e-3) << facing_deg;
+  EXPECT_LE(worst.legs_deg, 2) << facing_deg;
 }
 
 TEST(Retarget, BonesPointWhereTheFileHasThem) {
   const Onto onto;
   EXPECT_EQ(onto.built.skeletons.size(), 1u);
   EXPECT_TRUE(onto.notes.warnings.empty()) << onto.notes.warnings[0].text;
-  EXPECT_LE(worst_angle_deg(onto, 0), 1e-3);
+  expect_same_bones(onto, 0);
   // The joint that the file does not have keeps its rest pose and is carried along.
   for (const Track& track : onto.built.clips[0].tracks) EXPECT_NE(track.joint, onto.joint("rig:belly"));
 }
@@ -110,7 +124,7 @@ TEST(Retarget, WhoFacesOtherwiseIsTurned) {
       bone.place = {place[0], place[1], place[2]};
     }
     const Onto onto(rig);
-    EXPECT_LE(worst_angle_deg(onto, degrees), 1e-3) << degrees;
+    expect_same_bones(onto, degrees);
     EXPECT_TRUE(warns(onto.notes, "turned", "HIERARCHY"));
   }
 }

@@ -1,4 +1,4 @@
-#include "cook/prepare/pair_joints.h"
+#include "cook/retarget/plan/pair_joints.h"
 
 #include <cctype>
 #include <map>

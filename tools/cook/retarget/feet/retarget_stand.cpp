@@ -1,4 +1,4 @@
-#include "cook/prepare/retarget/retarget_stand.h"
+#include "cook/retarget/feet/retarget_stand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/elementary.h"
+#include "cook/retarget/plan/limb.h"
 
 namespace marrow::cook {
 namespace {
@@ -54,48 +55,18 @@ double lowest_of(const Sole& sole, const Puppet& puppet) {
   return out - puppet.place(sole.parts[0].joint).y;
 }
 
-// The joint between a leg's top and its ankle; kNone: there is not just one.
-int knee_of(const RetargetPlan& plan, std::size_t top, std::size_t ankle) {
-  const int knee = plan.joints[ankle].upper;
-  return knee != kNone && plan.joints[to_index(knee)].upper == static_cast<int>(top) ? knee : kNone;
-}
-
-// Moves an ankle along y, as far as the leg reaches, in the plane of the leg. A straight one bends towards `ahead`.
-void move_ankle(const RetargetPlan& plan, std::size_t top, std::size_t ankle, double up, const glm::dvec3& ahead,
-                Puppet& puppet) {
-  const int between = knee_of(plan, top, ankle);
-  if (between == kNone || up == 0) return;
-  const std::size_t knee = to_index(between);
-  const glm::dvec3 hip = puppet.place(top);
-  const glm::dvec3 thigh = puppet.place(knee) - hip, shin = puppet.place(ankle) - puppet.place(knee);
-  const glm::dvec3 leg = thigh + shin;
-  const double a = glm::length(thigh), b = glm::length(shin), before = glm::length(leg);
-  const glm::dvec3 wanted = leg + glm::dvec3(0, up, 0);
-  const double far = glm::length(wanted), length = std::clamp(far, std::abs(a - b), a + b);
-  if (!(a > 0) || !(b > 0) || !(before > 0) || !(far > 0) || !(length > 0)) return;
-  const glm::dvec3 old_way = leg / before, way = wanted / far;
-  glm::dvec3 bent = thigh - glm::dot(thigh, old_way) * old_way;
-  constexpr double kStraight = 0.02;
-  const double straight = kStraight * (a + b) - glm::length(bent);
-  if (straight > 0) bent += straight * ahead;
-  bent = arc(old_way, way) * bent;
-  bent -= glm::dot(bent, way) * way;
-  if (!(glm::length(bent) > 0)) return;
-  const double along = (a * a - b * b + length * length) / (2 * length);
-  const glm::dvec3 new_thigh = along * way + std::sqrt(std::max(0.0, a * a - along * along)) * glm::normalize(bent);
-  const glm::dvec3 new_shin = length * way - new_thigh;
-  puppet.wanted[top] = arc(thigh / a, glm::normalize(new_thigh)) * puppet.turns[top];
-  puppet.wanted[knee] = arc(shin / b, glm::normalize(new_shin)) * puppet.turns[knee];
-}
-
 // A foot of a frame: where its ankle and its sole's lowest go.
 class Foot {
  public:
-  Foot(const RetargetPlan& plan, const Legs& legs, const Sole& sole, const FootHeights& heights)
-      : sole_(sole), top_(legs.tops[sole.leg]), captured_lowest_(heights.lowest[sole.leg]) {
-    const double leg = legs.length / static_cast<double>(legs.tops.size());
+  Foot(const RetargetPlan& plan, const Legs& legs, const Sole& sole, const FootGoals& goals)
+      : sole_(sole),
+        limb_(legs.limbs[sole.leg]),
+        goal_(goals.place[sole.leg]),
+        captured_lowest_(goals.lowest[sole.leg]),
+        most_(length_at(plan, legs.limbs[sole.leg], goals.knee[sole.leg])) {
+    const double leg = legs.mean_length();
     share_ = std::clamp((kHardly - captured_lowest_ / leg) / (kHardly - kFull), 0.0, 1.0);
-    height_ = heights.ankle[sole.leg] + plan.joints[ankle()].place.y - sole.ground;
+    height_ = goals.ankle[sole.leg] + plan.joints[ankle()].place.y - sole.ground;
   }
   std::size_t ankle() const { return sole_.parts[0].joint; }
 
@@ -115,10 +86,21 @@ class Foot {
     least_ = ground + floor() - lowest_;
     return place_ - puppet.place(ankle()).y + captured_lowest_ - nearest;
   }
+  // How far the character may be raised for the leg not to be too straight, beyond so much only in part.
+  double give_way(const Puppet& puppet, double raised) const {
+    if (limb_.middle == kNone) return raised;
+    const glm::dvec3 top = puppet.place(limb_.top);
+    const double most = std::max(most_, glm::length(puppet.place(ankle()) - top));
+    const double x = goal_.x - top.x, z = goal_.z - top.z;
+    const double highest = place_ + std::sqrt(std::max(0.0, most * most - x * x - z * z)) - top.y;
+    return raised - share_ * std::max(0.0, raised - highest);
+  }
   void move(const RetargetPlan& plan, double raised, Puppet& puppet) const {
-    const double now = puppet.place(ankle()).y + raised;
+    const glm::dvec3 now = puppet.place(ankle());
+    const double up = std::max(share_ * (place_ - now.y - raised), least_ - now.y - raised);
+    const glm::dvec3 to(now.x + share_ * (goal_.x - now.x), now.y + up, now.z + share_ * (goal_.z - now.z));
     const glm::dquat moved = puppet.turns[ankle()] * glm::conjugate(plan.joints[ankle()].turn);
-    move_ankle(plan, top_, ankle(), std::max(share_ * (place_ - now), least_ - now), moved * sole_.forward, puppet);
+    reach(limb_, to, moved * sole_.forward, most_, puppet);
   }
 
  private:
@@ -126,24 +108,26 @@ class Foot {
   double floor() const { return share_ * captured_lowest_; }
 
   const Sole& sole_;
-  std::size_t top_;
-  double captured_lowest_, share_ = 0, height_ = 0, lowest_ = 0, place_ = 0, least_ = 0;
+  const Limb& limb_;
+  glm::dvec3 goal_;
+  double captured_lowest_, most_, share_ = 0, height_ = 0, lowest_ = 0, place_ = 0, least_ = 0;
 };
 
 }  // namespace
 
-double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>& soles, const FootHeights& heights,
+double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>& soles, const FootGoals& goals,
              Puppet& puppet) {
   double ground = std::numeric_limits<double>::infinity(), raised = ground;
   for (const Sole& sole : soles) ground = std::min(ground, sole.ground);
-  const double nearest = *std::ranges::min_element(heights.lowest);
+  const double nearest = *std::ranges::min_element(goals.lowest);
   std::vector<Foot> feet;
-  for (const Sole& sole : soles) feet.emplace_back(plan, legs, sole, heights);
+  for (const Sole& sole : soles) feet.emplace_back(plan, legs, sole, goals);
   for (const Foot& foot : feet) foot.bend_part(plan, 0, puppet);
   puppet.pose(plan);
   for (const Foot& foot : feet) foot.bend_toes(plan, puppet);
   puppet.pose(plan);
   for (Foot& foot : feet) raised = std::min(raised, foot.find_place(puppet, ground, nearest));
+  for (const Foot& foot : feet) raised = foot.give_way(puppet, raised);
   for (const Foot& foot : feet) foot.move(plan, raised, puppet);
   puppet.pose(plan);
   return raised;

@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "cook/prepare/retarget/retarget_plan.h"
+#include "cook/retarget/plan/retarget_plan.h"
 
 namespace marrow::cook {
 

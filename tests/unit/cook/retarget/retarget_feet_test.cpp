@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/scene/matrices.h"
-#include "unit/cook/clip/retarget_bodies.h"
+#include "unit/cook/retarget/retarget_bodies.h"
 
 namespace marrow::cook::mocap {
 namespace {

@@ -1,0 +1,57 @@
+// What is known before the first frame of a clip is put onto a character: which joint turns as which, by how much their
+// rest poses differ, and what is carried.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "cook/retarget/plan/retarget_feet.h"
+#include "cook/retarget/plan/take.h"
+#include "cook/scene/built.h"
+#include "cook/scene/views.h"
+
+namespace marrow::cook {
+
+// A joint of the character.
+struct RetargetJoint {
+  int parent = kNone;                 // less than the joint's own index
+  Counterpart at;                     // that it turns as
+  int upper = kNone;                  // the next joint above that has a counterpart
+  Transform rest;                     // below its parent
+  glm::dmat4 scene_above{1.0};        // of a root: model_from_root
+  glm::dquat turn_above{1, 0, 0, 0};  // its rotation
+  bool is_in_mirror = false;          // the space above it is mirrored
+  glm::dmat4 model_from_joint{1.0};   // to the scene, at rest
+  glm::dvec3 place{0};                // in the scene at rest
+  glm::dquat turn{1, 0, 0, 0};        // likewise
+  glm::dquat aligned{1, 0, 0, 0};     // A · R, see retarget()
+};
+
+// A joint that moves from its place. Another may be above it, a root above hips.
+struct CarriedJoint {
+  std::size_t joint = 0;
+  double scale = 1;                   // lengths of the character in those of the take
+  glm::dvec3 zero{0}, taken_zero{0};  // where the character is when the take is there
+  Legs legs;
+};
+
+struct RetargetPlan {
+  std::vector<RetargetJoint> joints;
+  std::vector<CarriedJoint> carried;
+  glm::dquat facing{1, 0, 0, 0};  // of the take to the character's scene, about y
+  int facing_deg = 0;             // the same
+};
+
+// A skeleton's joints, not aligned. pairs: a joint.
+std::vector<RetargetJoint> lay_out(const BuiltSkeleton& skeleton, const std::vector<Counterpart>& pairs);
+
+// Of the take's clip; `rig`: its skeleton. pairs: a joint of the character's skeleton.
+RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const BuiltSkeleton& rig,
+                           const std::vector<Counterpart>& pairs, const Take& take);
+
+}  // namespace marrow::cook
