@@ -48,6 +48,8 @@ constexpr StageHash kStored[] = {
     {"as_tangents", 0x4C48EC061FD99C0B},
     {"skin_as, normals by tangents", 0xEAA4E4084A861FF4},
     {"as_tangents of helpers", 0x88DE759EC2604C6A},
+    {"events, root steps", 0xDA96F53CC100549F},
+    {"phases, speeds", 0xB5AF884CDB21D73B},
     {"two_bone", 0xFC85513CFED75780},
     {"aim, look_at", 0x83567333D10CAD52},
     {"FABRIK", 0x59BF1DB2BBFC7AF8},

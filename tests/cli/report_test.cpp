@@ -30,7 +30,7 @@ TEST(Report, HoldsEveryField) {
     sum += section.at("bytes").get<std::size_t>();
     types += section.at("type").get<std::string>() + " ";
   }
-  EXPECT_EQ(types, "SKEL CLIP CLIP GEOM GEOM MESH MESH BNDS NAME ");
+  EXPECT_EQ(types, "SKEL CLIP CLIP GEOM GEOM MESH MESH MOTN BNDS NAME ");
   EXPECT_LT(sum, bytes);
   EXPECT_GT(sum + 16 * 9 + 32 + 16 * 8, bytes) << "the rest is header, table and padding";
 

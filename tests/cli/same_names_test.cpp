@@ -128,15 +128,12 @@ TEST_F(SameNames, AreExportedApart) {
   expect_animations({"--clips", in("pack.mrw"), "--clip", "walk@blue"}, {1});
 }
 
-// A metre in 1 s, and two in 2 s: in the file, and in the pack.
-TEST_F(SameNames, MoveAtAMetreASecond) {
+// They rise by a metre a second, and so go nowhere over the ground: in the file, and in the pack.
+TEST_F(SameNames, GoNowhereOverTheGround) {
   const auto info = nlohmann::json::parse(run_marrow({"info", in("two.mrw"), in("pack.mrw"), "--json"}).out);
-  for (std::size_t clip = 0; clip < 2; ++clip) {
-    for (std::size_t file = 0; file < 2; ++file)
-      EXPECT_NEAR(info.at(file).at("clips").at(clip).at("motion").at("speed_m_s").get<double>(), 1, 1e-3);
-  }
-  const std::string text = run_marrow({"info", in("pack.mrw")}).out;
-  EXPECT_NE(text.find("moves at 1 m/s"), std::string::npos) << text;
+  for (std::size_t file = 0; file < 2; ++file)
+    for (std::size_t clip = 0; clip < 2; ++clip)
+      EXPECT_TRUE(info.at(file).at("clips").at(clip).at("motion").at("speed_m_s").is_null());
 }
 
 }  // namespace

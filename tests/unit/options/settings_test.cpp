@@ -83,6 +83,9 @@ TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {
                               : option.kind == OptionKind::table       ? "{head = \"Head\"}"
                               : !option.choices.empty()                ? '"' + std::string(option.choices.back()) + '"'
                               : shape == "NEW=CLIP"                    ? "\"other=walk\""
+                              : shape == "CLIP=HOW"                    ? "\"walk=ground\""
+                              : shape == "CLIP=NAME@TIME"              ? "\"walk=hit@50%\""
+                              : shape == "CLIP=TIMES"                  ? "\"walk=0,0.5\""
                               : shape == "DEGREES" || shape == "SHARE" ? "\"0.1\""
                               : shape == "STEPS" || shape == "EXAMPLES" || shape == "FIELDS" || shape[0] == 'N'
                                   ? "\"3\""

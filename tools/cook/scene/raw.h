@@ -163,7 +163,7 @@ struct RawClip {
   std::string name;  // may be empty
   std::vector<RawChannel> channels;
   std::vector<RawScalar> scalars;
-  bool additive = false;               // over the rest pose, without --additive
+  bool additive = false;                      // over the rest pose, without --additive
   std::vector<tools::EventText> events = {};  // `extras.marrow.events`
 };
 

@@ -5,9 +5,9 @@
 
 #include "common/failure.h"
 #include "cook/cook.h"
-#include "text/event_text.h"
 #include "options/options.h"
 #include "support/places.h"
+#include "text/event_text.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {

@@ -139,7 +139,7 @@ void expect_same_motion(const char* file, const char* clip, RootMotion how, bool
   ASSERT_GT(to->motion.root.size, 1u) << clip;
   const int frames = static_cast<int>(std::lround(60 * from->duration_s));
   for (int i = 0; i <= frames; ++i) {
-    const float time_s = static_cast<float>(i) / 60, most = is_at_30_hz && i % 2 == 0 ? 5e-4f : 8e-3f;
+    const float time_s = static_cast<float>(i) / 60, most = is_at_30_hz && i % 2 == 0 ? 5e-4f : 1e-2f;
     ASSERT_EQ(pose_character(a, {{from, time_s}}), Status::ok);
     ASSERT_EQ(pose_character(b, {{to, time_s}}), Status::ok);
     RigidStep root;
