@@ -25,6 +25,8 @@ int main(int argc, char** argv) {
     std::printf("%.2f s:%s%s\n", double(time_s), stands(walk, feet[0], time_s) ? " left foot stands" : "",
                 stands(walk, feet[1], time_s) ? " right foot stands" : "");
 }
+
+// Prints:
 //   0.38 m/s along z: 1, in 2 steps of 0.6 s
 //   0.30 s: left foot stands
 //   0.65 s: left foot stands right foot stands

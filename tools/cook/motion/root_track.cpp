@@ -20,6 +20,7 @@ constexpr double kStays = 0.02;
 constexpr double kNear = 0.03, kSineOfHalfTurn = 0.043619387365336;
 // Of a loop, in radians: what turns less, in a round, does not turn; and how far keys are apart.
 constexpr double kNoTurn = 0.0175, kTurnOfAKey = 0.26;
+constexpr double kTurnOfAStep = 0.05;  // of M from key to key of the pose that it is taken out of
 // Of the way that the ground goes: what moves less walks on the spot.
 constexpr double kLittle = 0.1;
 constexpr double kEvenScale = 1e-3;  // of scales along two axes
@@ -146,11 +147,19 @@ bool jumps_at(const BuiltClip& clip, std::size_t joint) {
       clip.tracks, [&](const Track& t) { return t.joint == joint && t.path != TrackPath::scale && jumps(clip, t); });
 }
 
-// Those of the root's keys and of M's. Between them the root is where lines have it: a few more keys would be more
-// frames of the whole clip.
+// Those of the root's keys and of M's, and more where M turns fast: between keys the root is where lines have it. Even
+// ones would be more frames of the whole clip.
 std::vector<float> times_of(const std::vector<RootKey>& root, const BuiltClip& clip, std::size_t joint) {
   std::vector<float> out;
-  for (const RootKey& key : root) out.push_back(key.time_s);
+  for (std::size_t k = 0; k < root.size(); ++k) {
+    out.push_back(root[k].time_s);
+    if (k == 0) continue;
+    const glm::dquat turn = rigid_of(root[k]).rotation * glm::conjugate(rigid_of(root[k - 1]).rotation);
+    const auto steps = static_cast<std::size_t>(1 + std::abs(turn_of(turn)) / kTurnOfAStep);
+    for (std::size_t i = 1; i < steps; ++i)
+      out.push_back(root[k - 1].time_s + (root[k].time_s - root[k - 1].time_s) * static_cast<float>(i) /
+                                             static_cast<float>(steps));
+  }
   for (const Track& t : clip.tracks)
     if (t.joint == joint && t.path != TrackPath::scale)
       out.insert(out.end(), clip.times_s.begin() + t.first_time, clip.times_s.begin() + t.first_time + t.key_count);
