@@ -114,14 +114,15 @@ std::vector<float> steps_of(const ClipTrace& trace, const Contacts& contacts) {
   return out.size() <= kMaxMarks && out.back() < static_cast<float>(trace.duration_s()) ? out : std::vector<float>();
 }
 
-void measure(const BuiltClip& clip, const BuiltSkeleton& skeleton, const std::vector<FootShape>& feet, RootMotion how,
+// False: the clip is too long for its joints and feet.
+bool measure(const BuiltClip& clip, const BuiltSkeleton& skeleton, const std::vector<FootShape>& feet, RootMotion how,
              BuiltMotion& out) {
   const ClipTrace trace = trace_clip(clip, skeleton, feet);
-  if (!(trace.frame_s > 0)) return;
+  if (!(trace.frame_s > 0)) return clip.duration_s < 1;
   const Contacts contacts = find_contacts(trace);
   const glm::dvec3 velocity = velocity_of(trace, contacts);
   const double speed = glm::length(velocity);
-  if (!(speed < static_cast<double>(kFarthestMotion))) return;
+  if (!(speed < static_cast<double>(kFarthestMotion))) return true;
   out.speed_m_s = static_cast<float>(speed);
   if (out.speed_m_s > 0)
     for (int c = 0; c < 3; ++c) out.heading[c] = static_cast<float>(velocity[c] / speed);
@@ -130,6 +131,7 @@ void measure(const BuiltClip& clip, const BuiltSkeleton& skeleton, const std::ve
   RootTrack root = find_root(trace, contacts, how);
   out.root = std::move(root.keys);
   out.root_in_pose = std::move(root.in_pose);
+  return true;
 }
 
 RootMotion root_of(const std::vector<RootRule>& rules, const BuiltClip& clip) {
@@ -173,10 +175,13 @@ std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& 
     feet.push_back(find_foot_points(built.skeletons[s], own));
   }
   std::vector<BuiltMotion> out(clips.size());
+  std::vector<char> measured(clips.size(), 1);
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     if (clips[i].additive.empty())
-      measure(clips[i], built.skeletons[clips[i].skeleton], feet[clips[i].skeleton], root_of(options.roots, clips[i]),
-              out[i]);
+      measured[i] = measure(clips[i], built.skeletons[clips[i].skeleton], feet[clips[i].skeleton],
+                            root_of(options.roots, clips[i]), out[i])
+                        ? 1
+                        : 0;
   });
   for (std::size_t i = 0; i < clips.size(); ++i) {
     const BuiltClip& clip = clips[i];
@@ -188,6 +193,9 @@ std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& 
                                 "the root of \"" + clip.name +
                                     "\" jumps, or what is above it is scaled unevenly; its motion stays in the pose"});
     }
+    if (measured[i] == 0)
+      notes.warnings.push_back({"/animations", "motion-not-measured",
+                                "\"" + clip.name + "\" is too long for contacts and a speed to be looked for"});
     add_own_events(scene.clips[clip.source], clip, motion, notes);
     add_given_events(options.events, clip, motion);
     give_marks(options.phases, clip, motion);

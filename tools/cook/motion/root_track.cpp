@@ -157,8 +157,8 @@ std::vector<float> times_of(const std::vector<RootKey>& root, const BuiltClip& c
     const glm::dquat turn = rigid_of(root[k]).rotation * glm::conjugate(rigid_of(root[k - 1]).rotation);
     const auto steps = static_cast<std::size_t>(1 + std::abs(turn_of(turn)) / kTurnOfAStep);
     for (std::size_t i = 1; i < steps; ++i)
-      out.push_back(root[k - 1].time_s + (root[k].time_s - root[k - 1].time_s) * static_cast<float>(i) /
-                                             static_cast<float>(steps));
+      out.push_back(root[k - 1].time_s +
+                    (root[k].time_s - root[k - 1].time_s) * static_cast<float>(i) / static_cast<float>(steps));
   }
   for (const Track& t : clip.tracks)
     if (t.joint == joint && t.path != TrackPath::scale)

@@ -16,8 +16,8 @@ namespace {
 constexpr double kFramesPerS = 60;
 constexpr std::size_t kMostFramesAKey = 4;  // of clips with few keys
 constexpr double kLeastDuration_s = 0.05;   // a clip of less has one pose
-// So that no clip takes long: of frames, and of joints that are placed in all of them.
-constexpr std::size_t kMostFrames = 1u << 15, kMostPlaced = 1u << 23;
+// So that no clip takes long or much memory: of frames, and of joints and points that are placed in all of them.
+constexpr std::size_t kMostFrames = 1u << 15, kMostPlaced = 1u << 22;
 // Some joints and all above them.
 class Walker {
  public:
@@ -118,7 +118,9 @@ ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton, const
   const auto duration = static_cast<double>(clip.duration_s);
   if (!(duration >= kLeastDuration_s) || duration * kFramesPerS > static_cast<double>(kMostFrames)) return {};
   const auto steps = static_cast<std::size_t>(std::ceil(duration * kFramesPerS));
-  if (walker.count() * steps > kMostPlaced) return {};
+  std::size_t placed_count = walker.count();
+  for (const FootShape& foot : feet) placed_count += foot.points.size() + 1;
+  if (placed_count * steps > kMostPlaced) return {};
   const SourceCurves curves(clip, skeleton);
   ClipTrace out;
   out.frame_s = duration / static_cast<double>(steps);
