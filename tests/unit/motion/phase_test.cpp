@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -237,6 +238,40 @@ TEST(Phase, TakesTheMeanOfWhatSegmentsTake) {
   const PhaseClip nothing[] = {{&empty, 1}};
   EXPECT_EQ(advance_phase(nothing, 1, phase), Status::ok);
   EXPECT_EQ(phase.passed, 0);
+}
+
+// By hand: steps of a clip of 1 s begin at 0.75 s and, round its end, at 0.25 s.
+TEST(Phase, OfACycleThatBeginsInTheMiddleOfItsClip) {
+  const float marks[] = {0.75f, 0.25f};
+  const ClipMotion motion{.duration_s = 1, .phase_marks = marks};
+  for (const auto& [time_s, segment, share] : {std::tuple(0.75f, 0u, 0.0),
+                                               {0.0f, 0u, 0.5},
+                                               {0.125f, 0u, 0.75},
+                                               {0.25f, 1u, 0.0},
+                                               {0.5f, 1u, 0.5},
+                                               {1.0f, 0u, 0.5}}) {
+    Phase phase;
+    ASSERT_EQ(phase_at(motion, time_s, phase), Status::ok);
+    EXPECT_EQ(phase.segment, segment) << time_s;
+    EXPECT_NEAR(phase.share, share, 1e-12) << time_s;
+  }
+  // From 0.7 s on by 0.4 s: over the begin of the cycle, and then over the end of the clip, to 0.1 s.
+  Phase before, after;
+  ASSERT_EQ(phase_at(motion, 0.7f, before), Status::ok);
+  after = before;
+  ASSERT_EQ(advance_phase({{&motion, 1}}, 0.4f, after), Status::ok);
+  EXPECT_EQ(after.passed, 1);
+  Playback was, now;
+  ASSERT_EQ(follow_phase(motion, before, after, was, now), Status::ok);
+  EXPECT_NEAR(was.time_s, 0.7, 1e-6);
+  EXPECT_NEAR(now.time_s, 0.1, 1e-6);
+  EXPECT_EQ(now.turns, 1);
+  // And back.
+  Phase back = after;
+  ASSERT_EQ(advance_phase({{&motion, 1}}, -0.4f, back), Status::ok);
+  ASSERT_EQ(follow_phase(motion, after, back, was, now), Status::ok);
+  EXPECT_NEAR(now.time_s, 0.7, 1e-6);
+  EXPECT_EQ(now.turns, -1);
 }
 
 TEST(Phase, OfBadCallsIsRefused) {

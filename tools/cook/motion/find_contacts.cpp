@@ -16,7 +16,7 @@ constexpr double kLow[2] = {0.056, 0.076};
 // How fast a foot that stands goes over the ground, of the speed at which the character goes, and at least in legs a
 // second. Where the character goes slower than kWalks it counts little how fast a foot goes.
 constexpr double kWalks = 0.3, kSlowShare[2] = {0.42, 1.0}, kLeastSlow[2] = {0.25, 0.5}, kSlow[2] = {2, 3};
-constexpr double kDragged = 0.2;
+constexpr double kDragged = 0.2;  // how much of a slip counts that is backwards
 // A foot's ground is where it is for so much of the time no higher: soles sink into the ground here and there.
 constexpr double kLowShare = 0.12;
 // Feet whose lowest places are so far apart stand on one ground; else only the lower one does.
