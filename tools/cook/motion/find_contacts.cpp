@@ -170,17 +170,22 @@ std::vector<Contact> spans_of(const ClipTrace& trace, const std::vector<std::vec
   return out;
 }
 
+// A foot in a frame of one of its contacts. In a loop, whose last frame is its first, that may be of the next round.
+const LowPoint& point_at(const ClipTrace& trace, const Contacts& contacts, std::size_t foot, std::size_t frame) {
+  return trace.feet[foot].points[frame % (trace.size() - (contacts.is_loop ? 1 : 0))];
+}
+
 // The velocity that most feet have inside of contacts, two frames from where these begin and end: mean shift from what
 // was thought. A foot that rolls over its toes is faster than one that stands, so their mean is not meant.
-glm::dvec3 ground_of(const ClipTrace& trace, const std::vector<Contact>& spans, glm::dvec3 thought, double speed) {
+glm::dvec3 ground_of(const ClipTrace& trace, const Contacts& contacts, glm::dvec3 thought, double speed) {
   constexpr std::size_t kOff = 2;
   for (int step = 0; step < kShifts; ++step) {
     glm::dvec3 sum(0);
     double whole = 0;
-    for (const Contact& span : spans)
+    for (const Contact& span : contacts.spans)
       for (std::size_t i = span.from + kOff; i + kOff <= span.to; ++i) {
         const FootTrace& foot = trace.feet[span.foot];
-        const glm::dvec3 velocity = level(foot.points[i % trace.size()].ball_velocity);
+        const glm::dvec3 velocity = level(point_at(trace, contacts, span.foot, i).ball_velocity);
         const double weight = likeness(velocity, thought, std::max(kAlike * foot.leg_m, kAlikeShare * speed));
         sum += weight * velocity;
         whole += weight;
@@ -227,7 +232,7 @@ Contacts contacts_with(const ClipTrace& trace, const std::vector<std::vector<dou
   for (int round = 0; round < kRounds; ++round) {
     const glm::dvec3 travel = way - out.ground_m_s;
     out.spans = spans_of(trace, heights, out.ground_m_s, travel, is_loop);
-    out.ground_m_s = ground_of(trace, out.spans, out.ground_m_s, glm::length(travel));
+    out.ground_m_s = ground_of(trace, out, out.ground_m_s, glm::length(travel));
   }
   if (goes(trace, out, glm::length(way))) return out;
   out.ground_m_s = glm::dvec3(0);
@@ -242,7 +247,7 @@ double fit_of(const ClipTrace& trace, const Contacts& contacts) {
     const FootTrace& foot = trace.feet[span.foot];
     const double width = 2 * std::max(kAlike * foot.leg_m, kAlikeShare * glm::length(contacts.ground_m_s));
     for (std::size_t i = span.from; i <= span.to; ++i)
-      out += likeness(foot.points[i % trace.size()].ball_velocity, contacts.ground_m_s, width);
+      out += likeness(point_at(trace, contacts, span.foot, i).ball_velocity, contacts.ground_m_s, width);
   }
   return out;
 }
