@@ -21,10 +21,11 @@ constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than t
 
 using Joints = std::vector<RetargetJoint>;
 
-// Of what stands above a root. A mirror is a rotation and a point reflection, in which all rotations are the same.
+// Of what stands above a root. A mirror is one along x, then the rotation: as in_mirrored() has it.
 glm::dquat rotation_of(const glm::dmat4& m) {
-  const glm::dmat3 linear(m);
-  return deform::quaternion_of(deform::rotation_of(glm::determinant(linear) < 0 ? -linear : linear));
+  glm::dmat3 linear(m);
+  if (glm::determinant(linear) < 0) linear[0] = -linear[0];
+  return deform::quaternion_of(deform::rotation_of(linear));
 }
 
 // The turn about y, of those by quarters, after which paired joints lie most alike.
