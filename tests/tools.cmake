@@ -65,7 +65,8 @@ target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marro
 # Clips of one rig on others.
 marrow_tools_test(marrow_retarget_tests retarget
   unit/cook/retarget/add_clips_test.cpp unit/cook/retarget/mirror_clips_test.cpp unit/cook/retarget/retarget_feet_test.cpp
-  unit/cook/retarget/retarget_map_test.cpp unit/cook/retarget/retarget_models_test.cpp
+  unit/cook/retarget/make_pose_map_test.cpp unit/cook/retarget/retarget_map_test.cpp
+  unit/cook/retarget/retarget_models_test.cpp
   unit/cook/retarget/retarget_pose_test.cpp
   unit/cook/retarget/retarget_test.cpp)
 target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)

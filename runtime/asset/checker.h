@@ -216,6 +216,7 @@ void check(Checker& c, const format::LimitHeader& h);
 void check(Checker& c, const format::SpringHeader& h);
 void check(Checker& c, const format::RoleHeader& h);
 void check(Checker& c, const format::MotionHeader& h);
+void check(Checker& c, const format::PoseMapHeader& h);
 void check(Checker& c, const format::BoundsHeader& h);
 
 // A kind of section as load() knows it.

@@ -322,6 +322,28 @@ std::uint32_t File::find_event(const ClipMotion& motion, const char* name) const
   return i;
 }
 
+PoseMap File::pose_map(std::uint32_t index) const {
+  PoseMap m;
+  if (index >= pose_map_count()) return m;
+  const std::byte* const base = section(format::kPoseMaps, index);
+  const auto& header = *at<format::PoseMapHeader>(base, 0);
+  const format::PoseMapLayout l = layout(header);
+  m.name = text(header.name);
+  m.skeleton = header.skeleton;
+  m.rig_joint_count = header.rig_joint_count;
+  m.rig_hash = header.rig_hash;
+  m.turns = l.turns.in(base);
+  m.places = l.places.in(base);
+  m.steps = l.steps.in(base);
+  return m;
+}
+
+std::uint32_t File::find_pose_map(const char* name) const {
+  std::uint32_t i = 0;
+  while (i < pose_map_count() && !is_called(pose_map(i).name, name)) ++i;
+  return i;
+}
+
 Bounds decode_bounds(const format::BoundsCodes& codes) {
   const float step = bit_cast<float>(static_cast<std::uint32_t>(codes.exponent + 127) << 23);
   Bounds out;

@@ -15,6 +15,7 @@
 #include "asset/sections/mesh_section.h"
 #include "asset/sections/motion_section.h"
 #include "asset/sections/node_section.h"
+#include "asset/sections/pose_map_section.h"
 #include "asset/sections/role_section.h"
 #include "asset/sections/skeleton_section.h"
 #include "marrow/file.h"

@@ -27,6 +27,7 @@
 #include "marrow/phase.h"
 #include "marrow/playback.h"
 #include "marrow/pose.h"
+#include "marrow/pose_map.h"
 #include "marrow/roles.h"
 #include "marrow/root_motion.h"
 #include "marrow/sample.h"
@@ -90,6 +91,21 @@ void mrw_spring_chain_init(mrw_spring_chain* out) {
 void mrw_spring_collider_init(mrw_spring_collider* out) {
   MRW_NEEDS(leads_to<SpringCollider>(out), );
   to<SpringCollider>(out) = SpringCollider{};
+}
+
+void mrw_rig_step_init(mrw_rig_step* out) {
+  MRW_NEEDS(leads_to<RigStep>(out), );
+  to<RigStep>(out) = RigStep{};
+}
+
+void mrw_mapped_turn_init(mrw_mapped_turn* out) {
+  MRW_NEEDS(leads_to<MappedTurn>(out), );
+  to<MappedTurn>(out) = MappedTurn{};
+}
+
+void mrw_mapped_place_init(mrw_mapped_place* out) {
+  MRW_NEEDS(leads_to<MappedPlace>(out), );
+  to<MappedPlace>(out) = MappedPlace{};
 }
 
 void mrw_clip_event_init(mrw_clip_event* out) {
@@ -456,6 +472,12 @@ mrw_role mrw_find_role(const char* name) {
   return static_cast<mrw_role>(marrow::find_role(name));
 }
 
+mrw_status mrw_retarget_pose(const mrw_pose_map* map, const mrw_soa_transform* rig, size_t rig_count,
+    const mrw_skeleton* skeleton, mrw_soa_transform* out, size_t out_count) {
+  MRW_NEEDS(leads_to<PoseMap>(map) && is_list<SoaTransform>(rig, rig_count) && leads_to<Skeleton>(skeleton) && is_list<SoaTransform>(out, out_count), MRW_BAD_ARGUMENT);
+  return code(marrow::retarget_pose(of<PoseMap>(map), span<const SoaTransform>(rig, rig_count), of<Skeleton>(skeleton), span<SoaTransform>(out, out_count)));
+}
+
 bool mrw_clip_motion_is_valid(const mrw_clip_motion* motion) {
   MRW_NEEDS(leads_to<ClipMotion>(motion), false);
   return marrow::is_valid(of<ClipMotion>(motion));
@@ -588,6 +610,17 @@ mrw_status mrw_file_motion(const mrw_file* file, uint32_t clip, mrw_clip_motion*
   return MRW_OK;
 }
 
+uint32_t mrw_file_pose_map_count(const mrw_file* file) {
+  MRW_NEEDS(leads_to<File>(file), 0);
+  return of<File>(file).pose_map_count();
+}
+
+mrw_status mrw_file_pose_map(const mrw_file* file, uint32_t index, mrw_pose_map* out) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<PoseMap>(out), MRW_BAD_ARGUMENT);
+  give<PoseMap>(out, of<File>(file).pose_map(index));
+  return MRW_OK;
+}
+
 uint32_t mrw_file_example_space_count(const mrw_file* file) {
   MRW_NEEDS(leads_to<File>(file), 0);
   return of<File>(file).example_space_count();
@@ -631,6 +664,11 @@ uint32_t mrw_file_find_channel(const mrw_file* file, const mrw_clip* clip, const
 uint32_t mrw_file_find_event(const mrw_file* file, const mrw_clip_motion* motion, const char* name) {
   MRW_NEEDS(leads_to<File>(file) && leads_to<ClipMotion>(motion), 0);
   return of<File>(file).find_event(of<ClipMotion>(motion), name);
+}
+
+uint32_t mrw_file_find_pose_map(const mrw_file* file, const char* name) {
+  MRW_NEEDS(leads_to<File>(file), 0);
+  return of<File>(file).find_pose_map(name);
 }
 
 uint32_t mrw_file_find_node(const mrw_file* file, const char* name) {

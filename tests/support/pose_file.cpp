@@ -364,6 +364,27 @@ bool has_finite_palettes(const File& file) {
   return true;
 }
 
+// Of a rig of which all joints are alike.
+std::uint64_t hash_pose_maps(std::uint64_t state, const File& file) {
+  for (std::uint32_t i = 0; i < file.pose_map_count(); ++i) {
+    const PoseMap map = file.pose_map(i);
+    const Skeleton skeleton = file.skeleton(map.skeleton);
+    require(file.find_pose_map(map.name) <= i);
+    SoaTransform four{};
+    for (int lane = 0; lane < 4; ++lane) {
+      four.rotation[0][lane] = 0.6f;
+      four.rotation[3][lane] = 0.8f;
+      for (int axis = 0; axis < 3; ++axis) four.translation[axis][lane] = four.scale[axis][lane] = 1;
+    }
+    const std::vector<SoaTransform> rig(soa_count(map.rig_joint_count), four);
+    std::vector<SoaTransform> out(skeleton.soa_size());
+    const Status status = retarget_pose(map, rig, skeleton, out);
+    require(status == Status::ok || status == Status::bad_argument);  // a place may be beyond what is allowed
+    state = hash_all(hash_text(state, map.name), out);
+  }
+  return state;
+}
+
 std::uint64_t exercise(const File& file) {
   play_in_one_piece(file);
   std::uint64_t state = kHashStart;
@@ -377,6 +398,7 @@ std::uint64_t exercise(const File& file) {
   state = hash_looks(state, file);
   state = hash_nodes(state, file);
   state = hash_examples(state, file);
+  state = hash_pose_maps(state, file);
   require(file.find_clip("no clip has such a name") <= file.clip_count());
   for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {

@@ -26,14 +26,10 @@ struct Named {
   RetargetedClips clips;
 };
 
-RawScene read_other(const std::string& file) {
-  return with_one_form_of_mirrors(file.ends_with(".mrw") ? read_cooked_motion(file) : read_source(file, {}));
-}
-
 std::vector<Named> retarget_all(const Character& character, const CookOptions& options, Notes& notes) {
   std::vector<Named> out;
   for (const RetargetRule& rule : options.retarget) {
-    const RawScene source = read_other(rule.file);
+    const RawScene source = read_rig(rule.file);
     notes.reads.insert(notes.reads.end(), source.reads.begin(), source.reads.end());
     RetargetMap map;
     if (!rule.map.empty()) map = read_retarget_map(rule.map, notes.reads);
@@ -60,6 +56,10 @@ std::string free_name(const std::string& name, const std::string& file, std::set
 }
 
 }  // namespace
+
+RawScene read_rig(const std::string& file) {
+  return with_one_form_of_mirrors(file.ends_with(".mrw") ? read_cooked_motion(file) : read_source(file, {}));
+}
 
 Character character_of(const RawScene& scene, const std::vector<RoleRule>& rules) {
   Character out;
@@ -110,7 +110,7 @@ Matched only_added_clips(const Character& onto, RawScene scene, const CookOption
 
 std::string map_of(const std::string& character, const std::string& source) {
   const Character own = read_character(character);
-  const RawScene scene = read_other(source);
+  const RawScene scene = read_rig(source);
   return retarget_map_text(own, scene, pair_with(own, scene, nullptr));
 }
 

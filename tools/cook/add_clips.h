@@ -11,6 +11,9 @@
 
 namespace marrow::cook {
 
+// A file with another rig: glTF, motion capture or cooked. Throws tools::Failure as these are read.
+RawScene read_rig(const std::string& file);
+
 // Of a scene that is prepared: options.retarget, then options.mirror. A clip with a name that there is already gets
 // "FILE." in front. Notes what retarget_clips() does, at the file. Throws tools::Failure as reading those files,
 // retarget_clips() and with_mirrored_clips().

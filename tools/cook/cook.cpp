@@ -10,6 +10,7 @@
 #include "common/hash.h"
 #include "common/load_mrw.h"
 #include "cook/add_clips.h"
+#include "cook/add_pose_maps.h"
 #include "cook/clip/build_clips.h"
 #include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_examples.h"
@@ -74,9 +75,15 @@ void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, con
   for (std::size_t i = 0; i < motions.size(); ++i) out.clips[i].motion = std::move(motions[i]);
 }
 
+[[noreturn]] void refuse(const RuleOrigin& origin, const std::string& what, const std::string& advice) {
+  throw tools::Failure(tools::Exit::usage, origin.file, origin.where, what, advice);
+}
+
 // A clip pack: clips and what they were made for, without the skeletons themselves and without meshes.
 BuiltScene build_pack(RawScene scene, const CookOptions& options, Notes& notes) {
   BuiltScene out;
+  if (!options.pose_maps.empty() && options.pose_maps[0].origin.must_fit)
+    refuse(options.pose_maps[0].origin, "--pose-map for a clip pack", "give it for the character");
   if (!options.retarget.empty()) {
     Matched matched = add_to_pack(std::move(scene), options, notes);
     scene = std::move(matched.scene);
@@ -151,6 +158,7 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
   for (std::size_t m = 0; m < looks.sections.size(); ++m) meshes.meshes[m].material_section = looks.sections[m];
   const std::vector<Mesh> full = full_meshes(meshes);
   if (!out.is_outfit) find_roles(scene, full, options, out, notes);  // an outfit's body has them
+  if (!options.pose_maps.empty()) out.pose_maps = make_pose_maps({scene.source, out.skeletons}, options, notes);
   measure_motions(scene, full, options, out, notes);
   BuiltNodes nodes = build_nodes(scene, out, options.keep, notes);
   out.clips = build_clips(scene, out, {views_of(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
@@ -170,12 +178,11 @@ BuiltScene build_whole(const RawScene& scene, BuiltScene out, const CookOptions&
 // The body plays the clips, and the clothes follow.
 void refuse_for_outfit(const CookOptions& options) {
   if (!options.onto) return;
-  const auto refuse = [](const RuleOrigin& origin, const std::string& option) {
-    throw tools::Failure(tools::Exit::usage, origin.file, origin.where, option + " for an outfit",
-                         "give it for the body, or --clips-only for a clip pack");
-  };
-  if (!options.retarget.empty()) refuse(options.retarget[0].origin, "--retarget");
-  if (!options.mirror.empty()) refuse(options.mirror[0].origin, "--mirror");
+  const std::string advice = "give it for the body, or --clips-only for a clip pack";
+  if (!options.retarget.empty()) refuse(options.retarget[0].origin, "--retarget for an outfit", advice);
+  if (!options.mirror.empty()) refuse(options.mirror[0].origin, "--mirror for an outfit", advice);
+  if (!options.pose_maps.empty())
+    refuse(options.pose_maps[0].origin, "--pose-map for an outfit", "give it for the body, which poses it");
 }
 
 }  // namespace

@@ -44,12 +44,16 @@ std::string named_files_text(const Order& order) {
   return out;
 }
 
-// The same of clips' sources, which packs have as well.
+// The same of other rigs, which packs have as well.
 std::string retargeted_files_text(const Order& order) {
   std::string out;
-  for (const cook::RetargetRule& rule : order.options.retarget)
-    for (const std::string& file : {rule.file, rule.map})
-      if (!file.empty()) out += named_file_text(order, "retarget", file);
+  const auto add = [&](const char* option, const std::vector<cook::RetargetRule>& rules) {
+    for (const cook::RetargetRule& rule : rules)
+      for (const std::string& file : {rule.file, rule.map})
+        if (!file.empty()) out += named_file_text(order, option, file);
+  };
+  add("retarget", order.options.retarget);
+  add("pose-map", order.options.pose_maps);
   return out;
 }
 

@@ -45,16 +45,16 @@ void set_additive(CookOptions& options, const Value& given) {
 }
 
 // "FILE" or "FILE=MAP.toml", divided at the last "=".
-void set_retarget(CookOptions& options, const Value& given) {
+void add_rig(std::vector<RetargetRule>& rules, const Value& given) {
   const std::size_t divide = given.text.rfind('=');
   RetargetRule rule{given.text.substr(0, divide), "", given.origin};
   if (divide != std::string::npos) rule.map = given.text.substr(divide + 1);
   if (rule.file.empty() || (divide != std::string::npos && rule.map.empty()))
     refuse(given, "\"" + given.text + "\" names no file or no map",
            "give FILE or FILE=MAP.toml, as in walk.glb=walk.toml");
-  for (const RetargetRule& other : options.retarget)
+  for (const RetargetRule& other : rules)
     if (other.file == rule.file) refuse(given, "\"" + rule.file + "\" a second time", "leave it out");
-  options.retarget.push_back(std::move(rule));
+  rules.push_back(std::move(rule));
 }
 
 // "NEW=CLIP", divided at the first "=".
@@ -97,7 +97,14 @@ constexpr Option kClipOptions[] = {
      "put the clips of another rig onto this skeleton: glTF, .bvh or .mrw; joints are paired by roles and names, or "
      "as a MAP.toml says, see marrow retarget; with --clips-only the pack has these clips alone; repeatable",
      {},
-     set_retarget},
+     [](CookOptions& options, const Value& value) { add_rig(options.retarget, value); }},
+    {"pose-map",
+     OptionKind::list,
+     "RIG[=MAP]",
+     "let a game put poses of another rig onto this skeleton while it runs, see retarget_pose(): glTF, .bvh or .mrw; "
+     "joints are paired as by --retarget; the map is called as the file; repeatable",
+     {},
+     [](CookOptions& options, const Value& value) { add_rig(options.pose_maps, value); }},
     {"mirror",
      OptionKind::list,
      "NEW=CLIP",

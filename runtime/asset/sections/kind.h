@@ -28,6 +28,7 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
   KIND(11, kSprings, "SPRI", SpringHeader, 0)      \
   KIND(13, kRoles, "ROLE", RoleHeader, 0)          \
   KIND(14, kMotions, "MOTN", MotionHeader, 0)      \
+  KIND(15, kPoseMaps, "PMAP", PoseMapHeader, 0)    \
   KIND(12, kExamples, "SHAP", void, 0)             \
   KIND(10, kBounds, "BNDS", BoundsHeader, 0)       \
   KIND(8, kNames, "NAME", void, 0)

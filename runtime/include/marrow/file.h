@@ -38,6 +38,7 @@ struct Node {
 
 struct ClipMotion;
 struct ExampleSpace;
+struct PoseMap;
 struct Roles;
 
 // A cooked file in memory. Cheap to copy; holds pointers into the block, which must outlive it and stay unchanged.
@@ -84,6 +85,11 @@ class File {
   // load.
   MARROW_API ClipMotion motion(std::uint32_t clip) const;
 
+  // How one of the skeletons takes poses of another rig, see pose_map.h. Points into the block. An index at or above
+  // the count returns an empty one. Cost: a few loads.
+  std::uint32_t pose_map_count() const { return counts_[15]; }
+  MARROW_API PoseMap pose_map(std::uint32_t index) const;
+
   // Spaces of example shapes, see example_space.h. load() only locates them; example_space() checks all that one holds.
   // Spans point into the block. Errors: bad_argument if there is none with the index; bad_data or unsupported, with
   // `error`, if not null, saying where and why. `out` is written only on success. Cost: one pass; once a load.
@@ -108,6 +114,8 @@ class File {
   // Index of the first event of `motion`, a motion of this file, with this name, or motion.events.size. Once a load,
   // not a frame: several events may have one name, so a frame compares ClipEvent::name.
   MARROW_API std::uint32_t find_event(const ClipMotion& motion, const char* name) const;
+  // Index of the first pose map of a rig with this name, or pose_map_count().
+  MARROW_API std::uint32_t find_pose_map(const char* name) const;
   // Index of the first node with this name, or node_count().
   MARROW_API std::uint32_t find_node(const char* name) const;
   // The property of `node`, a node of this file, with this name; null if there is none.
@@ -134,8 +142,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[15] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[15] = {};
+  std::uint32_t first_[16] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[16] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

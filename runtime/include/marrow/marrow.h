@@ -23,6 +23,7 @@
 #include "marrow/blend.h"          // several poses → one
 #include "marrow/transition.h"     // one clip → the next
 #include "marrow/local_to_model.h" // local pose → model-space joints
+#include "marrow/pose_map.h"       // a pose of another rig → local pose
 #include "marrow/limits.h"         // how far and how fast joints turn
 #include "marrow/ik.h"             // limbs reach, heads look
 #include "marrow/ik_solve.h"       // chains and whole bodies reach goals

@@ -18,7 +18,8 @@ using format::Field;
 template <class T>
 std::string type_of() {
   if constexpr (std::is_array_v<T>) {
-    return type_of<std::remove_all_extents_t<T>>() + " × " + std::to_string(std::extent_v<T>);
+    return type_of<std::remove_all_extents_t<T>>() + " × " +
+           std::to_string(sizeof(T) / sizeof(std::remove_all_extents_t<T>));
   } else if constexpr (std::is_class_v<T>) {
     return std::to_string(sizeof(T)) + " B";
   } else {
@@ -108,11 +109,11 @@ std::string part_table(const Context&... context) {
   fields(table, h, l, context...);
   return table.rows();
 }
-template <class Record>
-std::string record_table() {
+template <class Record, class... Context>
+std::string record_table(const Context&... context) {
   const Record r{};
   Table table(&r);
-  format::fields(table, r);
+  format::fields(table, r, context...);
   return table.rows();
 }
 
@@ -142,6 +143,7 @@ TEST_F(FormatPage, HasTheTablesOfSections) {
   expect(section_table<format::SpringHeader>(), "SPRI");
   expect(section_table<format::RoleHeader>(), "ROLE");
   expect(section_table<format::MotionHeader>(), "MOTN");
+  expect(section_table<format::PoseMapHeader>(), "PMAP");
   expect(section_table<format::BoundsHeader>(), "BNDS");
   expect(section_table<format::ExampleHeader>(), "SHAP");
   expect(part_table<format::CodedHeader, format::CodedLayout>(0u), "coded segments");
@@ -164,6 +166,9 @@ TEST_F(FormatPage, HasTheTablesOfRecords) {
   expect(record_table<JointSole>(), "a sole");
   expect(record_table<RootKey>(), "a key of a root");
   expect(record_table<ClipEvent>(), "an event");
+  expect(record_table<MappedTurn>(), "a turn");
+  expect(record_table<MappedPlace>(), "a place");
+  expect(record_table<RigStep>(0u), "a step");
   expect(record_table<format::BoundsCodes>(), "bounds");
 }
 

@@ -109,8 +109,9 @@ TEST_F(NewKind, IsTakenByWhoHasItsLine) {
   File file;
   DataError error;
   EXPECT_EQ(load(block, file, &error), Status::bad_data);
-  EXPECT_STREQ(error.rule,
-               "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN SHAP BNDS NAME");
+  EXPECT_STREQ(
+      error.rule,
+      "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN PMAP SHAP BNDS NAME");
 }
 
 TEST_F(NewKind, IsHeldToItsDescription) {

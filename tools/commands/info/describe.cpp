@@ -42,7 +42,7 @@ ordered_json describe_totals(const LoadedFile& loaded) {
                                bytes_of(sections_of(loaded, "SHAP"));
   const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
                                 bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")) +
-                                bytes_of(sections_of(loaded, "ROLE")),
+                                bytes_of(sections_of(loaded, "ROLE")) + bytes_of(sections_of(loaded, "PMAP")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS")),
                     images = bytes_of(sections_of(loaded, "IMAG"));
   return {{"geometry", geometry},
@@ -177,6 +177,26 @@ ordered_json describe_skeletons(const LoadedFile& loaded) {
   return out;
 }
 
+ordered_json describe_pose_maps(const LoadedFile& loaded) {
+  const File& file = loaded.file;
+  const std::vector<File::Section> sections = sections_of(loaded, "PMAP");
+  ordered_json out = ordered_json::array();
+  for (std::uint32_t i = 0; i < file.pose_map_count(); ++i) {
+    const PoseMap map = file.pose_map(i);
+    std::size_t joints = 0;
+    for (const MappedTurn* t = map.turns.begin(); t != map.turns.end(); ++t)
+      if (t == map.turns.begin() || t->joint != t[-1].joint) ++joints;
+    out.push_back({{"name", map.name},
+                   {"skeleton", map.skeleton},
+                   {"joints", joints},
+                   {"places", map.places.size},
+                   {"rig_joints", map.rig_joint_count},
+                   {"rig_hash", fmt::format("{:016x}", map.rig_hash)},
+                   {"bytes", sections[i].bytes}});
+  }
+  return out;
+}
+
 ordered_json describe_references(const LoadedFile& loaded) {
   const File& file = loaded.file;
   const std::vector<File::Section> sections = sections_of(loaded, "SREF");
@@ -275,6 +295,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   r["totals"] = describe_totals(loaded);
   r["sections"] = describe_sections(loaded);
   r["skeletons"] = describe_skeletons(loaded);
+  r["pose_maps"] = describe_pose_maps(loaded);
   r["references"] = describe_references(loaded);
   r["meshes"] = describe_meshes(loaded);
   r["shapes"] = describe_shapes(loaded);

@@ -213,6 +213,12 @@ class Tree {
                        springs_of(s), s["diagonal_m"].get<double>()));
       if (const std::string roles = summary_of_roles(s["roles"]); !roles.empty())
         below_leaf(i + 1 == r_["skeletons"].size(), "roles", "", roles);
+      for (const auto& m : r_["pose_maps"])
+        if (m["skeleton"] == i)
+          below_leaf(i + 1 == r_["skeletons"].size(), fmt::format("pose map \"{}\"", text(m["name"])),
+                     size_of(m["bytes"]),
+                     fmt::format("{} joints turn as those of a rig of {} joints, hash {}", m["joints"].get<int>(),
+                                 m["rig_joints"].get<int>(), text(m["rig_hash"])));
     }
   }
 

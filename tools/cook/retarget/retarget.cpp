@@ -158,14 +158,32 @@ RigPairing pair_with(const Character& character, const RawScene& source, const R
   return out;
 }
 
-RetargetedClips retarget_clips(const Character& character, const RawScene& source, const RetargetMap* map,
-                               Notes& notes) {
-  RigPairing pairing = pair_with(character, source, map);
-  warn_of_strangers(character, source, pairing.rig_skeleton, pairing.pairs, notes);
-  warn_of_other_plan(character.skeletons[pairing.skeleton], pairing.rig_skeleton, source, notes);
-  for (Counterpart& at : pairing.pairs)
+RigPairing pair_with(const Character& character, const RawScene& source, const RetargetMap* map, Notes& notes) {
+  RigPairing out = pair_with(character, source, map);
+  warn_of_strangers(character, source, out.rig_skeleton, out.pairs, notes);
+  warn_of_other_plan(character.skeletons[out.skeleton], out.rig_skeleton, source, notes);
+  return out;
+}
+
+std::vector<Counterpart> nodes_of_pairs(const RigPairing& pairing) {
+  std::vector<Counterpart> out = pairing.pairs;
+  for (Counterpart& at : out)
     for (int* const joint : {&at.node, &at.other})
       if (*joint != kNone) *joint = pairing.rig_skeleton.node_of_joint[to_index(*joint)];
+  return out;
+}
+
+void warn_of_facing(const Character& character, const RawScene& source, int facing_deg, Notes& notes) {
+  if (facing_deg != 0)
+    notes.warnings.push_back({place_of_joints(source), "turned",
+                              character.file + " faces another way at rest; the clip is turned about y by " +
+                                  std::to_string(facing_deg) + " degrees"});
+}
+
+RetargetedClips retarget_clips(const Character& character, const RawScene& source, const RetargetMap* map,
+                               Notes& notes) {
+  const RigPairing pairing = pair_with(character, source, map, notes);
+  const std::vector<Counterpart> pairs = nodes_of_pairs(pairing);
   std::vector<Mesh> meshes;
   for (const Mesh& mesh : character.meshes)
     if (mesh.skeleton == pairing.skeleton) meshes.push_back(mesh);
@@ -178,15 +196,12 @@ RetargetedClips retarget_clips(const Character& character, const RawScene& sourc
     if (clip.channels.empty()) continue;
     take.open(clip, skeleton.joint_names.size() + source.nodes.size());
     check_size(take, skeleton.joint_names.size());
-    RetargetPlan plan = plan_retarget(skeleton, rig, pairing.pairs, take);
+    RetargetPlan plan = plan_retarget(skeleton, rig, pairs, take);
     TakenKeys keys = play_take(skeleton, plan, take, taken_contacts(rig, clip), meshes, character.file);
     out.clips.push_back(clip_of(plan, clip, take, std::move(keys)));
     facing_deg = plan.facing_deg;
   }
-  if (facing_deg != 0)
-    notes.warnings.push_back({place_of_joints(source), "turned",
-                              character.file + " faces another way at rest; the clip is turned about y by " +
-                                  std::to_string(facing_deg) + " degrees"});
+  warn_of_facing(character, source, facing_deg, notes);
   return out;
 }
 

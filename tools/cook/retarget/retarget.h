@@ -19,6 +19,15 @@ struct RigPairing {
 // paired, else as map_rigs().
 RigPairing pair_with(const Character& character, const RawScene& source, const RetargetMap* map);
 
+// The same, with warnings of joints that nothing turns as, and of a body of another plan.
+RigPairing pair_with(const Character& character, const RawScene& source, const RetargetMap* map, Notes& notes);
+
+// The pairs, their counterparts as nodes of the source.
+std::vector<Counterpart> nodes_of_pairs(const RigPairing& pairing);
+
+// Where the character faces another way at rest than the source does; 0: it does not.
+void warn_of_facing(const Character& character, const RawScene& source, int facing_deg, Notes& notes);
+
 // Clips of a skeleton of the character: channels' nodes are its joints.
 struct RetargetedClips {
   std::size_t skeleton = 0;

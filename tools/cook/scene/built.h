@@ -13,6 +13,7 @@
 #include "cook/scene/raw.h"
 #include "marrow/clip_motion.h"
 #include "marrow/file.h"
+#include "marrow/pose_map.h"
 #include "marrow/roles.h"
 
 namespace marrow::cook {
@@ -200,6 +201,17 @@ struct BuiltNode {
   std::vector<RawProperty> properties;
 };
 
+// As a PMAP section has it.
+struct BuiltPoseMap {
+  std::string name;
+  std::uint32_t skeleton = 0;
+  std::uint64_t rig_hash = 0;
+  std::uint32_t rig_joint_count = 0;
+  std::vector<MappedTurn> turns;
+  std::vector<MappedPlace> places;
+  std::vector<RigStep> steps;
+};
+
 // As an SHAP section has it; arrays of floats as in ExampleSpace.
 struct BuiltExampleSpace {
   std::string name;
@@ -251,6 +263,7 @@ struct BuiltScene {
   std::vector<BuiltMaterial> materials;  // those with more than MESH says; no two the same
   std::vector<RawImage> images;          // no two the same; fallbacks are among these
   std::vector<BuiltNode> nodes;          // in the source's order
+  std::vector<BuiltPoseMap> pose_maps;
   std::vector<BuiltExampleSpace> example_spaces;
   std::vector<Kept> kept;  // a GLOB
 };

@@ -143,7 +143,7 @@ struct RoleRule {
   RuleOrigin origin = {"--roles", ""};
 };
 
-// Another file's clips, put onto the skeletons of this one.
+// Another file's rig, whose clips or poses are put onto the skeletons of this one.
 struct RetargetRule {
   std::string file;
   std::string map;  // a file that pairs joints, see read_retarget_map(); empty: by roles and names
@@ -234,7 +234,8 @@ struct CookOptions {
   std::vector<ShapeRule> shapes;
   std::vector<RoleRule> roles;  // in place of those that are found
   std::vector<RetargetRule> retarget;
-  std::vector<MirrorRule> mirror;  // after `retarget`, one after the other
+  std::vector<RetargetRule> pose_maps;  // poses, while a game runs
+  std::vector<MirrorRule> mirror;       // after `retarget`, one after the other
   MotionOptions motion;
   deform::Progress clip_progress;  // of clips that are compressed
 };

@@ -233,6 +233,17 @@ Section write_motion(const BuiltMotion& m, std::uint32_t clip, Names& names) {
   return out;
 }
 
+Section write_pose_map(const BuiltPoseMap& m, Names& names) {
+  Section out;
+  const auto l = out.begin(format::PoseMapHeader{
+      names.add(m.name), m.skeleton, m.rig_hash, m.rig_joint_count, static_cast<std::uint32_t>(m.turns.size()),
+      static_cast<std::uint32_t>(m.places.size()), static_cast<std::uint32_t>(m.steps.size())});
+  out.set(l.turns, m.turns);
+  out.set(l.places, m.places);
+  out.set(l.steps, m.steps);
+  return out;
+}
+
 Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   Section out;
   const auto l = out.begin(format::ExampleHeader{
@@ -373,6 +384,7 @@ class SceneWriter {
     for (std::size_t c = 0; c < scene_.clips.size(); ++c)
       if (const BuiltMotion& m = scene_.clips[c].motion; moves(m))
         add(format::kMotions, write_motion(m, static_cast<std::uint32_t>(c), names_));
+    for (const BuiltPoseMap& map : scene_.pose_maps) add(format::kPoseMaps, write_pose_map(map, names_));
     for (const BuiltExampleSpace& space : scene_.example_spaces)
       add(format::kExamples, write_example_space(space, names_));
     add_names();

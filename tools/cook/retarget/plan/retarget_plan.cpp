@@ -96,12 +96,6 @@ std::vector<std::size_t> choose_carried(const Joints& joints, int hips, const Ta
   return out;
 }
 
-// Where the character of a joint stands.
-glm::dvec3 origin_of(const Joints& joints, std::size_t joint) {
-  while (joints[joint].parent != kNone) joint = to_index(joints[joint].parent);
-  return glm::dvec3(joints[joint].scene_above[3]);
-}
-
 // Motion capture is where it says; others are where they go from their rest pose.
 void set_zero(const Joints& joints, const Take& take, CarriedJoint& carried) {
   if (take.scene().is_capture) {
@@ -150,16 +144,25 @@ std::vector<RetargetJoint> lay_out(const BuiltSkeleton& skeleton, const std::vec
   return out;
 }
 
+glm::dvec3 origin_of(const Joints& joints, std::size_t joint) {
+  while (joints[joint].parent != kNone) joint = to_index(joints[joint].parent);
+  return glm::dvec3(joints[joint].scene_above[3]);
+}
+
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const BuiltSkeleton& rig,
                            const std::vector<Counterpart>& pairs, const Take& take) {
+  const int hips = joint_with(skeleton, Role::hips);
+  return plan_carrying(choose_carried(lay_out(skeleton, pairs), hips, take), skeleton, rig, pairs, take);
+}
+
+RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltSkeleton& skeleton,
+                           const BuiltSkeleton& rig, const std::vector<Counterpart>& pairs, const Take& take) {
   RetargetPlan out;
   out.joints = lay_out(skeleton, pairs);
   out.facing_deg = facing_of(out.joints, take);
   out.facing = turn_about_y(out.facing_deg);
   const std::vector<glm::dquat> arcs = arcs_of(skeleton, out.joints, take, out.facing);
   for (std::size_t j = 0; j < arcs.size(); ++j) out.joints[j].aligned = arcs[j] * out.joints[j].turn;
-  const int hips = joint_with(skeleton, Role::hips);
-  const std::vector<std::size_t> carried = choose_carried(out.joints, hips, take);
   std::vector<Legs> legs = find_legs(skeleton, rig, out.joints, carried, take);
   double scale = 0;  // of the legs
   for (const Legs& of : legs)

@@ -54,4 +54,11 @@ std::vector<RetargetJoint> lay_out(const BuiltSkeleton& skeleton, const std::vec
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const BuiltSkeleton& rig,
                            const std::vector<Counterpart>& pairs, const Take& take);
 
+// The same of no clip. carried: which joints move from their places, ascending.
+RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltSkeleton& skeleton,
+                           const BuiltSkeleton& rig, const std::vector<Counterpart>& pairs, const Take& take);
+
+// Where the character of a joint stands.
+glm::dvec3 origin_of(const std::vector<RetargetJoint>& joints, std::size_t joint);
+
 }  // namespace marrow::cook
