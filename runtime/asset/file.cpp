@@ -332,6 +332,7 @@ PoseMap File::pose_map(std::uint32_t index) const {
   m.skeleton = header.skeleton;
   m.rig_joint_count = header.rig_joint_count;
   m.rig_hash = header.rig_hash;
+  m.groups = l.groups.in(base);
   m.turns = l.turns.in(base);
   m.places = l.places.in(base);
   m.steps = l.steps.in(base);

@@ -50,6 +50,7 @@ constexpr StageHash kStored[] = {
     {"as_tangents of helpers", 0x88DE759EC2604C6A},
     {"events, root steps", 0xDA96F53CC100549F},
     {"phases, speeds", 0xB5AF884CDB21D73B},
+    {"retarget_pose", 0xA02B0A58EA9005C8},
     {"two_bone", 0xFC85513CFED75780},
     {"aim, look_at", 0x83567333D10CAD52},
     {"FABRIK", 0x59BF1DB2BBFC7AF8},

@@ -3,6 +3,7 @@
 #include "marrow/blend_space.h"
 #include "marrow/events.h"
 #include "marrow/phase.h"
+#include "marrow/pose_map.h"
 #include "marrow/root_motion.h"
 
 namespace marrow::test {
@@ -79,12 +80,74 @@ std::uint64_t phases_hash(Random& random) {
   return h;
 }
 
+void make_turn(Random& random, float (&before)[4], float (&after)[4]) {
+  const Quat one = random.rotation(), other = random.rotation();
+  for (std::size_t c = 0; c < 4; ++c) {
+    before[c] = static_cast<float>(one[c]);
+    after[c] = static_cast<float>(other[c]);
+  }
+}
+
+// A rig of noise on a skeleton of noise: joints in groups, four between two joints each, ways up and down, and places.
+std::uint64_t retargets_hash(Random& random) {
+  const TestCharacter rig = make_character(61, 40, 8, false), hero = make_character(67, 67, 8, false);
+  const Skeleton skeleton = hero.skeleton.view();
+  const auto rig_joints = static_cast<std::uint32_t>(rig.skeleton.joints.size());
+  const auto some_joint = [&] { return static_cast<std::uint16_t>(random.below(rig_joints)); };
+  std::vector<MappedGroup> groups(skeleton.soa_size());
+  std::vector<MappedTurn> turns;
+  std::vector<MappedPlace> places(2);
+  std::vector<RigStep> steps;
+  for (std::uint32_t j = 0; j < 4 * groups.size(); ++j) {
+    float before[4], after[4];
+    make_turn(random, before, after);
+    for (int c = 0; c < 4; ++c) {
+      groups[j / 4].before[c][j % 4] = before[c];
+      groups[j / 4].after[c][j % 4] = after[c];
+    }
+    groups[j / 4].rig_joints[j % 4] = j % 9 == 0 ? kNoJoint : some_joint();
+  }
+  for (std::uint16_t i = 0; i < 12; ++i) {
+    MappedTurn turn;
+    turn.joint = i < 8 ? i / 2 : i;
+    turn.step_count = i % 4;
+    turn.weight = static_cast<float>(random.between(0.25, 1));
+    make_turn(random, turn.before, turn.after);
+    for (std::uint32_t s = 0; s < turn.step_count; ++s)
+      steps.push_back({some_joint(), static_cast<std::uint8_t>(s == 0), static_cast<std::uint8_t>(i % 5 == 0)});
+    turns.push_back(turn);
+  }
+  for (std::uint16_t p = 0; p < 2; ++p) {
+    places[p].joint = p;
+    places[p].step_count = 2;
+    for (auto& row : places[p].parent_from_rig)
+      for (float& x : row) x = static_cast<float>(random.between(-1, 1));
+    for (std::uint16_t s = 0; s < 2; ++s) steps.push_back({static_cast<std::uint16_t>(s + p), 0, 0});
+  }
+  PoseMap map;
+  map.rig_joint_count = rig_joints;
+  map.groups = groups;
+  map.turns = turns;
+  map.places = places;
+  map.steps = steps;
+  std::vector<SoaTransform> pose(rig.skeleton.rest.size()), out(skeleton.soa_size());
+  std::uint64_t h = kHashStart;
+  const Clip clip = rig.clip.view();
+  for (int frame = 0; frame < 200; ++frame) {
+    must(sample(rig.skeleton.view(), clip, clip.duration_s * static_cast<float>(random.between(0, 1)), pose));
+    must(retarget_pose(map, pose, skeleton, out));
+    h = hash_of(out, h);
+  }
+  return h;
+}
+
 }  // namespace
 
 void hash_motions(StageHashes& out) {
   Random random(57);
   out.push_back({"events, root steps", steps_hash(random)});
   out.push_back({"phases, speeds", phases_hash(random)});
+  out.push_back({"retarget_pose", retargets_hash(random)});
 }
 
 }  // namespace marrow::test

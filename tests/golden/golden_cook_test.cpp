@@ -76,6 +76,15 @@ TEST(GoldenCook, GivesTheGoldenBytesOfRoles) {
   expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_roles_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfPoseMaps) {
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  options.keep_vertex_order = true;
+  options.raw_clips = true;
+  options.pose_maps = {{test::in_golden("roles.gltf"), test::in_golden("maps.toml"), {}}};
+  expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_maps_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

@@ -30,6 +30,8 @@ extern const unsigned char roles_v1[];
 extern const unsigned long long roles_v1_size;
 extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
+extern const unsigned char maps_v1[];
+extern const unsigned long long maps_v1_size;
 extern const unsigned char shapes_v1[];
 extern const unsigned long long shapes_v1_size;
 extern const unsigned char packed_v3[];
@@ -100,6 +102,11 @@ inline AlignedBlock golden_springs_copy() {
 // A file with roles of joints.
 inline AlignedBlock golden_roles_copy() {
   return AlignedBlock(embedded::roles_v1, static_cast<std::size_t>(embedded::roles_v1_size));
+}
+
+// A file with a pose map.
+inline AlignedBlock golden_maps_copy() {
+  return AlignedBlock(embedded::maps_v1, static_cast<std::size_t>(embedded::maps_v1_size));
 }
 
 // A file with a space of example shapes.

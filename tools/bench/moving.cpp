@@ -4,6 +4,7 @@
 #include "marrow/blend_space.h"
 #include "marrow/events.h"
 #include "marrow/phase.h"
+#include "marrow/pose_map.h"
 #include "marrow/root_motion.h"
 
 namespace marrow::tools {
@@ -151,6 +152,76 @@ class InStep : public Moving {
   Phase phase_;
 };
 
+// A pose of a rig of 67 joints on a skeleton of as many: each turns as one of the rig, but three of the spine that are
+// between two, and two go from their places.
+class Retargeted : public Workload {
+ public:
+  Retargeted() : out_(soa_count(kJoints)), rest_(soa_count(kJoints)), groups_(soa_count(kJoints)) {
+    Noise noise;
+    for (SoaTransform& four : rest_) fill(noise, four);
+    for (std::uint32_t i = 0; i < kSteps; ++i) {
+      rigs_.emplace_back(soa_count(kJoints));
+      for (SoaTransform& four : rigs_.back()) fill(noise, four);
+    }
+    for (std::size_t j = 0; j < 4 * groups_.size(); ++j) {
+      groups_[j / 4].before[3][j % 4] = groups_[j / 4].after[3][j % 4] = 1;
+      groups_[j / 4].rig_joints[j % 4] = j < kJoints ? static_cast<std::uint16_t>(j) : kNoJoint;
+    }
+    for (std::uint16_t i = 0; i < 6; ++i) {
+      MappedTurn turn;
+      turn.joint = 1 + i / 2;
+      turn.step_count = 1;
+      turn.weight = 0.5f;
+      turns_.push_back(turn);
+      steps_.push_back({static_cast<std::uint16_t>(1 + i), 0, 0});
+    }
+    for (std::uint16_t j = 0; j < 2; ++j) {
+      places_.emplace_back().joint = j;
+      steps_.push_back({j, 0, 0});
+    }
+    map_.rig_joint_count = kJoints;
+    map_.groups = groups_;
+    map_.turns = turns_;
+    map_.places = places_;
+    map_.steps = steps_;
+    skeleton_.joint_count = kJoints;
+    skeleton_.rest = rest_.data();
+  }
+  std::uint32_t items() const override { return kJoints; }
+  std::uint32_t period() const override { return kSteps; }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i) {
+      check(retarget_pose(map_, rigs_[next_], skeleton_, out_));
+      next_ = (next_ + 1) % kSteps;
+    }
+  }
+  std::uint64_t hash_output(std::uint64_t state) const override { return hash_of(out_, state); }
+
+ private:
+  static constexpr std::uint32_t kJoints = 67;
+  static void fill(Noise& noise, SoaTransform& four) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const float half = noise.between(-0.6f, 0.6f);
+      for (int c = 0; c < 3; ++c) {
+        four.translation[c][lane] = noise.between(-1, 1);
+        four.rotation[c][lane] = c == lane % 3 ? half : 0.0f;
+        four.scale[c][lane] = 1;
+      }
+      four.rotation[3][lane] = 1 - 0.5f * half * half;
+    }
+  }
+
+  std::vector<std::vector<SoaTransform>> rigs_;
+  std::vector<SoaTransform> out_, rest_;
+  std::vector<MappedGroup> groups_;
+  std::vector<MappedTurn> turns_;
+  std::vector<MappedPlace> places_;
+  std::vector<RigStep> steps_;
+  PoseMap map_;
+  Skeleton skeleton_;
+  std::uint32_t next_ = 0;
+};
+
 }  // namespace
 
 RowGroup moving_rows() {
@@ -160,7 +231,8 @@ RowGroup moving_rows() {
   row("motion/root", [](Models&) { return std::make_unique<Roots>(); });
   row("motion/blend", [](Models&) { return std::make_unique<Blended>(); });
   row("motion/phase", [](Models&) { return std::make_unique<InStep>(); });
-  group.names = "motion/{events,root,blend,phase}\n";
+  row("motion/retarget_pose", [](Models&) { return std::make_unique<Retargeted>(); });
+  group.names = "motion/{events,root,blend,phase,retarget_pose}\n";
   return group;
 }
 

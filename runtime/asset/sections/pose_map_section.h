@@ -12,7 +12,8 @@ struct PoseMapHeader {
   std::uint32_t name;
   std::uint32_t skeleton;
   std::uint64_t rig_hash;
-  std::uint32_t rig_joint_count;
+  std::uint16_t rig_joint_count;
+  std::uint16_t group_count;
   std::uint32_t turn_count;
   std::uint32_t place_count;
   std::uint32_t step_count;
@@ -20,6 +21,7 @@ struct PoseMapHeader {
 static_assert(sizeof(PoseMapHeader) == 32);
 
 struct PoseMapLayout {
+  Array<MappedGroup> groups;
   Array<MappedTurn> turns;
   Array<MappedPlace> places;
   Array<RigStep> steps;
@@ -33,6 +35,13 @@ struct LayoutOf<PoseMapHeader> {
 inline constexpr const char* kTurnsNoJoint = "a turn of a joint outside the skeleton";
 
 // check_pose_maps.cpp has the other rules.
+template <class V>
+constexpr void fields(V& v, const MappedGroup& g) {
+  v.any({"before", "of four joints unit quaternions x[4] y[4] z[4] w[4]"}, g.before);
+  v.any({"after", "likewise"}, g.after);
+  v.any({"rig_joints", "below rig_joint_count; 65535: none"}, g.rig_joints);
+}
+
 template <class V>
 constexpr void fields(V& v, const MappedTurn& t) {
   v.joint({"joint", "below the skeleton's joint_count"}, t.joint, kTurnsNoJoint);
@@ -63,9 +72,11 @@ constexpr void fields(V& v, const PoseMapHeader& h, PoseMapLayout& l) {
   v.skeleton({"skeleton", "which SKEL section"}, h.skeleton);
   v.any({"rig_hash", "of the rig's joints, as SREF's"}, h.rig_hash);
   v.range({"rig_joint_count", "1 … 32767"}, h.rig_joint_count, 1u, kMaxJoints, "a rig of 1 to 32767 joints");
+  v.any({"group_count", "⌈joint_count / 4⌉ of the skeleton"}, h.group_count);
   v.any({"turn_count"}, h.turn_count);
   v.any({"place_count"}, h.place_count);
   v.any({"step_count", "of all turns and places"}, h.step_count);
+  v.records({"groups", "", "group_count"}, l.groups, h.group_count, [&](const MappedGroup& g) { fields(v, g); });
   v.records({"turns", "ascending by joint", "turn_count"}, l.turns, h.turn_count,
             [&](const MappedTurn& t) { fields(v, t); });
   v.records({"places", "ascending strictly by joint", "place_count"}, l.places, h.place_count,

@@ -166,6 +166,7 @@ TEST_F(FormatPage, HasTheTablesOfRecords) {
   expect(record_table<JointSole>(), "a sole");
   expect(record_table<RootKey>(), "a key of a root");
   expect(record_table<ClipEvent>(), "an event");
+  expect(record_table<MappedGroup>(), "a group");
   expect(record_table<MappedTurn>(), "a turn");
   expect(record_table<MappedPlace>(), "a place");
   expect(record_table<RigStep>(0u), "a step");

@@ -78,6 +78,7 @@ TEST(LoadSections, HaveHeadersAndKnownCodecs) {
   EXPECT_GT(refuse_each(test::golden_limits_copy()), 1u);
   EXPECT_GT(refuse_each(test::golden_springs_copy()), 1u);
   EXPECT_GT(refuse_each(test::golden_roles_copy()), 1u);
+  EXPECT_GT(refuse_each(test::golden_maps_copy()), 1u);
   EXPECT_GT(refuse_each(test::golden_pack_copy()), 1u);  // SREF
 }
 

@@ -42,6 +42,10 @@ const Loaded& roles() {
   static const Loaded made(golden_roles_copy);
   return made;
 }
+const Loaded& maps() {
+  static const Loaded made(golden_maps_copy);
+  return made;
+}
 Roles roles_of(Misuse& m) {
   return m.either(roles().file.roles(0), Roles{});
 }
@@ -121,6 +125,9 @@ std::vector<MisuseRow> rows_of_views() {
       {"find_channel", MISUSED(face().file.find_channel(face().file.clip(m.index(0)), m.pointer(name_of(m))))},
       {"motion", MISUSED(m.either(roles().file, File{}).motion(m.index(1)).events.size)},
       {"find_event", MISUSED(roles().file.find_event(roles().file.motion(m.index(1)), m.pointer(name_of(m))))},
+      {"pose_map_count", MISUSED(m.either(maps().file, File{}).pose_map_count())},
+      {"pose_map", MISUSED(std::string(m.either(maps().file, File{}).pose_map(m.index(0)).name))},
+      {"find_pose_map", MISUSED(m.either(maps().file, File{}).find_pose_map(m.pointer(name_of(m))))},
       {"node_property", MISUSED(looks().file.node_property(looks().file.node(m.index(0)), m.pointer(name_of(m))))},
       {"soa_size", MISUSED(file_of(m).skeleton(m.index(0)).soa_size())},
       {"time_of",

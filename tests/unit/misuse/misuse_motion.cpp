@@ -90,6 +90,30 @@ std::vector<MisuseRow> rows_of_motion() {
          (void)move_root({{{1, 0, 0, m.number(1)}, {0, m.number(1), 0, 0}, {0, 0, 1, 0}}}, step_of(m));
          m.returned_ok();
        }},
+      {"retarget_pose",
+       [](Misuse& m) {
+         const std::vector<MappedTurn> turns = {{0, 1, 1, {0, 0, 0, 1}, {0, 0.6f, 0, 0.8f}},
+                                                {3, 2, 0.5f, {0, 0, 0, 1}, {0, 0, 0, 1}},
+                                                {3, 0, m.number(0.5f), {0, 0, 0, 1}, {m.number(0), 0, 0, 1}}};
+         std::vector<MappedPlace> places(1);
+         places[0].parent_from_rig[1][3] = m.number(1);
+         const std::vector<RigStep> steps = {{0, 0, 0}, {4, 1, 0}, {5, 0, 1}, {0, 0, 0}};
+         std::vector<MappedGroup> groups(stage().skeleton.soa_size());
+         for (MappedGroup& g : groups)
+           for (std::uint16_t lane = 0; lane < 4; ++lane) {
+             g.before[3][lane] = g.after[3][lane] = m.number(1);
+             g.rig_joints[lane] = static_cast<std::uint16_t>(m.index(lane));
+           }
+         PoseMap map;
+         map.groups = m.in(groups);
+         map.rig_joint_count = stage().skeleton.joint_count;
+         map.turns = m.in(turns, Length::any);
+         map.places = m.in(places, Length::any);
+         map.steps = m.in(steps, Length::any);
+         const Span<const SoaTransform> rig = m.in(stage().other);
+         const Skeleton& skeleton = m.either(stage().skeleton, stage().smaller);
+         m.returned(retarget_pose(map, rig, skeleton, m.out(stage().pose)));
+       }},
       {"phase_at",
        [](Misuse& m) {
          Phase& out = m.one(Phase{});

@@ -184,6 +184,8 @@ ordered_json describe_pose_maps(const LoadedFile& loaded) {
   for (std::uint32_t i = 0; i < file.pose_map_count(); ++i) {
     const PoseMap map = file.pose_map(i);
     std::size_t joints = 0;
+    for (const MappedGroup& g : map.groups)
+      for (const std::uint16_t joint : g.rig_joints) joints += joint != kNoJoint ? 1 : 0;
     for (const MappedTurn* t = map.turns.begin(); t != map.turns.end(); ++t)
       if (t == map.turns.begin() || t->joint != t[-1].joint) ++joints;
     out.push_back({{"name", map.name},

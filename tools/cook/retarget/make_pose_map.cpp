@@ -84,7 +84,10 @@ class PoseMapMaker {
   }
 
   void add_turns() {
+    out_.groups.resize(soa_count(pairs_.size()));
+    for (std::size_t j = 0; j < 4 * out_.groups.size(); ++j) set_group(j, {1, 0, 0, 0}, {1, 0, 0, 0}, kNoJoint);
     for (std::size_t j = 0; j < pairs_.size(); ++j) {
+      set_group(j, plan_.joints[j].rest.rotation, {1, 0, 0, 0}, kNoJoint);
       if (!pairs_[j].is_there()) continue;
       const int upper = plan_.joints[j].upper;
       const std::vector<WeighedJoint> above =
@@ -93,6 +96,7 @@ class PoseMapMaker {
         for (const WeighedJoint& to : joints_at(pairs_[j]))
           if (from.weight * to.weight >= double{format::kLeastTurnWeight})
             add_turn(j, from.joint, to.joint, from.weight * to.weight);
+      take_alone(j);
     }
   }
 
@@ -163,20 +167,46 @@ class PoseMapMaker {
       before = in_mirrored(before);
       after = in_mirrored(after);
     }
-    MappedTurn turn;
-    turn.joint = static_cast<std::uint16_t>(j);
-    turn.weight = static_cast<float>(weight);
-    set(before, turn.before);
-    set(after, turn.after);
-    turn.step_count = static_cast<std::uint16_t>(add_way(from, to, joint.is_in_mirror));
-    out_.turns.push_back(turn);
+    const std::size_t steps = add_way(from, to, joint.is_in_mirror);
+    turns_.push_back({{glm::normalize(before), glm::normalize(after)}, steps, weight});
   }
-  void set(const glm::dquat& from, float (&to)[4]) const {
-    const glm::dquat q = glm::normalize(from);
-    const double xyzw[4] = {q.x, q.y, q.z, q.w};
-    for (int i = 0; i < 4; ++i) to[i] = static_cast<float>(xyzw[i]) + 0.0f;
-    if (!std::isfinite(glm::dot(q, q)))
+  // The turns of a joint: one of one step or none goes into its group, where it is quicker.
+  void take_alone(std::size_t j) {
+    const Turn& first = turns_.front();
+    const RigStep* const step = first.steps == 1 ? &out_.steps.back() : nullptr;
+    const bool is_plain = step == nullptr || (step->inverse == 0 && step->mirrored == 0);
+    if (turns_.size() == 1 && first.steps < 2 && is_plain) {
+      set_group(j, first.before_after[0], first.before_after[1], step == nullptr ? kNoJoint : step->joint);
+      if (step != nullptr) out_.steps.pop_back();
+    } else {
+      for (const Turn& of : turns_) {
+        MappedTurn turn;
+        turn.joint = static_cast<std::uint16_t>(j);
+        turn.step_count = static_cast<std::uint16_t>(of.steps);
+        turn.weight = static_cast<float>(of.weight);
+        for (int i = 0; i < 4; ++i) {
+          turn.before[i] = component(of.before_after[0], i);
+          turn.after[i] = component(of.before_after[1], i);
+        }
+        out_.turns.push_back(turn);
+      }
+    }
+    turns_.clear();
+  }
+  void set_group(std::size_t j, const glm::dquat& before, const glm::dquat& after, std::uint16_t rig_joint) {
+    MappedGroup& group = out_.groups[j / 4];
+    for (int i = 0; i < 4; ++i) {
+      group.before[i][j % 4] = component(before, i);
+      group.after[i][j % 4] = component(after, i);
+    }
+    group.rig_joints[j % 4] = rig_joint;
+  }
+  // x, y, z or w.
+  float component(const glm::dquat& q, int i) const {
+    const double value = i == 0 ? q.x : i == 1 ? q.y : i == 2 ? q.z : q.w;
+    if (!std::isfinite(value))
       fail(tools::Exit::invalid, "a joint that is turned nohow", "check the scales of nodes above the skeleton");
+    return static_cast<float>(value) + 0.0f;
   }
 
   // Whether the rig's lowest paired joint is so far below the ground, and this one so near it, that it rests hung up.
@@ -228,8 +258,14 @@ class PoseMapMaker {
   Take take_;
   RetargetPlan plan_;
   Puppet puppet_;
-  std::vector<int> depth_;  // of the rig's joints
-  double lowest_ = 0;       // of the rig's paired joints at rest, if that is below the ground
+  struct Turn {
+    glm::dquat before_after[2];
+    std::size_t steps;
+    double weight;
+  };
+  std::vector<Turn> turns_;  // of one joint
+  std::vector<int> depth_;   // of the rig's joints
+  double lowest_ = 0;        // of the rig's paired joints at rest, if that is below the ground
   BuiltPoseMap out_;
 };
 

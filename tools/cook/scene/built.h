@@ -207,6 +207,7 @@ struct BuiltPoseMap {
   std::uint32_t skeleton = 0;
   std::uint64_t rig_hash = 0;
   std::uint32_t rig_joint_count = 0;
+  std::vector<MappedGroup> groups;
   std::vector<MappedTurn> turns;
   std::vector<MappedPlace> places;
   std::vector<RigStep> steps;

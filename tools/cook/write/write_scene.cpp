@@ -235,9 +235,11 @@ Section write_motion(const BuiltMotion& m, std::uint32_t clip, Names& names) {
 
 Section write_pose_map(const BuiltPoseMap& m, Names& names) {
   Section out;
-  const auto l = out.begin(format::PoseMapHeader{
-      names.add(m.name), m.skeleton, m.rig_hash, m.rig_joint_count, static_cast<std::uint32_t>(m.turns.size()),
-      static_cast<std::uint32_t>(m.places.size()), static_cast<std::uint32_t>(m.steps.size())});
+  const auto l = out.begin(
+      format::PoseMapHeader{names.add(m.name), m.skeleton, m.rig_hash, static_cast<std::uint16_t>(m.rig_joint_count),
+                            static_cast<std::uint16_t>(m.groups.size()), static_cast<std::uint32_t>(m.turns.size()),
+                            static_cast<std::uint32_t>(m.places.size()), static_cast<std::uint32_t>(m.steps.size())});
+  out.set(l.groups, m.groups);
   out.set(l.turns, m.turns);
   out.set(l.places, m.places);
   out.set(l.steps, m.steps);
