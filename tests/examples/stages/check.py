@@ -237,6 +237,7 @@ def check_sampling(c, gltf):
     c.near_rotation("hand.L at 0.1 s", c.numbers("sampling", "at 0.1 s its rotation is"),
                     gltf.pose("walk", 0.1)[hand, "rotation"], 0.002)
     c.near_rotation("hand.L of the pack", c.numbers("clip_packs", "hand.L is turned by"), walk[hand, "rotation"], 0.0002)
+    c.near_rotation("hand.L by a pose map", c.numbers("pose_maps", "hand.L turns by"), walk[hand, "rotation"], 0.002)
 
 
 def check_blending(c, gltf):
@@ -395,6 +396,7 @@ def main():
         ["morphs.mrw", "--clip-codec", "raw", "--eigenskin", "4"],
         ["smooth.mrw", "--clip-codec", "raw", "--as", "smooth"],
         ["pack.mrw", "--clip-codec", "raw", "--clips-only", "--skeleton", "hero.glb"],
+        ["mapped.mrw", "--clip-codec", "raw", "--pose-map", "hero.glb"],  # onto itself
         ["suit.mrw", "--clip-codec", "raw", "--skeleton", "hero.glb"],  # the sample in its own skin
     ]
     running = [subprocess.Popen([marrow, "cook", "hero.glb", "-o", *options], cwd=work, stdout=subprocess.DEVNULL,
