@@ -675,12 +675,10 @@ struct mrw_pose_map {
 //
 // rig: at least mrw_soa_count(map.rig_joint_count). out: at least mrw_skeleton_soa_size(skeleton); it gets rotations of
 // unit length, and does not overlap `rig`. Scales of the rig move places, and nothing else. A joint whose place would
-// not be finite, or beyond 1e12, is where it is at rest.
-// Errors: MRW_BAD_ARGUMENT if a list is too short, the map is of fewer joints than the skeleton or names one that there
-// is not, its steps are not as many as it says, or a rotation of `rig` is not finite or its squared length not 0.5 …
-// 4.1. Nothing is written then.
-// Cost: 66 instructions a joint on x86-64, and 125 a turn beside the groups. No allocation. Thread-safe on different
-// outputs.
+// not be finite, or beyond 1e12, is where it is at rest. Errors: MRW_BAD_ARGUMENT if a list is too short, the map is of
+// fewer joints than the skeleton or names one that there is not, its steps are not as many as it says, or a rotation of
+// `rig` is not finite or its squared length not 0.5 … 4.1. Nothing is written then. Cost: 66 instructions a joint on
+// x86-64, and 125 a turn beside the groups. No allocation. Thread-safe on different outputs.
 mrw_status mrw_retarget_pose(const mrw_pose_map* map, const mrw_soa_transform* rig, size_t rig_count,
     const mrw_skeleton* skeleton, mrw_soa_transform* out, size_t out_count) MRW_NODISCARD;
 
