@@ -68,20 +68,16 @@ void put_groups(const PoseMap& map, Span<const SoaTransform> rig, std::size_t co
   }
 }
 
-inline WideRotation wide(const float (&q)[4]) {
-  return {load(q)};
-}
-
 // before · Π steps · after.
 inline WideRotation turned(const MappedTurn& turn, const RigStep* steps, Span<const SoaTransform> rig) {
-  WideRotation out = wide(turn.before);
+  WideRotation out = {load(turn.before)};
   for (std::uint32_t i = 0; i < turn.step_count; ++i) {
     WideRotation q = wide_rotation_of(rig, steps[i].joint);
     if (steps[i].inverse != 0) q = conjugate(q);
     if (steps[i].mirrored != 0) q = {flip(q.v, lanes(0.0f, -0.0f, -0.0f, 0.0f))};
     out = out * q;
   }
-  return out * wide(turn.after);
+  return out * WideRotation{load(turn.after)};
 }
 
 // Where the last step's joint is, in the space above the first one's.

@@ -624,8 +624,8 @@ struct mrw_mapped_group {
 typedef struct mrw_rig_step mrw_rig_step;
 struct mrw_rig_step {
   uint16_t joint;  // of the rig
-  uint8_t inverse;  // 1: the way leads up, so its inverse counts
-  uint8_t mirrored;  // 1: its y and z are negated; one of the two joints is in a mirrored space
+  uint8_t inverse;  // not 0: the way leads up, so its inverse counts
+  uint8_t mirrored;  // not 0: its y and z are negated; one of the two joints is in a mirrored space
 };
 void mrw_rig_step_init(mrw_rig_step* out);
 

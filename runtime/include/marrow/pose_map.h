@@ -28,8 +28,8 @@ static_assert(sizeof(MappedGroup) == 136);
 // One local rotation of the rig, on the way from one of its joints to another.
 struct RigStep {
   std::uint16_t joint = 0;    // of the rig
-  std::uint8_t inverse = 0;   // 1: the way leads up, so its inverse counts
-  std::uint8_t mirrored = 0;  // 1: its y and z are negated; one of the two joints is in a mirrored space
+  std::uint8_t inverse = 0;   // not 0: the way leads up, so its inverse counts
+  std::uint8_t mirrored = 0;  // not 0: its y and z are negated; one of the two joints is in a mirrored space
 };
 static_assert(sizeof(RigStep) == 4);
 
