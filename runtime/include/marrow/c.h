@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x13c26b0cu
+#define MRW_ABI 0xced38558u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1126,7 +1126,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[30];
+  uint32_t numbers[32];
 };
 void mrw_file_init(mrw_file* out);
 
