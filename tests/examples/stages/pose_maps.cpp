@@ -27,4 +27,4 @@ int main(int argc, char** argv) {
 }
 
 // Prints:
-//   hand.L turns by 0.0194 0.0018 -0.1099 0.9937
+//   hand.L turns by 0.0194 0.0018 -0.1099 0.9938
