@@ -34,7 +34,7 @@ target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marr
 marrow_tools_test(marrow_cook_tests cook
   unit/cook/gltf/looks_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
-  unit/cook/clip/channels_test.cpp unit/cook/clip/clip_measure_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/list_packer_test.cpp
+  unit/cook/clip/channels_test.cpp unit/cook/clip/clip_measure_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/tiny_numbers_test.cpp unit/cook/clip/list_packer_test.cpp
   unit/cook/emptied_lists_test.cpp
   unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp

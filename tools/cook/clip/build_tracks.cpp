@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "cook/scene/without_tiny.h"
+
 namespace marrow::cook {
 namespace {
 
@@ -20,6 +22,12 @@ std::vector<glm::vec4> tidy_rotations(const RawChannel& channel) {
       keys[i] = -keys[i];
   }
   return keys;
+}
+
+void add_values(const RawChannel& channel, std::vector<float>& out) {
+  const bool rotation = channel.path == RawPath::rotation, scale = channel.path == RawPath::scale;
+  for (const glm::vec4& v : rotation ? tidy_rotations(channel) : channel.values)
+    for (int c = 0; c < (rotation ? 4 : 3); ++c) out.push_back(scale ? v[c] : without_tiny(static_cast<double>(v[c])));
 }
 
 struct ListedChannel {
@@ -66,9 +74,7 @@ BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_nod
     track.first_time = first_time;
     track.first_value = static_cast<std::uint32_t>(out.values.size());
     out.tracks.push_back(track);
-    const bool rotation = channel.path == RawPath::rotation;
-    for (const glm::vec4& v : rotation ? tidy_rotations(channel) : channel.values)
-      for (int c = 0; c < (rotation ? 4 : 3); ++c) out.values.push_back(v[c]);
+    add_values(channel, out.values);
     out.duration_s = std::max(out.duration_s, channel.times_s.back());
     out.most_keys = std::max(out.most_keys, track.key_count);
   }

@@ -10,6 +10,7 @@
 
 #include "common/elementary.h"
 #include "cook/clip/measure/rig.h"
+#include "cook/scene/without_tiny.h"
 
 namespace marrow::cook {
 namespace {
@@ -45,8 +46,8 @@ std::vector<Rigid> motion_of_hips(const ClipTrace& trace, RootMotion how) {
 RootKey key_of(const Rigid& m, double time_s) {
   RootKey out{static_cast<float>(time_s), {}, {}};
   const double q[4] = {m.rotation.x, m.rotation.y, m.rotation.z, m.rotation.w};
-  for (int c = 0; c < 4; ++c) out.rotation[c] = static_cast<float>(q[c]) + 0.0f;
-  for (int c = 0; c < 3; ++c) out.translation[c] = static_cast<float>(m.translation[c]) + 0.0f;
+  for (int c = 0; c < 4; ++c) out.rotation[c] = without_tiny(q[c]);
+  for (int c = 0; c < 3; ++c) out.translation[c] = without_tiny(m.translation[c]);
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include "common/elementary.h"
+#include "cook/scene/without_tiny.h"
 
 namespace marrow::cook {
 
@@ -35,10 +36,15 @@ double largest_stretch(const glm::dmat3& linear) {
   return std::sqrt(std::max(0.0, mean + 2 * p * tools::cosine(tools::arc_cosine(r) / 3)));
 }
 
+// What is tiny beside the scale of its axis goes, too, where that is below 1.
 Affine to_affine(const glm::dmat4& m) {
   Affine a;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) a.rows[row][column] = static_cast<float>(m[column][row]);
+  for (int column = 0; column < 4; ++column) {
+    const glm::dvec3 axis = glm::abs(glm::dvec3(m[column]));
+    const double scale = column < 3 ? std::min(1.0, std::max({axis.x, axis.y, axis.z})) : 1;
+    for (int row = 0; row < 3; ++row)
+      a.rows[row][column] = axis[row] < kTiny * scale ? 0.0f : static_cast<float>(m[column][row]);
+  }
   return a;
 }
 

@@ -15,7 +15,7 @@ inline constexpr Affine kIdentityMap = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0
 glm::dmat4 local_matrix(const glm::dvec3& translation, const glm::dquat& rotation, const glm::dvec3& scale);
 glm::dmat4 local_matrix(const RawNode& node);
 
-// The rows of an affine matrix, in single precision, and back.
+// The rows of an affine matrix, in single precision and without what is as good as 0, and back.
 Affine to_affine(const glm::dmat4& m);
 glm::dmat4 to_matrix(const Affine& a);
 

@@ -4,6 +4,7 @@
 
 #include "common/failure.h"
 #include "cook/scene/matrices.h"
+#include "cook/scene/without_tiny.h"
 #include "cook/skeleton/group_trees.h"
 
 namespace marrow::cook {
@@ -128,17 +129,17 @@ void place_below_parent(const RawScene& scene, std::size_t node, std::vector<Nea
   nearest[node].joint_from_node = nearest[node].joint_from_node * local_matrix(raw);
 }
 
-// As the source has it; +0 for -0, which packed files have no bytes for.
+// As the source has it, without what is as good as 0.
 void set_rest(const RawNode& node, std::size_t joint, BuiltSkeleton& skeleton) {
   SoaTransform& four = skeleton.rest[joint / 4];
   const std::size_t lane = joint % 4;
   for (int axis = 0; axis < 3; ++axis) {
-    four.translation[axis][lane] = static_cast<float>(node.translation[axis]) + 0.0f;
+    four.translation[axis][lane] = without_tiny(node.translation[axis]);
     four.scale[axis][lane] = static_cast<float>(node.scale[axis]);
   }
   const glm::dquat& q = node.rotation;
   const double xyzw[4] = {q.x, q.y, q.z, q.w};
-  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = static_cast<float>(xyzw[i]) + 0.0f;
+  for (int i = 0; i < 4; ++i) four.rotation[i][lane] = without_tiny(xyzw[i]);
 }
 
 BuiltScene build_skeletons(const RawScene& scene) {
