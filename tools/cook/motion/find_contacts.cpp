@@ -14,8 +14,10 @@ namespace {
 // the second.
 constexpr double kLow[2] = {0.056, 0.076};
 // How fast a foot that stands goes over the ground, of the speed at which the character goes, and at least in legs a
-// second. Where the character goes slower than kWalks it counts little how fast a foot goes.
+// second. Where the character goes slower than kWalks a foot is dragged as fast as kSlow, unless it is lifted: so much
+// higher than where it was slow.
 constexpr double kWalks = 0.3, kSlowShare[2] = {0.42, 1.0}, kLeastSlow[2] = {0.25, 0.5}, kSlow[2] = {2, 3};
+constexpr double kLifted = 0.0045;
 constexpr double kDragged = 0.2;  // how much of a slip counts that is backwards
 // A foot's ground is where it is for so much of the time no higher: soles sink into the ground here and there.
 constexpr double kLowShare = 0.12;
@@ -121,13 +123,17 @@ std::vector<char> standing(const FootTrace& foot, const std::vector<double>& hei
   const std::size_t frames = heights.size() - (is_loop ? 1 : 0);
   std::vector<char> out(frames * (is_loop ? 3 : 1), 0);
   bool stands = false;
+  double slow_at_m = 0;  // the height at which it was slow
   for (std::size_t i = 0; i < out.size(); ++i) {
     const int now = stands ? 1 : 0;
     const LowPoint& point = foot.points[i % frames];
     const double slip = std::min(slip_of(point.velocity, ground, travel), slip_of(point.ball_velocity, ground, travel));
-    const double slow = speed < kWalks * foot.leg_m ? kSlow[now] * foot.leg_m
-                                                    : std::max(kLeastSlow[now] * foot.leg_m, kSlowShare[now] * speed);
-    stands = heights[i % frames] < kLow[now] * foot.leg_m && slip < slow;
+    const double height = heights[i % frames];
+    if (slip < kLeastSlow[0] * foot.leg_m && height < kLow[1] * foot.leg_m) slow_at_m = height;
+    const bool is_dragged = speed < kWalks * foot.leg_m && height < slow_at_m + kLifted * foot.leg_m;
+    const double slow =
+        is_dragged ? kSlow[now] * foot.leg_m : std::max(kLeastSlow[now] * foot.leg_m, kSlowShare[now] * speed);
+    stands = height < kLow[now] * foot.leg_m && slip < slow;
     out[i] = stands ? 1 : 0;
   }
   return out;
