@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -26,18 +27,7 @@ class MeasuredBody {
     std::vector<Affine> model(skeleton_.joint_count);
     EXPECT_EQ(local_to_model(skeleton_, rest, model), Status::ok);
     rest_ = model;
-    double low = 1e9, high = -1e9;
-    for (std::uint32_t m = 0; m < cook_.file.mesh_count(); ++m) {
-      const Mesh mesh = cook_.file.mesh(m);
-      std::vector<Affine> palette(mesh.palette_size());
-      std::vector<float> at(std::size_t{3} * mesh.geometry.slot_count);
-      EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
-      EXPECT_EQ(skin_ssd(mesh, palette, {at, {}, {}}), Status::ok);
-      for (std::size_t i = 1; i < at.size(); i += 3) {
-        low = std::min(low, double{at[i]});
-        high = std::max(high, double{at[i]});
-      }
-    }
+    const auto [low, high] = heights(model);
     to_size_ = kTallM / (high - low);
   }
 
@@ -83,6 +73,26 @@ class MeasuredBody {
                double{row[2]} * double{at->place[2]} + double{row[3]};
     }
     return out;
+  }
+  // The lowest and the highest vertex, of all meshes or of those that a foot carries.
+  std::pair<double, double> heights(const std::vector<Affine>& model, bool of_feet = false) const {
+    double low = 1e9, high = -1e9;
+    for (std::uint32_t m = 0; m < cook_.file.mesh_count(); ++m) {
+      const Mesh mesh = cook_.file.mesh(m);
+      const auto follows = [&](Role role) {
+        return std::count(mesh.joints, mesh.joints + mesh.joint_count, joint_of(roles_, role)) > 0;
+      };
+      if (of_feet && !follows(Role::left_foot) && !follows(Role::right_foot)) continue;
+      std::vector<Affine> palette(mesh.palette_size());
+      std::vector<float> at(std::size_t{3} * mesh.geometry.slot_count);
+      EXPECT_EQ(build_palette(mesh, model, palette), Status::ok);
+      EXPECT_EQ(skin_ssd(mesh, palette, {at, {}, {}}), Status::ok);
+      for (std::size_t i = 1; i < at.size(); i += 3) {
+        low = std::min(low, double{at[i]});
+        high = std::max(high, double{at[i]});
+      }
+    }
+    return {low, high};
   }
   const File& file() const { return cook_.file; }
 

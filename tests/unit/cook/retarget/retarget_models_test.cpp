@@ -43,5 +43,31 @@ TEST(RetargetModels, FeetStandAndHandsMeet) {
   }
 }
 
+// The Knight has short legs and large boots. While one swings, its toes point down, and farther: at keys it is no
+// deeper in the ground than the source's soles ever are. Between keys joints turn evenly, and it may be.
+TEST(RetargetModels, FeetThatSwingStayOutOfTheGround) {
+  const std::string source_path = test::assets_folder() + "/pab.glb";
+  if (!std::filesystem::exists(source_path)) GTEST_SKIP() << "no models; name their folder in MARROW_ASSETS";
+  const MeasuredBody source(source_path, plain());
+  CookOptions options = plain();
+  options.retarget = {{source_path, "", {}}};
+  const MeasuredBody target(test::assets_folder() + "/KayKit_Knight.glb", options);
+  const auto lowest = [](const MeasuredBody& body, const char* clip, float step_s) {
+    const std::uint32_t at = body.clip(clip);
+    const auto steps = static_cast<int>(body.duration_s(at) / double{step_s} + 0.5);
+    double out = 1e9;
+    for (int i = 0; i <= steps; ++i)
+      out = std::min(out, body.heights(body.pose(at, static_cast<float>(i) * step_s), true).first);
+    return 1000 * body.to_size() * (out - body.ground());
+  };
+  for (const char* const clip : {"pab_walk_raw", "pab_jog_raw", "pab_run_raw"}) {
+    const double keys = lowest(target, clip, 2 * kStepS), between = lowest(target, clip, kStepS / 4);
+    std::printf("%-14s lowest of the source %5.1f mm, of the Knight %5.1f mm, between keys %5.1f mm\n", clip,
+                lowest(source, clip, 2 * kStepS), keys, between);
+    EXPECT_GT(keys, -2.0) << clip;
+    EXPECT_GT(between, -13.0) << clip;
+  }
+}
+
 }  // namespace
 }  // namespace marrow::cook

@@ -15,7 +15,9 @@
 namespace marrow::cook {
 namespace {
 
-constexpr std::size_t kAround = 12, kSlopes = 4;  // ways aslant and level, in which a point may be the farthest
+// Ways in which a point may be the farthest: aslant, level, and aslant upwards, as a foot that swings may point farther
+// than straight down.
+constexpr std::size_t kAround = 12, kSlopes = 7, kUpwards = 3;
 constexpr double kQuarterTurn = 1.5707963267948966;
 constexpr double kHardlyCarried = 0.1;
 
@@ -25,7 +27,8 @@ Ways ways_down() {
   Ways out;
   out.back() = {0, -1, 0};
   for (std::size_t i = 0; i + 1 < out.size(); ++i) {
-    const double down = kQuarterTurn * static_cast<double>(i / kAround) / kSlopes;
+    const double slope = (static_cast<double>(i / kAround) - kUpwards) / (kSlopes - kUpwards);
+    const double down = kQuarterTurn * slope;
     const double about = 4 * kQuarterTurn * static_cast<double>(i % kAround) / kAround;
     out[i] = {tools::cosine(down) * tools::cosine(about), -tools::sine(down), tools::cosine(down) * tools::sine(about)};
   }
