@@ -71,6 +71,11 @@ marrow_tools_test(marrow_retarget_tests retarget
   unit/cook/retarget/retarget_test.cpp)
 target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)
 
+# Graphs of behaviour, and animators.
+marrow_tools_test(marrow_graph_tests graph
+  unit/graph/animator_test.cpp)
+target_link_libraries(marrow_graph_tests PRIVATE marrow_cook)
+
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow
   unit/common/elementary_test.cpp unit/common/parallel_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "character/layer_rules.h"
+#include "character/sample_animation.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
@@ -86,26 +87,6 @@ Status make_vertices(CharacterMesh& m) {
   return status;
 }
 
-// The pose of an additive clip: its changes, laid on their reference.
-Status sample_laid_on(const Skeleton& skeleton, const Clip& clip, float time_s, Span<AdditiveTransform> change,
-                      Span<SoaTransform> out) {
-  const Status status = sample_additive(skeleton, clip, time_s, change);
-  if (status != Status::ok) return status;
-  std::memcpy(out.data, clip.reference != nullptr ? clip.reference : skeleton.rest, out.size * sizeof(SoaTransform));
-  return add(skeleton, {change, 1.0f, {}}, out);
-}
-
-Status sample_layer(const Skeleton& skeleton, const AnimationLayer& layer, std::uint32_t index,
-                    Span<AdditiveTransform> change, Span<SoaTransform> out, SampleCache& cache) {
-  const std::uint32_t number = layer.animation->clip_of_skeleton[index];
-  const Clip clip = layer.animation->clips.clip(number);
-  if (number != kNoClip && !clip.additive) return sample_cached(skeleton, clip, layer.time_s, out, cache);
-  state_of(cache).out = 0;  // others write there
-  if (number != kNoClip) return sample_laid_on(skeleton, clip, layer.time_s, change, out);
-  std::memcpy(out.data, skeleton.rest, out.size * sizeof(SoaTransform));
-  return Status::ok;
-}
-
 // first_joint: where the skeleton begins in masks.
 Status sample_skeleton(Character& c, std::uint32_t index, std::size_t first_joint, Span<const AnimationLayer> layers) {
   const CharacterSkeleton& s = c.skeletons[index];
@@ -119,41 +100,14 @@ Status sample_skeleton(Character& c, std::uint32_t index, std::size_t first_join
     blended = {sampled, layer.weight, {}};
     if (!layer.mask.empty()) blended.mask = {layer.mask.data + first_joint, 4 * size};
     if (layer.weight == 0.0f) continue;  // nobody reads it
-    const Status status = sample_layer(skeleton, layer, index, c.change, sampled, s.caches[i]);
+    const Status status =
+        sample_animation(skeleton, *layer.animation, layer.time_s, index, c.change, sampled, s.caches[i]);
     if (status != Status::ok) return status;
   }
   Status status = blend(skeleton, {c.blended.data, averaged}, s.pose.local);
   for (std::size_t i = layers.size; i-- > averaged && status == Status::ok;)
     status = overlay(skeleton, c.blended[i], s.pose.local);
   return status;
-}
-
-// Calls f(target, its weight in the animation, its default); driven: only for targets that a channel drives.
-template <class F>
-Status for_each_weight(const AnimationLayer& layer, const CharacterMesh& m, bool driven, F f) {
-  const Animation& a = *layer.animation;
-  const std::uint32_t index = a.clip_of_skeleton[m.mesh.skeleton];
-  const Clip clip = index != kNoClip ? a.clips.clip(index) : Clip{};
-  Clip alone = clip;  // with one channel, so that the others need no memory
-  for (std::size_t t = 0; t < m.weights.size; ++t) {
-    const std::uint32_t channel = index != kNoClip ? a.channels[m.first_target + t] : kNoChannel;
-    const float rest = m.mesh.targets[t].weight;
-    float weight = rest;
-    if (channel != kNoChannel) {
-      alone.channels = {clip.channels.data + channel, 1};
-      const Status status = sample_channels(alone, layer.time_s, {&weight, 1});
-      if (status != Status::ok) return status;
-    } else if (driven) {
-      continue;
-    }
-    f(t, weight, rest);
-  }
-  return Status::ok;
-}
-
-// Adds what an animation gives the mesh's targets, times `share`.
-Status add_weights(const AnimationLayer& layer, float share, CharacterMesh& m) {
-  return for_each_weight(layer, m, false, [&](std::size_t t, float weight, float) { m.weights[t] += share * weight; });
 }
 
 // Means by the rule of blend(): defaults join in below the threshold.
@@ -164,7 +118,7 @@ Status sample_weights(Span<const AnimationLayer> layers, CharacterMesh& m) {
   for (std::size_t t = 0; t < m.weights.size; ++t) m.weights[t] = rest / (total + rest) * m.mesh.targets[t].weight;
   for (const AnimationLayer& layer : layers) {
     if (layer.weight == 0.0f || !layer.mask.empty()) continue;
-    const Status status = add_weights(layer, layer.weight / (total + rest), m);
+    const Status status = add_weights(*layer.animation, layer.time_s, layer.weight / (total + rest), m);
     if (status != Status::ok) return status;
   }
   return Status::ok;
@@ -282,9 +236,9 @@ Status add_expression(Character& character, const AnimationLayer& expression) {
   MARROW_REQUIRE_GOOD(check_layer(character, expression));
   for (CharacterMesh& m : character.meshes) {
     if (expression.weight == 0.0f) break;
-    const Status status = for_each_weight(expression, m, true, [&](std::size_t t, float weight, float rest) {
-      m.weights[t] += expression.weight * (weight - rest);
-    });
+    const Status status = for_each_weight(
+        *expression.animation, expression.time_s, m, true,
+        [&](std::size_t t, float weight, float rest) { m.weights[t] += expression.weight * (weight - rest); });
     if (status != Status::ok) return status;
   }
   return Status::ok;

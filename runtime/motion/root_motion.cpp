@@ -4,6 +4,7 @@
 #include "math/finite.h"
 #include "math/rigid.h"
 #include "motion/motion_rules.h"
+#include "motion/root_screw.h"
 
 namespace marrow {
 namespace {
@@ -30,6 +31,16 @@ RigidMotion motion_of(const RigidStep& step) {
   RigidMotion out = stored_rigid(step.rotation, step.translation);
   out.rotation = unit_rotation(out.rotation);
   return out;
+}
+
+// From one place on the line to another.
+RigidMotion motion_between(const ClipMotion& motion, const Playback& before, const Playback& after) {
+  const LineStep line = line_step(before, after, motion.duration_s);
+  // On its way back, ping_pong takes back what it went.
+  const std::int64_t rounds = before.mode == PlayMode::loop ? line.to.round - line.from.round : 0;
+  RigidMotion moved = inverse(root_at(motion.root, line.from.time_s));
+  if (rounds != 0) moved = moved * power(root_at(motion.root, static_cast<double>(motion.duration_s)), rounds);
+  return moved * root_at(motion.root, line.to.time_s);
 }
 
 // Rounded to floats; false if it is not finite.
@@ -62,16 +73,22 @@ Status sample_root(const ClipMotion& motion, float time_s, RigidStep& out) {
 Status root_step(const ClipMotion& motion, const Playback& before, const Playback& after, RigidStep& out) {
   MARROW_REQUIRE(holds(motion.root));
   MARROW_REQUIRE_GOOD(check_step(motion, before, after));
-  const LineStep line = line_step(before, after, motion.duration_s);
-  // On its way back, ping_pong takes back what it went.
-  const std::int64_t rounds = before.mode == PlayMode::loop ? line.to.round - line.from.round : 0;
-  RigidMotion moved = inverse(root_at(motion.root, line.from.time_s));
-  if (rounds != 0) moved = moved * power(root_at(motion.root, static_cast<double>(motion.duration_s)), rounds);
   RigidStep step;
-  const bool finite = rounded(moved * root_at(motion.root, line.to.time_s), step);
+  const bool finite = rounded(motion_between(motion, before, after), step);
   MARROW_REQUIRE(finite && "keys that are finite");
   out = step;
   return Status::ok;
+}
+
+bool root_screw(const ClipMotion& motion, const Playback& before, const Playback& after, Screw& out) {
+  if (check_step(motion, before, after)) return false;
+  out = screw_of(motion_between(motion, before, after));
+  RigidStep unused;
+  return rounded({{}, out.way}, unused);
+}
+
+bool rounded_step(const RigidMotion& motion, RigidStep& out) {
+  return rounded(motion, out);
 }
 
 Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, RigidStep& out) {

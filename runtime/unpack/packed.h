@@ -24,7 +24,7 @@ static_assert(sizeof(Header) == 32);
 // A record's kind is the section's: numbers that no later version may change.
 static_assert(format::kSkeletons == 0 && format::kNodes == 7 && format::kNames == 8 && format::kLimits == 9 &&
               format::kBounds == 10 && format::kSprings == 11 && format::kExamples == 12 && format::kRoles == 13 &&
-              format::kMotions == 14 && format::kPoseMaps == 15);
+              format::kMotions == 14 && format::kPoseMaps == 15 && format::kGraphs == 16);
 
 // How a record stands for its section. Below kFirstCodec: the section's own bytes and codec.
 enum Codec : std::uint8_t { kFirstCodec = 16, kDraco = 16, kMeshopt = 17, kCompact = 18 };

@@ -12,6 +12,7 @@
 #include "cook/add_clips.h"
 #include "cook/add_pose_maps.h"
 #include "cook/clip/build_clips.h"
+#include "cook/graph/build_graph.h"
 #include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_examples.h"
 #include "cook/mesh/build_materials.h"
@@ -205,7 +206,8 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   CookResult result;
   result.reads = std::move(scene.reads);
   const SourceFile source{scene.source, scene.source_bytes};
-  const BuiltScene built = build_scene(std::move(scene), options, notes);
+  BuiltScene built = build_scene(std::move(scene), options, notes);
+  built.graphs = build_graphs(options.graphs, notes.reads, notes);
   WrittenFile written = write_scene(built, source.file);
   result.report = report_scene(source, built, written, notes.warnings);
   result.file = std::move(written.bytes);

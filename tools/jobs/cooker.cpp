@@ -44,8 +44,8 @@ std::string named_files_text(const Order& order) {
   return out;
 }
 
-// The same of other rigs, which packs have as well.
-std::string retargeted_files_text(const Order& order) {
+// The same of other rigs and of graphs, which packs have as well.
+std::string files_of_clips_text(const Order& order) {
   std::string out;
   const auto add = [&](const char* option, const std::vector<cook::RetargetRule>& rules) {
     for (const cook::RetargetRule& rule : rules)
@@ -54,6 +54,7 @@ std::string retargeted_files_text(const Order& order) {
   };
   add("retarget", order.options.retarget);
   add("pose-map", order.options.pose_maps);
+  for (const cook::GraphRule& rule : order.options.graphs) out += named_file_text(order, "graph", rule.file);
   return out;
 }
 
@@ -123,7 +124,7 @@ Cook::Cooked Cook::cook(const Order& order) {
     options_text += "\nskeleton " + options.onto->file + ' ' + options.onto->hash;
   }
   if (cache_ && !options.clips_only) options_text += named_files_text(order);
-  if (cache_) options_text += retargeted_files_text(order);
+  if (cache_) options_text += files_of_clips_text(order);
   if (cache_) result = cache_->find(order.job.in, options_text);
   out.outcome.from_cache = result.has_value();
   if (!result) {

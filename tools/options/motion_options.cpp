@@ -53,6 +53,11 @@ void set_phase(CookOptions& options, const Value& given) {
   options.motion.phases.push_back(rule);
 }
 
+void add_graph(CookOptions& options, const Value& given) {
+  if (given.text.empty()) refuse(given, "no file", "as in hero.anim.toml");
+  options.graphs.push_back({given.text, given.origin});
+}
+
 constexpr Option kMotionOptions[] = {
     {"root",
      OptionKind::list,
@@ -78,6 +83,12 @@ constexpr Option kMotionOptions[] = {
      "repeatable, the last that fits counts",
      {},
      set_phase},
+    {"graph",
+     OptionKind::list,
+     "FILE",
+     "a graph of behaviour, as hero.anim.toml, for update_animator() and pose_character(); repeatable",
+     {},
+     add_graph},
 };
 
 }  // namespace

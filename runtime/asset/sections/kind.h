@@ -30,6 +30,7 @@ inline constexpr std::uint32_t four_characters(const char (&s)[5]) {
   KIND(14, kMotions, "MOTN", MotionHeader, 0)      \
   KIND(15, kPoseMaps, "PMAP", PoseMapHeader, 0)    \
   KIND(12, kExamples, "SHAP", void, 0)             \
+  KIND(16, kGraphs, "GRPH", void, 0)               \
   KIND(10, kBounds, "BNDS", BoundsHeader, 0)       \
   KIND(8, kNames, "NAME", void, 0)
 

@@ -38,6 +38,7 @@ struct Node {
 
 struct ClipMotion;
 struct ExampleSpace;
+struct Graph;
 struct PoseMap;
 struct Roles;
 
@@ -96,6 +97,11 @@ class File {
   std::uint32_t example_space_count() const { return counts_[12]; }
   MARROW_API Status example_space(std::uint32_t index, ExampleSpace& out, DataError* error = nullptr) const;
 
+  // Graphs of behaviour, see graph.h. load() only locates them; graph() checks all that one holds. Spans point into the
+  // block. Errors and cost: as example_space().
+  std::uint32_t graph_count() const { return counts_[16]; }
+  MARROW_API Status graph(std::uint32_t index, Graph& out, DataError* error = nullptr) const;
+
   // Index of the first skeleton with this name, or skeleton_count(). Here and below a null pointer names nothing.
   MARROW_API std::uint32_t find_skeleton(const char* name) const;
   // The first joint of `skeleton`, a skeleton of this file, with this name, or skeleton.joint_count. Once a load, not a
@@ -142,8 +148,8 @@ class File {
 
   const std::byte* block_ = nullptr;
   Span<const Section> sections_ = {};
-  std::uint32_t first_[16] = {};  // first section of each kind, in the order of format::Kind
-  std::uint32_t counts_[16] = {};
+  std::uint32_t first_[17] = {};  // first section of each kind, in the order of format::Kind
+  std::uint32_t counts_[17] = {};
 };
 
 // Validates a cooked file (docs/format.md) and makes `out` a view of it.

@@ -37,4 +37,6 @@
 #include "marrow/skin.h"           // vertices by rigid skinning, SSD, animation space
 #include "marrow/debug_lines.h"    // lines that show joints, limits, goals, springs, bounds
 #include "marrow/character.h"      // all of a file in two calls a frame: animations by name, every skeleton and mesh
+#include "marrow/graph.h"          // a behaviour as data
+#include "marrow/animator.h"       // a behaviour in two calls a frame
 // clang-format on

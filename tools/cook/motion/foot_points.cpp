@@ -15,7 +15,7 @@ namespace {
 
 // Of the leg: of a foot whose ankle is higher the heel does not stand.
 constexpr double kHighAnkle = 0.2;
-constexpr std::size_t kMostJoints = 8;  // of a foot, that points are kept of
+constexpr std::size_t kMostFootJoints = 8;  // of a foot, that points are kept of
 // The directions in which the farthest vertex is kept: down, and by 30 and 60 degrees from that to eight sides.
 constexpr std::size_t kDirections = 17;
 
@@ -68,7 +68,7 @@ void add_vertices(const Body& body, const std::vector<std::uint16_t>& feet, Mesh
         if (i.weight * share > most) most = i.weight * share, joint = of;
       });
     const std::size_t f = most > 0 ? foot_above(body, feet, joint) : feet.size();
-    if (f == feet.size() || (out[f].size() == kMostJoints && !out[f].contains(joint))) return;
+    if (f == feet.size() || (out[f].size() == kMostFootJoints && !out[f].contains(joint))) return;
     out[f][joint].add(glm::dvec3(place));
   });
 }

@@ -13,6 +13,7 @@
 #include "cook/scene/raw.h"
 #include "marrow/clip_motion.h"
 #include "marrow/file.h"
+#include "marrow/graph.h"
 #include "marrow/pose_map.h"
 #include "marrow/roles.h"
 
@@ -222,6 +223,29 @@ struct BuiltExampleSpace {
   std::vector<float> linear, radial, places, inverse_widths;
 };
 
+// As a GRPH section has it; names of records stand beside them, and are 0 there.
+struct BuiltGraph {
+  std::string name;
+  std::vector<GraphParameter> parameters;
+  std::vector<GraphNode> nodes;
+  std::vector<GraphClip> clips;
+  std::vector<GraphSpace> spaces;
+  std::vector<GraphPoint> points;
+  std::vector<PlaneTriangle> triangles;
+  std::vector<GraphMachine> machines;
+  std::vector<GraphState> states;
+  std::vector<GraphTransition> transitions;
+  std::vector<GraphCondition> conditions;
+  std::vector<GraphLayer> layers;
+  std::vector<GraphMask> masks;
+  std::vector<GraphMaskPart> mask_parts;
+  std::uint32_t given_count = 0;
+  std::vector<std::string> parameter_names, node_names, clip_names, state_names, part_joints;
+};
+
+// As the runtime sees it, without names.
+Graph view(const BuiltGraph& graph);
+
 // What one GLOB of --keep fits.
 struct Kept {
   std::string glob;
@@ -266,6 +290,7 @@ struct BuiltScene {
   std::vector<BuiltNode> nodes;          // in the source's order
   std::vector<BuiltPoseMap> pose_maps;
   std::vector<BuiltExampleSpace> example_spaces;
+  std::vector<BuiltGraph> graphs;
   std::vector<Kept> kept;  // a GLOB
 };
 

@@ -156,6 +156,12 @@ struct MirrorRule {
   RuleOrigin origin = {"--mirror", ""};
 };
 
+// A graph of behaviour, see build_graph().
+struct GraphRule {
+  std::string file;
+  RuleOrigin origin = {"--graph", ""};
+};
+
 // How much of a clip's motion the root has in place of the poses: none; over the ground, with its heading; and also up
 // and down.
 enum class RootMotion { none, ground, full };
@@ -237,6 +243,7 @@ struct CookOptions {
   std::vector<RetargetRule> pose_maps;  // poses, while a game runs
   std::vector<MirrorRule> mirror;       // after `retarget`, one after the other
   MotionOptions motion;
+  std::vector<GraphRule> graphs;
   deform::Progress clip_progress;  // of clips that are compressed
 };
 

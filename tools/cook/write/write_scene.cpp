@@ -6,6 +6,7 @@
 #include <map>
 
 #include "asset/sections/examples_section.h"
+#include "asset/sections/graph_section.h"
 #include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
@@ -263,6 +264,35 @@ Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   return out;
 }
 
+Section write_graph(const BuiltGraph& g, Names& names) {
+  Section out;
+  const auto count = [](const auto& records) { return static_cast<std::uint32_t>(records.size()); };
+  const auto named = [&](auto records, const std::vector<std::string>& texts) {
+    for (std::size_t i = 0; i < records.size(); ++i) records[i].name = names.add(texts[i]);
+    return records;
+  };
+  std::vector<GraphMaskPart> parts = g.mask_parts;
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].joint = names.add(g.part_joints[i]);
+  const auto l = out.begin(format::GraphHeader{names.add(g.name), count(g.parameters), count(g.nodes), count(g.clips),
+                                               count(g.spaces), count(g.points), count(g.triangles), count(g.machines),
+                                               count(g.states), count(g.transitions), count(g.conditions),
+                                               count(g.layers), count(g.masks), count(g.mask_parts), g.given_count});
+  out.set(l.parameters, named(g.parameters, g.parameter_names));
+  out.set(l.nodes, named(g.nodes, g.node_names));
+  out.set(l.clips, named(g.clips, g.clip_names));
+  out.set(l.spaces, g.spaces);
+  out.set(l.points, g.points);
+  out.set(l.triangles, g.triangles);
+  out.set(l.machines, g.machines);
+  out.set(l.states, named(g.states, g.state_names));
+  out.set(l.transitions, g.transitions);
+  out.set(l.conditions, g.conditions);
+  out.set(l.layers, g.layers);
+  out.set(l.masks, g.masks);
+  out.set(l.parts, parts);
+  return out;
+}
+
 constexpr std::size_t kLeastSaved = 8;
 
 Section write_bounds(const MeasuredBounds& b) {
@@ -352,6 +382,9 @@ void check(const tools::AlignedBytes& file, const std::string& source) {
   ExampleSpace space;
   for (std::uint32_t i = 0; i < loaded.example_space_count(); ++i)
     if (loaded.example_space(i, space, &error) != Status::ok) fail(error);
+  Graph graph;
+  for (std::uint32_t i = 0; i < loaded.graph_count(); ++i)
+    if (loaded.graph(i, graph, &error) != Status::ok) fail(error);
 }
 
 // A packed file must unpack to the plain one.
@@ -389,6 +422,7 @@ class SceneWriter {
     for (const BuiltPoseMap& map : scene_.pose_maps) add(format::kPoseMaps, write_pose_map(map, names_));
     for (const BuiltExampleSpace& space : scene_.example_spaces)
       add(format::kExamples, write_example_space(space, names_));
+    for (const BuiltGraph& graph : scene_.graphs) add(format::kGraphs, write_graph(graph, names_));
     add_names();
     // Poses of an outfit are its body's.
     if (!scene_.is_outfit) add_bounds(source);

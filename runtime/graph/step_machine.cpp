@@ -1,0 +1,312 @@
+// Machines of a graph: which transitions a step takes and when, and what each state has of it.
+#include "core/builtins.h"
+#include "graph/graph_step.h"
+
+namespace marrow {
+namespace {
+
+constexpr std::uint32_t kMostSwitches = 8;
+
+// ∫ smoothstep from 0 to u.
+double fade_sum(double u) {
+  return u < 1 ? u * u * u * (1.0 - 0.5 * u) : u - 0.5;
+}
+
+// What a state has of the step.
+struct Played {
+  std::uint32_t state = 0;
+  double from_s = 0, until_s = 0, heard_s = -1;
+  double sum_s = 0;  // of its weight
+  float end = 0;
+  Entry entry = {};
+};
+
+class MachineStep {
+ public:
+  MachineStep(const GraphStep& step, std::uint32_t node)
+      : step_(step),
+        m_(step.g.machines[step.g.nodes[node].record]),
+        own_(step.own<MachineState>(node)),
+        n_(step.step(node)),
+        links_(step.links(node)) {}
+
+  void go() {
+    double t = n_.from_s;
+    if (n_.entry.begins) {
+      begin();
+      t = n_.entry.at_s;
+    } else {
+      for (std::uint32_t i = 0; i < own_.count; ++i) {
+        Played& p = played(own_.chain[i], t);
+        if (i == 0) p.heard_s = n_.heard_s;
+      }
+    }
+    for (std::uint32_t i = 0; i < kMostSwitches && n_.heard_s >= t; ++i) {
+      double due = 0;
+      const GraphTransition* const next = find_next(t, due);
+      if (next == nullptr) break;
+      pass(t, due);
+      take(*next, due);
+      t = due;
+    }
+    pass(t, n_.until_s);
+    end();
+  }
+
+ private:
+  std::uint32_t node_of(std::uint32_t state) const { return step_.g.states[m_.first_state + state].node; }
+
+  // The state's part of the step, from t on if it has none yet.
+  Played& played(std::uint32_t state, double t) {
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (all_[i].state == state) return all_[i];
+    Played& p = all_[count_++];
+    p.state = state;
+    p.from_s = p.until_s = t;
+    return p;
+  }
+
+  std::uint32_t choose(std::uint32_t first, std::uint32_t count, bool in_turn, std::uint32_t other_than) {
+    if (count == 1) return first;
+    std::uint32_t which = own_.turn++;
+    if (!in_turn) {
+      std::uint32_t& x = step_.head().chance;
+      x ^= x << 13;
+      x ^= x >> 17;
+      x ^= x << 5;
+      which = x;
+    }
+    const std::uint32_t chosen = first + which % count;
+    return chosen != other_than || in_turn ? chosen : first + (which + 1) % count;
+  }
+
+  void begin() {
+    const std::uint32_t turn = own_.turn;
+    own_ = {};
+    own_.turn = turn;
+    own_.count = 1;
+    own_.chain[0] =
+        static_cast<std::uint16_t>(choose(m_.start, m_.start_count, (m_.flags & kChooseInTurn) != 0, kNoIndex));
+    Played& p = played(own_.chain[0], n_.entry.at_s);
+    p.entry = n_.entry;
+    p.heard_s = n_.heard_s;
+  }
+
+  bool holds(const GraphCondition& c, double t) const {
+    const ParameterState& p = step_.parameter(c.parameter);
+    if (step_.g.parameters[c.parameter].kind == ParameterKind::trigger) {
+      const bool is_set = p.target != 0 && t <= static_cast<double>(p.value);
+      return is_set == (c.test == ConditionTest::set);
+    }
+    switch (c.test) {
+      case ConditionTest::set:
+        return p.target != 0;
+      case ConditionTest::not_set:
+        return p.target == 0;
+      case ConditionTest::above:
+        return p.target > c.value;
+      case ConditionTest::below:
+        return p.target < c.value;
+      case ConditionTest::at_least:
+        return p.target >= c.value;
+      case ConditionTest::at_most:
+        return p.target <= c.value;
+    }
+    return false;
+  }
+  bool all_hold(const GraphTransition& transition, double t) const {
+    for (std::uint32_t i = 0; i < transition.condition_count; ++i)
+      if (!holds(step_.g.conditions[transition.first_condition + i], t)) return false;
+    return true;
+  }
+
+  // When the current state's clip is so near its end; below 0: never.
+  double end_of_clip(double t, double before_s) const {
+    std::uint32_t node = node_of(own_.chain[0]);
+    while (node != kNoIndex && step_.g.nodes[node].kind == GraphNodeKind::layer)
+      node = step_.g.layers[step_.g.nodes[node].record].base;
+    if (node == kNoIndex || step_.g.nodes[node].kind != GraphNodeKind::clip) return -1;
+    const std::uint32_t record = step_.g.nodes[node].record;
+    const ClipMotion& motion = step_.b.clips[record]->motion;
+    const Played* entered = nullptr;
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (all_[i].state == own_.chain[0] && all_[i].entry.begins) entered = &all_[i];
+    Playback at =
+        entered != nullptr ? beginning(step_.g.clips[record], motion, entered->entry) : playback_at(step_, node, t);
+    if (entered != nullptr && entered->entry.at_s < t &&
+        advance(at, motion.duration_s, static_cast<float>(t - entered->entry.at_s)) != Status::ok)
+      return -1;
+    const bool backwards = (at.speed < 0) != at.returning;
+    const double speed = static_cast<double>(at.speed < 0 ? -at.speed : at.speed);
+    const double left_s = backwards ? at.time_s : static_cast<double>(motion.duration_s) - at.time_s;
+    if (left_s <= before_s * speed) return t;
+    return speed > 0 ? t + (left_s / speed - before_s) : -1;
+  }
+
+  // The first transition that falls due from t on, while decisions are made; and when.
+  const GraphTransition* find_next(double t, double& due) const {
+    const GraphTransition* best = nullptr;
+    for (int any = 1; any >= 0; --any)
+      for (std::uint32_t i = 0; i < m_.transition_count; ++i) {
+        const GraphTransition& candidate = step_.g.transitions[m_.first_transition + i];
+        const std::uint32_t current = own_.chain[0];
+        const bool is_there = candidate.to_count == 1 && candidate.to == current;
+        if (any == 1 ? candidate.from != kNoIndex || is_there : candidate.from != current) continue;
+        double at = t + (static_cast<double>(candidate.after_s) - own_.in_state_s);
+        if (!(at > t)) at = t;
+        if ((candidate.flags & kWaitsForEnd) != 0) {
+          const double end_s = end_of_clip(t, static_cast<double>(candidate.at_end_s));
+          if (end_s < 0) continue;
+          if (end_s > at) at = end_s;
+        }
+        if (!(at <= n_.heard_s) || (best != nullptr && !(at < due)) || !all_hold(candidate, at)) continue;
+        best = &candidate;
+        due = at;
+      }
+    return best;
+  }
+
+  // Time goes on in the chain.
+  void pass(double from, double to) {
+    const double length = to - from;
+    double current = length;
+    if (own_.fade_s > 0) {
+      const auto fade = static_cast<double>(own_.fade_s);
+      current = fade * (fade_sum((own_.in_state_s + length) / fade) - fade_sum(own_.in_state_s / fade));
+    }
+    for (std::uint32_t i = 0; i < own_.count; ++i) {
+      Played& p = played(own_.chain[i], from);
+      p.sum_s += i == 0 ? current : static_cast<double>(own_.shares[i - 1]) * (length - current);
+      p.until_s = to;
+    }
+    own_.in_state_s += length;
+  }
+
+  void leave_all(double t) {
+    for (std::uint32_t i = 0; i < own_.count; ++i) {
+      Played& p = played(own_.chain[i], t);
+      p.until_s = t;
+      if (p.heard_s > t) p.heard_s = t;
+    }
+  }
+
+  void start_inertia(float fade_s, double t) {
+    AnimatorHead& head = step_.head();
+    ++head.inertia_count;
+    head.inertia_s = fade_s;
+    head.inertia_began_s = head.age_s + t;
+  }
+
+  // The chain's weights become shares beside a new state.
+  void push(std::uint32_t state) {
+    float weights[kMaxFading];
+    weigh_chain(own_, weights);
+    std::uint32_t kept = own_.count;
+    if (kept == kMaxFading) {
+      std::uint32_t least = 1;
+      for (std::uint32_t i = 2; i < kept; ++i)
+        if (weights[i] < weights[least]) least = i;
+      for (std::uint32_t i = least; i + 1 < kept; ++i) {
+        weights[i] = weights[i + 1];
+        own_.chain[i] = own_.chain[i + 1];
+      }
+      --kept;
+    }
+    float sum = 0;
+    for (std::uint32_t i = 0; i < kept; ++i) sum += weights[i];
+    for (std::uint32_t i = kept; i > 0; --i) {
+      own_.chain[i] = own_.chain[i - 1];
+      own_.shares[i - 1] = sum > 0 ? weights[i - 1] / sum : i == 1 ? 1.0f : 0.0f;
+    }
+    own_.chain[0] = static_cast<std::uint16_t>(state);
+    own_.count = kept + 1;
+  }
+
+  bool is_played(std::uint32_t node) const {
+    if (node == kNoIndex) return false;
+    if (step_.is_shown(node)) return true;
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (node_of(all_[i].state) == node) return true;
+    return false;
+  }
+
+  void take(const GraphTransition& transition, double t) {
+    for (std::uint32_t i = 0; i < transition.condition_count; ++i) {
+      const GraphCondition& c = step_.g.conditions[transition.first_condition + i];
+      if (step_.g.parameters[c.parameter].kind == ParameterKind::trigger && c.test == ConditionTest::set)
+        step_.parameter(c.parameter) = {};
+    }
+    const std::uint32_t from = own_.chain[0];
+    const std::uint32_t to = choose(transition.to, transition.to_count, (transition.flags & kChooseInTurn) != 0, from);
+    const bool was_played = is_played(node_of(to));
+    Entry entry{.begins = true, .at_s = t, .time_s = transition.enter_s};
+    if ((transition.flags & kEnterInPhase) != 0) {
+      entry.begins = !was_played;
+      entry.in_phase = find_place(step_, node_of(from), t, entry.place);
+    }
+    const bool restarts = entry.begins && was_played;
+    if ((transition.flags & kFadeIsInertial) != 0 || restarts || !(transition.fade_s > 0)) {
+      if (transition.fade_s > 0) start_inertia(transition.fade_s, t);
+      leave_all(t);
+      own_.count = 1;
+      own_.chain[0] = static_cast<std::uint16_t>(to);
+      own_.fade_s = 0;
+    } else {
+      for (std::uint32_t i = 0; i < own_.count; ++i) {
+        Played& p = played(own_.chain[i], t);
+        if (p.heard_s > t) p.heard_s = t;
+      }
+      push(to);
+      own_.fade_s = transition.fade_s;
+    }
+    own_.in_state_s = 0;
+    Played& p = played(to, t);
+    p.heard_s = n_.heard_s;
+    if (entry.begins) p.entry = entry;
+  }
+
+  void end() {
+    if (!(own_.in_state_s < static_cast<double>(own_.fade_s))) own_.count = 1;
+    if (own_.count == 1) own_.fade_s = 0;
+    float weights[kMaxFading];
+    weigh_chain(own_, weights);
+    for (std::uint32_t i = 0; i < own_.count; ++i) played(own_.chain[i], n_.until_s).end += weights[i];
+    for (std::uint32_t i = 0; i < m_.state_count; ++i) links_[i] = {};
+    for (std::uint32_t i = 0; i < count_; ++i) {
+      const Played& p = all_[i];
+      const double length = p.until_s - p.from_s;
+      LinkStep& link = links_[p.state];
+      link = {length > 0 ? static_cast<float>(p.sum_s / length) : p.end, p.end};
+      const std::uint32_t node = node_of(p.state);
+      if (node == kNoIndex) continue;
+      step_.reach(node, {.entry = p.entry,
+                         .from_s = p.from_s,
+                         .until_s = p.until_s,
+                         .heard_s = p.heard_s,
+                         .loudness = n_.loudness,
+                         .is_kept = n_.is_kept && p.end > 0});
+    }
+  }
+
+  const GraphStep& step_;
+  const GraphMachine& m_;
+  MachineState& own_;
+  const NodeStep& n_;
+  LinkStep* links_;
+  Played all_[kMaxFading + kMostSwitches];
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
+
+void weigh_chain(const MachineState& m, float (&weights)[kMaxFading]) {
+  const float current = m.count == 1 ? 1.0f : fade_weight(Fade::smoothstep, static_cast<float>(m.in_state_s), m.fade_s);
+  weights[0] = current;
+  for (std::uint32_t i = 1; i < kMaxFading; ++i) weights[i] = i < m.count ? m.shares[i - 1] * (1.0f - current) : 0.0f;
+}
+
+void step_machine(const GraphStep& step, std::uint32_t node) {
+  MachineStep(step, node).go();
+}
+
+}  // namespace marrow

@@ -1,0 +1,94 @@
+// What a game sets, and how numbers go there.
+#include "core/check.h"
+#include "graph/graph_step.h"
+#include "math/finite.h"
+
+namespace marrow {
+namespace {
+
+// What is left of a distance after x half-lives, and the mean of what was left over that time.
+struct Decay {
+  double rest, mean;
+};
+// 2^-x and (1 - 2^-x) / (x ln 2): Taylor's series of e^-z to z = ½ ln 2, squared as often as x has halves.
+Decay decay_over(double half_lives) {
+  constexpr double kMost = 64, kLn2 = 0.69314718055994530942;
+  if (half_lives >= kMost) return {0, 1.0 / (half_lives * kLn2)};
+  const auto whole = static_cast<int>(half_lives);
+  const double z = (half_lives - whole) * kLn2;
+  double lost = 0;  // (1 - e^-z) / z
+  for (int k = 16; k > 0; --k) lost = (1.0 - lost * z) / static_cast<double>(k);
+  double rest = 1.0 - z * lost;
+  for (int i = 0; i < whole; ++i) rest *= 0.5;
+  const double mean = whole == 0 ? lost : (1.0 - rest) / (half_lives * kLn2);
+  return {rest, mean};
+}
+
+}  // namespace
+
+void step_parameters(const GraphStep& step) {
+  for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
+    const GraphParameter& p = step.g.parameters[i];
+    if (p.kind != ParameterKind::number) continue;
+    ParameterState& own = step.parameter(i);
+    const double target = static_cast<double>(own.target), off = static_cast<double>(own.value) - target;
+    const bool is_smooth = p.seconds > 0 && step.dt_s > 0 && off != 0 && step.head().is_updated != 0;
+    const bool stands = p.seconds > 0 && step.dt_s == 0 && step.head().is_updated != 0;
+    if (stands) {
+      step.s.means[i] = own.value;
+      continue;
+    }
+    const Decay left = is_smooth ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{0, 0};
+    own.value = static_cast<float>(target + off * left.rest);
+    step.s.means[i] = static_cast<float>(target + off * left.mean);
+  }
+}
+
+void end_triggers(const GraphStep& step) {
+  for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
+    if (step.g.parameters[i].kind != ParameterKind::trigger) continue;
+    ParameterState& own = step.parameter(i);
+    own.value -= static_cast<float>(step.dt_s);
+    if (!(own.value >= 0)) own = {};
+  }
+}
+
+namespace {
+
+// Whether the animator has such a parameter.
+BadCall check_parameter(const Animator& a, std::uint32_t parameter, ParameterKind kind) {
+  MARROW_CHECK(a.binding != nullptr && a.state.size >= a.binding->state_bytes);
+  MARROW_CHECK(parameter < a.binding->graph.parameters.size);
+  MARROW_CHECK(a.binding->graph.parameters[parameter].kind == kind);
+  return {};
+}
+
+Status set(Animator& animator, std::uint32_t parameter, float value) {
+  float& target = parameters_of(animator.state)[parameter].target;
+  if (target == value) return Status::ok;
+  target = value;
+  head_of(animator.state).is_touched = 1;
+  return Status::ok;
+}
+
+}  // namespace
+
+Status set_number(Animator& animator, std::uint32_t parameter, float value) {
+  MARROW_REQUIRE_GOOD(check_parameter(animator, parameter, ParameterKind::number));
+  MARROW_REQUIRE(is_number(value));
+  const GraphParameter& p = animator.binding->graph.parameters[parameter];
+  return set(animator, parameter, value < p.least ? p.least : value < p.most ? value : p.most);
+}
+
+Status set_flag(Animator& animator, std::uint32_t parameter, bool value) {
+  MARROW_REQUIRE_GOOD(check_parameter(animator, parameter, ParameterKind::flag));
+  return set(animator, parameter, value ? 1.0f : 0.0f);
+}
+
+Status fire(Animator& animator, std::uint32_t parameter) {
+  MARROW_REQUIRE_GOOD(check_parameter(animator, parameter, ParameterKind::trigger));
+  parameters_of(animator.state)[parameter] = {1.0f, animator.binding->graph.parameters[parameter].seconds};
+  return Status::ok;
+}
+
+}  // namespace marrow

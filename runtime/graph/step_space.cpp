@@ -1,0 +1,188 @@
+// Spaces of a graph: weights of their points, and clips that go by one phase.
+#include "graph/graph_step.h"
+#include "motion/root_screw.h"
+
+namespace marrow {
+namespace {
+
+constexpr std::uint32_t kMostPoints = 64;
+
+// The clips of a space in step, with these weights.
+struct StepGroup {
+  PhaseClip clips[kMostPoints];
+  Span<const PhaseClip> all;
+
+  StepGroup(const GraphBinding& b, const GraphSpace& space, const float* weights) : all(clips, space.point_count) {
+    for (std::uint32_t i = 0; i < space.point_count; ++i) {
+      const std::uint32_t node = b.graph.points[space.first_point + i].node;
+      clips[i] = {&b.clips[b.graph.nodes[node].record]->motion, weights[i]};
+    }
+  }
+};
+
+const Animation& clip_of(const GraphBinding& b, const GraphSpace& space, std::uint32_t point) {
+  return *b.clips[b.graph.nodes[b.graph.points[space.first_point + point].node].record];
+}
+
+// Where the phase begins.
+bool enter(const GraphStep& step, const GraphSpace& space, const Entry& entry, SpaceState& own) {
+  Phase place = entry.place;
+  if (!entry.in_phase) {
+    place = {};
+    if (entry.time_s > 0 && phase_at(clip_of(step.b, space, 0).motion, entry.time_s, place) != Status::ok) return false;
+  }
+  own.share = place.share;
+  own.segment = place.segment;
+  return true;
+}
+
+std::uint32_t loudest(const PhaseClip* clips, std::uint32_t count) {
+  std::uint32_t best = 0;
+  for (std::uint32_t i = 1; i < count; ++i)
+    if (clips[i].weight > clips[best].weight) best = i;
+  return best;
+}
+
+// What a clip of the group met and how it moves, from one phase to another.
+Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t point, float weight, const Phase& before,
+              const Phase& after, Screw& motion) {
+  const ClipMotion& of = clip_of(step.b, space, point).motion;
+  if (of.root.empty()) return Status::ok;
+  Playback was, now;
+  Screw screw;
+  if (follow_phase(of, before, after, was, now) != Status::ok || !root_screw(of, was, now, screw))
+    return Status::bad_data;
+  add(screw, static_cast<double>(weight), motion);
+  return Status::ok;
+}
+
+Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeStep& n, std::uint32_t point,
+                    const Phase& before, const Phase& heard) {
+  const Animation& animation = clip_of(step.b, space, point);
+  if (animation.motion.events.empty()) return Status::ok;
+  Playback was, now;
+  if (follow_phase(animation.motion, before, heard, was, now) != Status::ok) return Status::bad_data;
+  return hear(step, animation, was, now, n.entry.begins, n.loudness);
+}
+
+Status step_together(const GraphStep& step, const GraphSpace& space, float rate, NodeStep& n, SpaceState& own,
+                     const LinkStep* links) {
+  float means[kMostPoints];
+  for (std::uint32_t i = 0; i < space.point_count; ++i) means[i] = links[i].mean;
+  const StepGroup group(step.b, space, means);
+  if (n.entry.begins && !enter(step, space, n.entry, own)) return Status::bad_data;
+  const double from_s = n.entry.begins ? n.entry.at_s : n.from_s;
+  const Phase before{own.share, own.segment, 0};
+  Phase after = before, heard = before;
+  const auto go = [&](double to_s, Phase& phase) {
+    return advance_phase(group.all, static_cast<float>((to_s - from_s) * static_cast<double>(rate)), phase);
+  };
+  if (go(n.until_s, after) != Status::ok) return Status::bad_data;
+  if (n.heard_s >= from_s) {
+    if (n.heard_s < n.until_s) {
+      if (go(n.heard_s, heard) != Status::ok) return Status::bad_data;
+    } else {
+      heard = after;
+    }
+    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, heard);
+    if (status != Status::ok) return status;
+  }
+  for (std::uint32_t i = 0; i < space.point_count; ++i) {
+    if (means[i] == 0) continue;
+    const Status status = follow(step, space, i, means[i], before, after, n.motion);
+    if (status != Status::ok) return status;
+  }
+  own.share = after.share;
+  own.segment = after.segment;
+  return Status::ok;
+}
+
+}  // namespace
+
+Status weigh_points(const GraphBinding& b, const GraphSpace& space, const float (&at)[2], float* weights, float& rate) {
+  rate = 1;
+  const std::uint32_t first = space.first_point, count = space.point_count;
+  const Span<float> out(weights, count);
+  const Span<const SpeedPoint> places(b.points.data + first, count);
+  if ((space.flags & kSpaceMatchesSpeed) != 0) return match_speed(places, at[0], out, rate);
+  if (space.triangle_count > 0) {
+    PlanePoint points[kMostPoints];
+    for (std::uint32_t i = 0; i < count; ++i) points[i] = {b.graph.points[first + i].x, b.graph.points[first + i].y};
+    return plane_weights({points, count}, {b.graph.triangles.data + space.first_triangle, space.triangle_count},
+                         {at[0], at[1]}, out);
+  }
+  float points[kMostPoints];
+  for (std::uint32_t i = 0; i < count; ++i) points[i] = places[i].speed_m_s;
+  return line_weights({points, count}, at[0], out);
+}
+
+Status step_space(const GraphStep& step, std::uint32_t node) {
+  const GraphSpace& space = step.g.spaces[step.g.nodes[node].record];
+  NodeStep& n = step.step(node);
+  LinkStep* const links = step.links(node);
+  float means[2] = {}, ends[2] = {}, rate = 1, end_rate = 1;
+  for (int i = 0; i < 2; ++i) {
+    if (space.by[i] == kNoIndex) continue;
+    means[i] = step.s.means[space.by[i]];
+    ends[i] = step.parameter(space.by[i]).value;
+  }
+  float weights[kMostPoints];
+  Status status = weigh_points(step.b, space, ends, weights, end_rate);
+  for (std::uint32_t i = 0; i < space.point_count && status == Status::ok; ++i) links[i].end = weights[i];
+  if (status == Status::ok) status = weigh_points(step.b, space, means, weights, rate);
+  if (status != Status::ok) return Status::bad_data;
+  for (std::uint32_t i = 0; i < space.point_count; ++i) links[i].mean = weights[i];
+  if ((space.flags & kSpaceInStep) != 0) return step_together(step, space, rate, n, step.own<SpaceState>(node), links);
+  for (std::uint32_t i = 0; i < space.point_count; ++i) {
+    if (!(links[i].mean > 0 || links[i].end > 0)) continue;
+    step.reach(step.g.points[space.first_point + i].node, {.entry = n.entry,
+                                                           .from_s = n.from_s,
+                                                           .until_s = n.until_s,
+                                                           .heard_s = n.heard_s,
+                                                           .loudness = n.loudness * links[i].mean,
+                                                           .is_kept = n.is_kept && links[i].end > 0});
+  }
+  return Status::ok;
+}
+
+Status move_back(const GraphBinding& b, const GraphSpace& space, const float* weights, float shift_s, Phase& phase) {
+  if (shift_s == 0) return Status::ok;
+  const StepGroup group(b, space, weights);
+  return advance_phase(group.all, -shift_s, phase) == Status::ok ? Status::ok : Status::bad_data;
+}
+
+bool find_place(const GraphStep& step, std::uint32_t node, double t, Phase& out) {
+  for (std::uint32_t depth = 0; depth < kMaxGraphHeight && node != kNoIndex; ++depth) {
+    const GraphNode& of = step.g.nodes[node];
+    switch (of.kind) {
+      case GraphNodeKind::clip: {
+        const Playback at = playback_at(step, node, t);
+        return phase_at(step.b.clips[of.record]->motion, clip_time(at), out) == Status::ok;
+      }
+      case GraphNodeKind::space: {
+        const GraphSpace& space = step.g.spaces[of.record];
+        if ((space.flags & kSpaceInStep) == 0) return false;
+        const SpaceState& own = step.own<SpaceState>(node);
+        out = {own.share, own.segment, 0};
+        if (!(t > 0)) return true;
+        float means[2] = {step.s.means[space.by[0]], space.by[1] == kNoIndex ? 0 : step.s.means[space.by[1]]};
+        float weights[kMostPoints], rate = 1;
+        if (weigh_points(step.b, space, means, weights, rate) != Status::ok) return false;
+        return move_back(step.b, space, weights, static_cast<float>(-t) * rate, out) == Status::ok;
+      }
+      case GraphNodeKind::machine: {
+        const GraphMachine& m = step.g.machines[of.record];
+        node = step.g.states[m.first_state + step.own<MachineState>(node).chain[0]].node;
+        break;
+      }
+      case GraphNodeKind::layer:
+        node = step.g.layers[of.record].base;
+        break;
+      case GraphNodeKind::given:
+        return false;
+    }
+  }
+  return false;
+}
+
+}  // namespace marrow
