@@ -210,6 +210,7 @@ endfunction()
 marrow_example(play marrow::runtime)
 marrow_example(crowd marrow::runtime)
 marrow_example(hero marrow::runtime)
+marrow_example(behave marrow::runtime)
 marrow_c_program(marrow_example_play_c examples/play.c)
 target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
@@ -226,7 +227,8 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
   set(example_draw_c $<TARGET_FILE:marrow_example_draw_c>)
 endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
-  -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DHERO=$<TARGET_FILE:marrow_example_hero> -DASSETS=${PROJECT_SOURCE_DIR}/../shared/assets -DJOBS=$<TARGET_FILE:marrow_example_jobs>
+  -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DHERO=$<TARGET_FILE:marrow_example_hero>
+  -DBEHAVE=$<TARGET_FILE:marrow_example_behave> -DASSETS=${PROJECT_SOURCE_DIR}/../shared/assets -DJOBS=$<TARGET_FILE:marrow_example_jobs>
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

@@ -1,6 +1,7 @@
 // Made by tools/c_api from the descriptions in runtime/c: one line of C++ a function. Do not edit.
 #include "c/twin.h"
 
+#include "marrow/animator.h"
 #include "marrow/blend.h"
 #include "marrow/blend_space.h"
 #include "marrow/block.h"
@@ -123,6 +124,11 @@ void mrw_helper_init(mrw_helper* out) {
   to<Helper>(out) = Helper{};
 }
 
+void mrw_plane_triangle_init(mrw_plane_triangle* out) {
+  MRW_NEEDS(leads_to<PlaneTriangle>(out), );
+  to<PlaneTriangle>(out) = PlaneTriangle{};
+}
+
 void mrw_file_init(mrw_file* out) {
   MRW_NEEDS(leads_to<File>(out), );
   to<File>(out) = File{};
@@ -156,11 +162,6 @@ void mrw_phase_clip_init(mrw_phase_clip* out) {
 void mrw_plane_point_init(mrw_plane_point* out) {
   MRW_NEEDS(leads_to<PlanePoint>(out), );
   to<PlanePoint>(out) = PlanePoint{};
-}
-
-void mrw_plane_triangle_init(mrw_plane_triangle* out) {
-  MRW_NEEDS(leads_to<PlaneTriangle>(out), );
-  to<PlaneTriangle>(out) = PlaneTriangle{};
 }
 
 void mrw_speed_point_init(mrw_speed_point* out) {
@@ -331,6 +332,16 @@ void mrw_character_options_init(mrw_character_options* out) {
 void mrw_animation_layer_init(mrw_animation_layer* out) {
   MRW_NEEDS(leads_to<AnimationLayer>(out), );
   to<AnimationLayer>(out) = AnimationLayer{};
+}
+
+void mrw_animator_step_init(mrw_animator_step* out) {
+  MRW_NEEDS(leads_to<AnimatorStep>(out), );
+  to<AnimatorStep>(out) = AnimatorStep{};
+}
+
+void mrw_animator_options_init(mrw_animator_options* out) {
+  MRW_NEEDS(leads_to<AnimatorOptions>(out), );
+  to<AnimatorOptions>(out) = AnimatorOptions{};
 }
 
 const char* mrw_status_text(mrw_status status) {
@@ -629,6 +640,16 @@ uint32_t mrw_file_example_space_count(const mrw_file* file) {
 mrw_status mrw_file_example_space(const mrw_file* file, uint32_t index, mrw_example_space* out, mrw_data_error* error) {
   MRW_NEEDS(leads_to<File>(file) && leads_to<ExampleSpace>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
   return code(of<File>(file).example_space(index, to<ExampleSpace>(out), static_cast<DataError*>(static_cast<void*>(error))));
+}
+
+uint32_t mrw_file_graph_count(const mrw_file* file) {
+  MRW_NEEDS(leads_to<File>(file), 0);
+  return of<File>(file).graph_count();
+}
+
+mrw_status mrw_file_graph(const mrw_file* file, uint32_t index, mrw_graph* out, mrw_data_error* error) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<Graph>(out) && leads_to_if_any<DataError>(error), MRW_BAD_ARGUMENT);
+  return code(of<File>(file).graph(index, to<Graph>(out), static_cast<DataError*>(static_cast<void*>(error))));
 }
 
 uint32_t mrw_file_find_skeleton(const mrw_file* file, const char* name) {
@@ -1399,6 +1420,90 @@ mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* m
 mrw_status mrw_character_follow_body(const mrw_outfit* outfit, const mrw_character* body, mrw_character* worn) {
   MRW_NEEDS(leads_to<Outfit>(outfit) && leads_to<Character>(body) && leads_to<Character>(worn), MRW_BAD_ARGUMENT);
   return code(marrow::follow_body(of<Outfit>(outfit), of<Character>(body), to<Character>(worn)));
+}
+
+size_t mrw_graph_binding_bytes(const mrw_graph* graph, const mrw_file* character) {
+  MRW_NEEDS(leads_to<Graph>(graph) && leads_to<File>(character), 0);
+  return marrow::graph_binding_bytes(of<Graph>(graph), of<File>(character));
+}
+
+mrw_status mrw_bind_graph(const mrw_file* file, const mrw_graph* graph, const mrw_file* character,
+    const mrw_animations* animations, size_t animation_count, void* memory, size_t memory_bytes, mrw_graph_binding* out,
+    mrw_graph_misfit* misfit) {
+  MRW_NEEDS(leads_to<File>(file) && leads_to<Graph>(graph) && leads_to<File>(character) && is_list<Animations>(animations, animation_count) && is_list<std::byte>(memory, memory_bytes) && leads_to<GraphBinding>(out) && leads_to_if_any<GraphMisfit>(misfit), MRW_BAD_ARGUMENT);
+  return code(marrow::bind_graph(of<File>(file), of<Graph>(graph), of<File>(character), span<const Animations>(animations, animation_count), span<std::byte>(memory, memory_bytes), to<GraphBinding>(out), static_cast<GraphMisfit*>(static_cast<void*>(misfit))));
+}
+
+uint32_t mrw_event_id(const char* name) {
+  return marrow::event_id(name);
+}
+
+size_t mrw_animator_bytes(const mrw_graph_binding* binding, const mrw_animator_options* options) {
+  MRW_NEEDS(leads_to<GraphBinding>(binding) && leads_to_if_any<AnimatorOptions>(options), 0);
+  return marrow::animator_bytes(of<GraphBinding>(binding), or_default<AnimatorOptions>(options));
+}
+
+mrw_status mrw_make_animator(const mrw_graph_binding* binding, const mrw_animator_options* options, void* memory,
+    size_t memory_bytes, mrw_animator* out) {
+  MRW_NEEDS(leads_to<GraphBinding>(binding) && leads_to_if_any<AnimatorOptions>(options) && is_list<std::byte>(memory, memory_bytes) && leads_to<Animator>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::make_animator(of<GraphBinding>(binding), or_default<AnimatorOptions>(options), span<std::byte>(memory, memory_bytes), to<Animator>(out)));
+}
+
+uint32_t mrw_find_parameter(const mrw_graph_binding* binding, const char* name) {
+  MRW_NEEDS(leads_to<GraphBinding>(binding), 0);
+  return marrow::find_parameter(of<GraphBinding>(binding), name);
+}
+
+uint32_t mrw_find_graph_node(const mrw_graph_binding* binding, const char* name) {
+  MRW_NEEDS(leads_to<GraphBinding>(binding), 0);
+  return marrow::find_graph_node(of<GraphBinding>(binding), name);
+}
+
+uint32_t mrw_find_state(const mrw_graph_binding* binding, uint32_t node, const char* name) {
+  MRW_NEEDS(leads_to<GraphBinding>(binding), 0);
+  return marrow::find_state(of<GraphBinding>(binding), node, name);
+}
+
+mrw_status mrw_set_number(mrw_animator* animator, uint32_t parameter, float value) {
+  MRW_NEEDS(leads_to<Animator>(animator), MRW_BAD_ARGUMENT);
+  return code(marrow::set_number(to<Animator>(animator), parameter, value));
+}
+
+mrw_status mrw_set_flag(mrw_animator* animator, uint32_t parameter, bool value) {
+  MRW_NEEDS(leads_to<Animator>(animator), MRW_BAD_ARGUMENT);
+  return code(marrow::set_flag(to<Animator>(animator), parameter, value));
+}
+
+mrw_status mrw_fire_trigger(mrw_animator* animator, uint32_t parameter) {
+  MRW_NEEDS(leads_to<Animator>(animator), MRW_BAD_ARGUMENT);
+  return code(marrow::fire(to<Animator>(animator), parameter));
+}
+
+uint32_t mrw_state_of(const mrw_animator* animator, uint32_t node, float* seconds) {
+  MRW_NEEDS(leads_to<Animator>(animator) && leads_to_if_any<float>(seconds), 0);
+  return marrow::state_of(of<Animator>(animator), node, seconds);
+}
+
+mrw_status mrw_update_animator(mrw_animator* animator, float dt_s, mrw_animator_step* out) {
+  MRW_NEEDS(leads_to<Animator>(animator) && leads_to<AnimatorStep>(out), MRW_BAD_ARGUMENT);
+  return code(marrow::update_animator(to<Animator>(animator), dt_s, to<AnimatorStep>(out)));
+}
+
+mrw_status mrw_restore_animator(mrw_animator* animator, const void* snapshot, size_t snapshot_bytes) {
+  MRW_NEEDS(leads_to<Animator>(animator) && is_list<std::byte>(snapshot, snapshot_bytes), MRW_BAD_ARGUMENT);
+  return code(marrow::restore_animator(to<Animator>(animator), span<const std::byte>(snapshot, snapshot_bytes)));
+}
+
+mrw_status mrw_sample_animated(mrw_character* character, mrw_animator* animator, const mrw_given_pose* given,
+    size_t given_count) {
+  MRW_NEEDS(leads_to<Character>(character) && leads_to<Animator>(animator) && is_list<GivenPose>(given, given_count), MRW_BAD_ARGUMENT);
+  return code(marrow::sample_character(to<Character>(character), to<Animator>(animator), span<const GivenPose>(given, given_count)));
+}
+
+mrw_status mrw_pose_animated(mrw_character* character, mrw_animator* animator, const mrw_given_pose* given,
+    size_t given_count) {
+  MRW_NEEDS(leads_to<Character>(character) && leads_to<Animator>(animator) && is_list<GivenPose>(given, given_count), MRW_BAD_ARGUMENT);
+  return code(marrow::pose_character(to<Character>(character), to<Animator>(animator), span<const GivenPose>(given, given_count)));
 }
 
 }  // extern "C"

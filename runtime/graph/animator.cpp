@@ -312,25 +312,33 @@ Status restore_animator(Animator& animator, Span<const std::byte> snapshot) {
   return Status::ok;
 }
 
-std::uint32_t find_parameter(const File& file, const Graph& graph, const char* name) {
+namespace {
+
+// The first record with this name; how many there are without.
+template <class T>
+std::uint32_t find_named(const File& file, Span<const T> records, const char* name) {
   std::uint32_t i = 0;
-  while (i < graph.parameters.size && (name == nullptr || std::strcmp(file.text(graph.parameters[i].name), name) != 0))
-    ++i;
+  while (i < records.size && (name == nullptr || std::strcmp(file.text(records[i].name), name) != 0)) ++i;
   return i;
 }
 
-std::uint32_t find_graph_node(const File& file, const Graph& graph, const char* name) {
-  std::uint32_t i = 0;
-  while (i < graph.nodes.size && (name == nullptr || std::strcmp(file.text(graph.nodes[i].name), name) != 0)) ++i;
-  return i;
+}  // namespace
+
+std::uint32_t find_parameter(const GraphBinding& binding, const char* name) {
+  return find_named(binding.file, binding.graph.parameters, name);
 }
 
-std::uint32_t find_state(const File& file, const Graph& graph, std::uint32_t node, const char* name) {
-  if (name == nullptr || node >= graph.nodes.size || graph.nodes[node].kind != GraphNodeKind::machine) return kNoIndex;
-  const GraphMachine& m = graph.machines[graph.nodes[node].record];
-  for (std::uint32_t i = 0; i < m.state_count; ++i)
-    if (std::strcmp(file.text(graph.states[m.first_state + i].name), name) == 0) return i;
-  return kNoIndex;
+std::uint32_t find_graph_node(const GraphBinding& binding, const char* name) {
+  return find_named(binding.file, binding.graph.nodes, name);
+}
+
+std::uint32_t find_state(const GraphBinding& binding, std::uint32_t node, const char* name) {
+  const Graph& g = binding.graph;
+  if (node >= g.nodes.size || g.nodes[node].kind != GraphNodeKind::machine) return kNoIndex;
+  const GraphMachine& m = g.machines[g.nodes[node].record];
+  const std::uint32_t found =
+      find_named(binding.file, Span<const GraphState>(g.states.data + m.first_state, m.state_count), name);
+  return found < m.state_count ? found : kNoIndex;
 }
 
 std::uint32_t state_of(const Animator& animator, std::uint32_t node, float* seconds) {

@@ -18,7 +18,7 @@ std::size_t masked_joints(const File& character) {
 }
 
 struct BindingPieces {
-  Span<const Animation*> clips;
+  Span<Animation> clips;
   Span<SpeedPoint> points;
   Span<float> masks, hips;
   Span<std::uint32_t> state_at, first_link;
@@ -26,7 +26,7 @@ struct BindingPieces {
 
 BindingPieces lay_out(const Graph& graph, const File& character, Memory& memory) {
   BindingPieces out;
-  out.clips = memory.take<const Animation*>(graph.clips.size);
+  out.clips = memory.take<Animation>(graph.clips.size);
   out.points = memory.take<SpeedPoint>(graph.points.size);
   out.masks = memory.take<float>(graph.masks.size * masked_joints(character));
   out.hips = memory.take<float>(graph.masks.size);
@@ -47,9 +47,9 @@ class GraphBinder {
       const Animation* found = nullptr;
       for (std::size_t a = 0; a < animations.size && found == nullptr; ++a) found = find_animation(animations[a], name);
       if (found == nullptr) return fail("a clip of this name", name);
-      if (found->clip_of_skeleton.size != character_.skeleton_count())
+      if (found->clip_of_skeleton.size != character_.skeleton_count() || found->channels.size != target_count())
         return fail("animations that are made for the character", name);
-      pieces_.clips[i] = found;
+      pieces_.clips[i] = *found;
     }
     return true;
   }
@@ -106,6 +106,11 @@ class GraphBinder {
   const GraphMisfit& misfit() const { return misfit_; }
 
  private:
+  std::size_t target_count() const {
+    std::size_t count = 0;
+    for (std::uint32_t m = 0; m < character_.mesh_count(); ++m) count += character_.mesh(m).targets.size;
+    return count;
+  }
   bool fail(const char* rule, const char* name) {
     misfit_ = {rule, name};
     return false;
@@ -147,7 +152,7 @@ class GraphBinder {
 
   const Animation* clip_at(const GraphPoint& point) const {
     const GraphNode& node = g_.nodes[point.node];
-    return node.kind == GraphNodeKind::clip ? pieces_.clips[node.record] : nullptr;
+    return node.kind == GraphNodeKind::clip ? &pieces_.clips[node.record] : nullptr;
   }
   static std::uint32_t segments_of(const ClipMotion& m) {
     return m.phase_marks.empty() ? 1 : static_cast<std::uint32_t>(m.phase_marks.size);
@@ -264,7 +269,7 @@ Status bind_graph(const File& file, const Graph& graph, const File& character, S
   made.file = file;
   made.graph = graph;
   made.character = character;
-  made.clips = {pieces.clips.data, pieces.clips.size};
+  made.clips = pieces.clips;
   made.points = pieces.points;
   made.masks = pieces.masks;
   made.hips = pieces.hips;

@@ -33,7 +33,7 @@ struct Visit {
 
 class GraphPoser {
  public:
-  GraphPoser(Character& c, const Animator& a, GivenPoses given)
+  GraphPoser(Character& c, const Animator& a, Span<const GivenPose> given)
       : c_(c), step_{*a.binding, a.binding->graph, a.state, *a.scratch, 0}, g_(a.binding->graph), given_(given) {}
 
   // shift_s: how long before now; weights are those of now. Weights of morph targets only with is_first.
@@ -105,7 +105,7 @@ class GraphPoser {
 
   float time_of(std::uint32_t node) {
     const GraphClip& clip = g_.clips[g_.nodes[node].record];
-    const ClipMotion& motion = step_.b.clips[g_.nodes[node].record]->motion;
+    const ClipMotion& motion = step_.b.clips[g_.nodes[node].record].motion;
     const auto& state = step_.own<ClipState>(node);
     Playback at{.time_s = state.time_s,
                 .speed = clip.speed,
@@ -119,7 +119,7 @@ class GraphPoser {
   Status open(const Part& part, float share, bool is_expression, bool to_local, std::uint32_t& made) {
     const GraphNode& node = g_.nodes[part.node];
     if (node.kind == GraphNodeKind::clip) {
-      const Animation& animation = *step_.b.clips[node.record];
+      const Animation& animation = step_.b.clips[node.record];
       const float time_s = part.has_time ? part.time_s : time_of(part.node);
       const std::uint32_t pose = take_pose();
       Status status =
@@ -148,9 +148,8 @@ class GraphPoser {
     const std::size_t number = std::size_t{which} * c_.skeletons.size + skeleton_;
     made = to_local ? kLocal : take_pose();
     const Span<SoaTransform> out = written(made);
-    const bool is_given = number < given_.size && !given_[number].empty();
-    if (is_given && given_[number].size < out.size) return Status::bad_argument;
-    std::memcpy(out.data, is_given ? given_[number].data : skeleton().rest, out.size * sizeof(SoaTransform));
+    const bool is_given = number < given_.size && !given_[number].local.empty();
+    std::memcpy(out.data, is_given ? given_[number].local.data : skeleton().rest, out.size * sizeof(SoaTransform));
     return Status::ok;
   }
 
@@ -185,7 +184,7 @@ class GraphPoser {
       part = {.node = g_.points[space.first_point + i].node, .weight = weights[i], .has_time = in_step};
       if (!in_step) continue;
       Playback now;
-      if (follow_phase(step_.b.clips[g_.nodes[part.node].record]->motion, phase, phase, now, now) != Status::ok)
+      if (follow_phase(step_.b.clips[g_.nodes[part.node].record].motion, phase, phase, now, now) != Status::ok)
         return Status::bad_data;
       part.time_s = clip_time(now);
     }
@@ -307,7 +306,7 @@ class GraphPoser {
       const GraphNode& of = g_.nodes[node];
       switch (of.kind) {
         case GraphNodeKind::clip: {
-          const Clip clip = clip_of(*step_.b.clips[of.record], skeleton_);
+          const Clip clip = clip_of(step_.b.clips[of.record], skeleton_);
           return clip.reference != nullptr ? Span<const SoaTransform>(clip.reference, rest.size) : rest;
         }
         case GraphNodeKind::space:
@@ -329,7 +328,7 @@ class GraphPoser {
   Character& c_;
   GraphStep step_;
   const Graph& g_;
-  GivenPoses given_;
+  Span<const GivenPose> given_;
   std::uint32_t skeleton_ = 0;
   std::size_t first_joint_ = 0;
   double shift_s_ = 0;
@@ -423,16 +422,20 @@ class Inertias {
   GraphPoser& poser_;
 };
 
-BadCall check_posed(const Character& c, const Animator& a, GivenPoses given) {
+BadCall check_posed(const Character& c, const Animator& a, Span<const GivenPose> given) {
   MARROW_CHECK(a.binding != nullptr && a.scratch != nullptr && a.state.size >= a.binding->state_bytes);
   MARROW_CHECK(c.file.sections().data == a.binding->character.sections().data && "a character of the binding's file");
   MARROW_CHECK(c.options.layers >= a.binding->graph.nodes[0].poses);
   MARROW_CHECK(holds(given));
+  for (std::size_t i = 0; i < given.size; ++i) {
+    const std::size_t joints = c.skeletons.empty() ? 0 : c.skeletons[i % c.skeletons.size].pose.local.size;
+    MARROW_CHECK(given[i].local.empty() || holds(given[i].local, joints));
+  }
   MARROW_CHECK(head_of(a).is_updated != 0 && "an animator that was updated");
   return {};
 }
 
-Status sample_graph(Character& c, Animator& a, GivenPoses given) {
+Status sample_graph(Character& c, Animator& a, Span<const GivenPose> given) {
   if (head_of(a).graph != a.binding->hash) return Status::bad_data;
   GraphPoser poser(c, a, given);
   Inertias inertias(c, a, poser);
@@ -444,13 +447,13 @@ Status sample_graph(Character& c, Animator& a, GivenPoses given) {
 
 }  // namespace
 
-Status sample_character(Character& character, Animator& animator, GivenPoses given) {
+Status sample_character(Character& character, Animator& animator, Span<const GivenPose> given) {
   MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_posed(character, animator, given));
   return sample_graph(character, animator, given);
 }
 
-Status pose_character(Character& character, Animator& animator, GivenPoses given) {
+Status pose_character(Character& character, Animator& animator, Span<const GivenPose> given) {
   MARROW_ZONE;
   MARROW_REQUIRE_GOOD(check_posed(character, animator, given));
   const Status status = sample_graph(character, animator, given);

@@ -57,7 +57,7 @@ Status play(const GraphStep& step, const Animation& animation, double from_s, do
 Playback playback_at(const GraphStep& step, std::uint32_t node, double t) {
   const std::uint32_t record = step.g.nodes[node].record;
   const GraphClip& clip = step.g.clips[record];
-  const ClipMotion& motion = step.b.clips[record]->motion;
+  const ClipMotion& motion = step.b.clips[record].motion;
   const NodeStep& n = step.step(node);
   const bool begins = n.is_reached && n.entry.begins;
   Playback out = begins ? beginning(clip, motion, n.entry) : playback_of(clip, step.own<ClipState>(node));
@@ -68,7 +68,7 @@ Playback playback_at(const GraphStep& step, std::uint32_t node, double t) {
 
 Status step_clip(const GraphStep& step, std::uint32_t node) {
   const std::uint32_t record = step.g.nodes[node].record;
-  const Animation& animation = *step.b.clips[record];
+  const Animation& animation = step.b.clips[record];
   ClipState& own = step.own<ClipState>(node);
   NodeStep& n = step.step(node);
   Playback playback = playback_of(step.g.clips[record], own);

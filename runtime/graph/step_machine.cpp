@@ -127,7 +127,7 @@ class MachineStep {
       node = step_.g.layers[step_.g.nodes[node].record].base;
     if (node == kNoIndex || step_.g.nodes[node].kind != GraphNodeKind::clip) return -1;
     const std::uint32_t record = step_.g.nodes[node].record;
-    const ClipMotion& motion = step_.b.clips[record]->motion;
+    const ClipMotion& motion = step_.b.clips[record].motion;
     const Played* entered = nullptr;
     for (std::uint32_t i = 0; i < count_; ++i)
       if (all_[i].state == own_.chain[0] && all_[i].entry.begins) entered = &all_[i];

@@ -15,13 +15,13 @@ struct StepGroup {
   StepGroup(const GraphBinding& b, const GraphSpace& space, const float* weights) : all(clips, space.point_count) {
     for (std::uint32_t i = 0; i < space.point_count; ++i) {
       const std::uint32_t node = b.graph.points[space.first_point + i].node;
-      clips[i] = {&b.clips[b.graph.nodes[node].record]->motion, weights[i]};
+      clips[i] = {&b.clips[b.graph.nodes[node].record].motion, weights[i]};
     }
   }
 };
 
 const Animation& clip_of(const GraphBinding& b, const GraphSpace& space, std::uint32_t point) {
-  return *b.clips[b.graph.nodes[b.graph.points[space.first_point + point].node].record];
+  return b.clips[b.graph.nodes[b.graph.points[space.first_point + point].node].record];
 }
 
 // Where the phase begins.
@@ -157,7 +157,7 @@ bool find_place(const GraphStep& step, std::uint32_t node, double t, Phase& out)
     switch (of.kind) {
       case GraphNodeKind::clip: {
         const Playback at = playback_at(step, node, t);
-        return phase_at(step.b.clips[of.record]->motion, clip_time(at), out) == Status::ok;
+        return phase_at(step.b.clips[of.record].motion, clip_time(at), out) == Status::ok;
       }
       case GraphNodeKind::space: {
         const GraphSpace& space = step.g.spaces[of.record];

@@ -33,7 +33,7 @@ struct GraphBinding {
   File file = {};  // whose graph it is
   Graph graph = {};
   File character = {};
-  Span<const Animation* const> clips = {};    // one a clip of the graph
+  Span<const Animation> clips = {};  // one a clip of the graph
   Span<const SpeedPoint> points = {};         // one a point: where it stands, and the time of a cycle of its space
   Span<const float> masks = {};               // mask after mask, each as AnimationLayer::mask
   Span<const float> hips = {};                // what a mask leaves of root motion
@@ -109,11 +109,11 @@ MARROW_API std::size_t animator_bytes(const GraphBinding& binding, const Animato
 MARROW_API Status make_animator(const GraphBinding& binding, const AnimatorOptions& options, Span<std::byte> memory,
                                 Animator& out);
 
-// Index of the first parameter with this name, or graph.parameters.size; of the first node, or graph.nodes.size; of a
-// machine's state, or kNoIndex. file: the graph's. Cost: compares names; once a load.
-MARROW_API std::uint32_t find_parameter(const File& file, const Graph& graph, const char* name);
-MARROW_API std::uint32_t find_graph_node(const File& file, const Graph& graph, const char* name);
-MARROW_API std::uint32_t find_state(const File& file, const Graph& graph, std::uint32_t node, const char* name);
+// Index of the first parameter of the graph with this name, or graph.parameters.size; of the first node, or
+// graph.nodes.size; of a machine's state, or kNoIndex. Cost: compares names; once a load.
+MARROW_API std::uint32_t find_parameter(const GraphBinding& binding, const char* name);
+MARROW_API std::uint32_t find_graph_node(const GraphBinding& binding, const char* name);
+MARROW_API std::uint32_t find_state(const GraphBinding& binding, std::uint32_t node, const char* name);
 
 // Sets a number, which is clamped to its range; a flag; a trigger, which stays set until a transition takes it, or its
 // time is over. Errors: bad_argument if there is no such parameter of that kind, or the value is no number.
@@ -135,18 +135,20 @@ MARROW_API Status update_animator(Animator& animator, float dt_s, AnimatorStep& 
 // Errors: bad_data if the bytes are not of this graph, or have what no animator has; nothing is changed.
 MARROW_API Status restore_animator(Animator& animator, Span<const std::byte> snapshot);
 
-// A pose that the game gives: of each given node, of each skeleton of the character, local transforms.
-using GivenPoses = Span<const Span<const SoaTransform>>;
+// A pose that the game gives a node, of one skeleton.
+struct GivenPose {
+  Span<const SoaTransform> local = {};  // at least skeleton.soa_size(); empty: at rest
+};
 
 // Poses as sample_character(), and weights of morph targets, by what the animator is in.
 //
 // The character is of the binding's file, and holds as many layers as the graph's first node says it needs poses
-// (GraphNode::poses); with more, more of what is sampled is kept from frame to frame. given: one a given node and
-// skeleton, skeletons first; a node without is at rest.
+// (GraphNode::poses); with more, more of what is sampled is kept from frame to frame. given: for each
+// given node one a skeleton, in their order; where the list ends nodes are at rest.
 // Errors: bad_argument (a character of another file, or of too few layers; a given pose that is too short); bad_data
 // as update_animator(). Cost: sample_cached() of each clip that is shown, and blend(), overlay() and add() of them.
-MARROW_API Status sample_character(Character& character, Animator& animator, GivenPoses given = {});
+MARROW_API Status sample_character(Character& character, Animator& animator, Span<const GivenPose> given = {});
 // The same, then local_to_model(): ready for inverse kinematics, feet and springs.
-MARROW_API Status pose_character(Character& character, Animator& animator, GivenPoses given = {});
+MARROW_API Status pose_character(Character& character, Animator& animator, Span<const GivenPose> given = {});
 
 }  // namespace marrow

@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xced38558u
+#define MRW_ABI 0xb655e4a6u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1086,6 +1086,208 @@ uint32_t mrw_mesh_palette_size(const mrw_mesh* mesh);
 // Whether it contains nothing, or is not known.
 bool mrw_bounds_is_empty(const mrw_bounds* bounds);
 
+// ---- Part blend_space -----------------------------------------------------------------------------------------------
+// Blend spaces: a number or two of a game → weights of clips that stand at points, and the speed that it asks for.
+
+// Three points of it, counter-clockwise.
+typedef struct mrw_plane_triangle mrw_plane_triangle;
+struct mrw_plane_triangle {
+  uint32_t corners[3];  // which points
+};
+void mrw_plane_triangle_init(mrw_plane_triangle* out);
+
+// ---- Part graph -----------------------------------------------------------------------------------------------------
+// A behaviour as data: what a game sets, and how poses of clips come of it. A view of what `marrow cook --graph` wrote;
+// part animator plays it, and docs/stages/animator.md says what it does.
+
+// No node, parameter or mask.
+#define MRW_NO_INDEX 4294967295u
+#define MRW_MAX_GRAPH_NODES 512u  // of a graph
+#define MRW_MAX_GRAPH_HEIGHT 16u  // nodes that stand below each other
+#define MRW_MAX_FADING 4u  // states of a machine that are shown at once
+#define MRW_MAX_GRAPH_POSES 64u  // that are held at once
+
+// What a parameter is.
+typedef uint32_t mrw_parameter_kind;
+enum {
+  MRW_PARAMETER_KIND_NUMBER = 0,
+  MRW_PARAMETER_KIND_FLAG = 1,
+  MRW_PARAMETER_KIND_TRIGGER = 2,  // set until a transition takes it, or its time is over
+};
+
+// What a game sets.
+typedef struct mrw_graph_parameter mrw_graph_parameter;
+struct mrw_graph_parameter {
+  uint32_t name;  // here and below see mrw_file_text, of the graph's file
+  mrw_parameter_kind kind;
+  float initial;  // of a flag 0 or 1
+  float least;  // of a number
+  float most;  // of a number
+  // Of a number its half-life: it goes half of the way to what it is set to in this time. Of a trigger how long it
+  // waits. ≥ 0
+  float seconds;
+};
+
+// What makes a node's pose.
+typedef uint32_t mrw_graph_node_kind;
+enum {
+  MRW_GRAPH_NODE_KIND_CLIP = 0,
+  MRW_GRAPH_NODE_KIND_SPACE = 1,
+  MRW_GRAPH_NODE_KIND_MACHINE = 2,
+  MRW_GRAPH_NODE_KIND_LAYER = 3,
+  MRW_GRAPH_NODE_KIND_GIVEN = 4,  // the game
+};
+
+// A node stands before those whose poses it takes; the first one's pose is the graph's.
+typedef struct mrw_graph_node mrw_graph_node;
+struct mrw_graph_node {
+  uint32_t name;  // empty: a clip that is named where it is used
+  mrw_graph_node_kind kind;
+  uint32_t record;  // of mrw_graph's array of that kind, which stand in the nodes' order; of given: which pose
+  uint16_t height;  // above those whose poses it takes
+  uint16_t poses;  // that are held at once to make this one
+};
+
+// Plays a clip.
+typedef struct mrw_graph_clip mrw_graph_clip;
+struct mrw_graph_clip {
+  uint32_t name;
+  float speed;  // seconds of the clip a second, within ±64
+  uint32_t mode;  // an mrw_play_mode
+};
+
+// A pose of a space.
+typedef struct mrw_graph_point mrw_graph_point;
+struct mrw_graph_point {
+  uint32_t node;
+  float x;
+  float y;
+  uint32_t own_speed;  // 1: x is the speed of its clip
+};
+
+// Blends poses that stand on a line, or in a plane.
+typedef struct mrw_graph_space mrw_graph_space;
+struct mrw_graph_space {
+  uint32_t first_point;
+  uint32_t point_count;
+  uint32_t by[2];  // numbers; on a line one
+  uint32_t first_triangle;
+  uint32_t triangle_count;
+  uint32_t flags;
+};
+
+// A state of a machine.
+typedef struct mrw_graph_state mrw_graph_state;
+struct mrw_graph_state {
+  uint32_t name;
+  uint32_t node;  // MRW_NO_INDEX: nothing, so a layer above shows less of itself
+};
+
+// From a state of a machine to another.
+typedef struct mrw_graph_transition mrw_graph_transition;
+struct mrw_graph_transition {
+  uint32_t from;  // MRW_NO_INDEX: any but the target
+  uint32_t to;  // states in a row, of which one is chosen
+  uint32_t to_count;  // states in a row, of which one is chosen
+  uint32_t first_condition;
+  uint32_t condition_count;
+  float fade_s;
+  float after_s;  // that the state has lasted, at least
+  float at_end_s;  // with kWaitsForEnd: before the end
+  float enter_s;  // where the target begins
+  uint32_t flags;
+};
+
+// What a condition asks of a parameter.
+typedef uint32_t mrw_condition_test;
+enum {
+  MRW_CONDITION_TEST_SET = 0,
+  MRW_CONDITION_TEST_NOT_SET = 1,
+  MRW_CONDITION_TEST_ABOVE = 2,
+  MRW_CONDITION_TEST_BELOW = 3,
+  MRW_CONDITION_TEST_AT_LEAST = 4,
+  MRW_CONDITION_TEST_AT_MOST = 5,
+};
+
+// One of those that all hold.
+typedef struct mrw_graph_condition mrw_graph_condition;
+struct mrw_graph_condition {
+  uint32_t parameter;
+  mrw_condition_test test;
+  float value;  // of numbers
+};
+
+// Is in one of several states.
+typedef struct mrw_graph_machine mrw_graph_machine;
+struct mrw_graph_machine {
+  uint32_t first_state;
+  uint32_t state_count;
+  uint32_t first_transition;  // in the order in which they are asked
+  uint32_t transition_count;  // in the order in which they are asked
+  uint32_t start;  // as a transition's targets
+  uint32_t start_count;  // as a transition's targets
+  uint32_t flags;  // kChooseInTurn: of the start
+};
+
+// Lays a pose over another.
+typedef struct mrw_graph_layer mrw_graph_layer;
+struct mrw_graph_layer {
+  uint32_t base;
+  uint32_t pose;
+  uint32_t mask;
+  uint32_t by;  // a number or a flag; MRW_NO_INDEX: `weight`
+  float weight;  // 0 … 1
+  float fade_s;  // of a flag: how long it takes from 0 to 1
+  uint32_t flags;
+};
+
+// A joint and all below it, as in mrw_mask_below().
+typedef struct mrw_graph_mask_part mrw_graph_mask_part;
+struct mrw_graph_mask_part {
+  uint32_t role;  // an mrw_role; 0: `joint`
+  uint32_t joint;  // its name
+  uint32_t falloff;
+};
+
+typedef struct mrw_graph_mask mrw_graph_mask;
+struct mrw_graph_mask {
+  uint32_t first_part;
+  uint32_t part_count;
+};
+
+// A graph. Plain lists, from mrw_file_graph() or made by hand.
+typedef struct mrw_graph mrw_graph;
+struct mrw_graph {
+  const char* name;
+  const mrw_graph_parameter* parameters;
+  size_t parameter_count;
+  const mrw_graph_node* nodes;
+  size_t node_count;
+  const mrw_graph_clip* clips;
+  size_t clip_count;
+  const mrw_graph_space* spaces;
+  size_t space_count;
+  const mrw_graph_point* points;
+  size_t point_count;
+  const mrw_plane_triangle* triangles;  // their corners are points of their space
+  size_t triangle_count;
+  const mrw_graph_machine* machines;
+  size_t machine_count;
+  const mrw_graph_state* states;
+  size_t state_count;
+  const mrw_graph_transition* transitions;
+  size_t transition_count;
+  const mrw_graph_condition* conditions;
+  size_t condition_count;
+  const mrw_graph_layer* layers;
+  size_t layer_count;
+  const mrw_graph_mask* masks;
+  size_t mask_count;
+  const mrw_graph_mask_part* mask_parts;
+  size_t mask_part_count;
+  uint32_t given_count;  // nodes that are given
+};
+
 // ---- Part file ------------------------------------------------------------------------------------------------------
 // Load: one validated block of memory, seen as skeletons, clips and meshes.
 
@@ -1126,7 +1328,7 @@ struct mrw_file {
   const void* block;
   const void* sections;
   size_t section_count;
-  uint32_t numbers[32];
+  uint32_t numbers[34];
 };
 void mrw_file_init(mrw_file* out);
 
@@ -1206,6 +1408,15 @@ uint32_t mrw_file_example_space_count(const mrw_file* file);
 // May be null: error.
 mrw_status mrw_file_example_space(const mrw_file* file, uint32_t index, mrw_example_space* out,
     mrw_data_error* error) MRW_NODISCARD;
+
+// Graphs of behaviour, see part graph. mrw_load() only locates them; mrw_file_graph() checks all that one holds. lists
+// point into the block. Errors and cost: as mrw_file_example_space().
+uint32_t mrw_file_graph_count(const mrw_file* file);
+
+// Graphs of behaviour, see part graph. mrw_load() only locates them; mrw_file_graph() checks all that one holds. lists
+// point into the block. Errors and cost: as mrw_file_example_space().
+// May be null: error.
+mrw_status mrw_file_graph(const mrw_file* file, uint32_t index, mrw_graph* out, mrw_data_error* error) MRW_NODISCARD;
 
 // Index of the first skeleton with this name, or mrw_file_skeleton_count(). Here and below a null pointer names
 // nothing.
@@ -1513,13 +1724,6 @@ struct mrw_plane_point {
   float y;  // at most 1e12
 };
 void mrw_plane_point_init(mrw_plane_point* out);
-
-// Three points of it, counter-clockwise.
-typedef struct mrw_plane_triangle mrw_plane_triangle;
-struct mrw_plane_triangle {
-  uint32_t corners[3];  // which points
-};
-void mrw_plane_triangle_init(mrw_plane_triangle* out);
 
 // A clip that moves over the ground, in a group of clips that go by one phase (part phase).
 typedef struct mrw_speed_point mrw_speed_point;
@@ -3300,6 +3504,172 @@ mrw_status mrw_make_outfit(const mrw_file* body, const mrw_file* outfit, void* m
 // mrw_follow_body() of part outfit for each skeleton.
 mrw_status mrw_character_follow_body(const mrw_outfit* outfit, const mrw_character* body,
     mrw_character* worn) MRW_NODISCARD;
+
+// ---- Part animator --------------------------------------------------------------------------------------------------
+// Animator: a character's behaviour in two calls, from a graph that `marrow cook --graph` made.
+//
+//   once a load       mrw_bind_graph
+//   once a character  mrw_make_animator
+//   every frame       mrw_set_number, mrw_set_flag, fire; mrw_update_animator; mrw_pose_animated; the game's own feet
+//                     and springs; mrw_finish_character
+//
+// mrw_update_animator() decides: times, states, events, root motion. mrw_pose_animated() poses. A server calls only the
+// first; results are the same bits. What an animator is in is plain bytes, mrw_animator.state: a snapshot is a copy,
+// and mrw_restore_animator() takes it back.
+//
+// No allocation: memory is the caller's, sizes are asked for first. Thread-safe on different animators; bindings are
+// only read, and serve any number of them. What each kind of node does, docs/stages/animator.md says.
+
+// Why a graph does not fit a character.
+typedef struct mrw_graph_misfit mrw_graph_misfit;
+struct mrw_graph_misfit {
+  const char* rule;  // what is not so
+  const char* name;  // of what: a clip, a joint or a node
+};
+
+// A graph for characters of one file: its clips found, its masks made.
+typedef struct mrw_graph_binding mrw_graph_binding;
+struct mrw_graph_binding {
+  mrw_file file;  // whose graph it is
+  mrw_graph graph;
+  mrw_file character;
+  const mrw_animation* clips;  // one a clip of the graph
+  size_t clip_count;
+  const mrw_speed_point* points;  // one a point: where it stands, and the time of a cycle of its space
+  size_t point_count;
+  const float* masks;  // mask after mask, each as mrw_animation_layer.mask
+  size_t mask_count;
+  const float* hips;  // what a mask leaves of root motion
+  size_t hip_count;
+  const uint32_t* state_at;  // of a node, in mrw_animator.state
+  size_t state_at_count;
+  const uint32_t* first_link;  // of a node: of its points, states, or base and pose
+  size_t first_link_count;
+  uint32_t link_count;
+  uint32_t state_bytes;  // of an animator
+  uint64_t hash;  // of the graph
+};
+
+// An event of a clip that a step met.
+typedef struct mrw_animator_event mrw_animator_event;
+struct mrw_animator_event {
+  uint32_t id;  // mrw_event_id() of its name
+  const char* name;  // as the clip's file has it
+  float number;  // as mrw_clip_event has them, here and below
+  float time_s;
+  float until_s;
+  uint32_t count;  // how often
+  const mrw_animation* animation;  // whose clip it is of
+};
+
+// What a step did.
+typedef struct mrw_animator_step mrw_animator_step;
+struct mrw_animator_step {
+  mrw_rigid_step root;  // for mrw_move_root()
+  const mrw_animator_event* events;  // in the order of the graph's nodes; until the next update
+  size_t event_count;
+  uint32_t events_left_out;  // that there was no room for
+};
+void mrw_animator_step_init(mrw_animator_step* out);
+
+// What an animator is made for.
+typedef struct mrw_animator_options mrw_animator_options;
+struct mrw_animator_options {
+  bool poses;  // false: it is only updated; a fade that is inertial is none then
+  uint32_t events;  // of a step, at most
+  uint32_t seed;  // of what happens by chance
+  float least_loudness;  // Of clips that are shown less than that, events are left out. 0 … 1
+};
+void mrw_animator_options_init(mrw_animator_options* out);
+
+typedef struct mrw_animator_scratch mrw_animator_scratch;
+
+// An instance of a graph. Views into the caller's memory; a copy is the same animator.
+typedef struct mrw_animator mrw_animator;
+struct mrw_animator {
+  const mrw_graph_binding* binding;
+  void* state;  // what it is in: plain bytes, without pointers
+  size_t state_bytes;
+  mrw_animator_scratch* scratch;  // its own
+};
+
+// A pose that the game gives a node, of one skeleton.
+typedef struct mrw_given_pose mrw_given_pose;
+struct mrw_given_pose {
+  const mrw_soa_transform* local;  // at least mrw_skeleton_soa_size(skeleton); empty: at rest
+  size_t local_count;
+};
+
+// Bytes that mrw_bind_graph() needs. A multiple of 16.
+size_t mrw_graph_binding_bytes(const mrw_graph* graph, const mrw_file* character);
+
+// Finds a graph's clips among animations that are made for the character's file, the first of each name, and makes its
+// masks.
+//
+// file: the graph's, for its names; also the character's, or a graph pack. memory: at least mrw_graph_binding_bytes(),
+// 16-byte aligned; `out` keeps pointers into it, into the animations and into both files' blocks.
+// Errors: MRW_BAD_ARGUMENT (the memory, a null list); MRW_BAD_DATA if the graph breaks a rule of its format;
+// MRW_MISMATCH if a clip is missing, a joint of a mask is, or clips of a space do not go together; `misfit`, if not
+// null, says which. Cost: compares names; once a load.
+// May be null: misfit.
+mrw_status mrw_bind_graph(const mrw_file* file, const mrw_graph* graph, const mrw_file* character,
+    const mrw_animations* animations, size_t animation_count, void* memory, size_t memory_bytes, mrw_graph_binding* out,
+    mrw_graph_misfit* misfit) MRW_NODISCARD;
+
+// The number of an event's name: 32 bits by FNV-1a. May be computed while compiling.
+uint32_t mrw_event_id(const char* name);
+
+// Bytes that mrw_make_animator() needs. A multiple of 16.
+// May be null: options.
+size_t mrw_animator_bytes(const mrw_graph_binding* binding, const mrw_animator_options* options);
+
+// An animator before its first update. memory: at least mrw_animator_bytes(), 16-byte aligned. The binding outlives it.
+// Errors: MRW_BAD_ARGUMENT (the memory).
+// May be null: options.
+mrw_status mrw_make_animator(const mrw_graph_binding* binding, const mrw_animator_options* options, void* memory,
+    size_t memory_bytes, mrw_animator* out) MRW_NODISCARD;
+
+// Index of the first parameter of the graph with this name, or graph.parameter_count; of the first node, or
+// graph.node_count; of a machine's state, or MRW_NO_INDEX. Cost: compares names; once a load.
+uint32_t mrw_find_parameter(const mrw_graph_binding* binding, const char* name);
+uint32_t mrw_find_graph_node(const mrw_graph_binding* binding, const char* name);
+uint32_t mrw_find_state(const mrw_graph_binding* binding, uint32_t node, const char* name);
+
+// Sets a number, which is clamped to its range; a flag; a trigger, which stays set until a transition takes it, or its
+// time is over. Errors: MRW_BAD_ARGUMENT if there is no such parameter of that kind, or the value is no number.
+mrw_status mrw_set_number(mrw_animator* animator, uint32_t parameter, float value) MRW_NODISCARD;
+mrw_status mrw_set_flag(mrw_animator* animator, uint32_t parameter, bool value) MRW_NODISCARD;
+mrw_status mrw_fire_trigger(mrw_animator* animator, uint32_t parameter) MRW_NODISCARD;
+
+// What a machine is in: a state of that node, and for how long; MRW_NO_INDEX if the node is no machine, or is not
+// shown.
+uint32_t mrw_state_of(const mrw_animator* animator, uint32_t node, float* seconds);
+
+// Moves on by dt_s ≥ 0 seconds: parameters, then machines, then clips.
+//
+// Errors: MRW_BAD_ARGUMENT if dt_s is not finite or below 0; MRW_BAD_DATA if the state's bytes are none of this graph,
+// or a clip breaks a rule of part clip_motion. The animator may have moved on in part then. Cost: in proportion to the
+// nodes that are shown.
+mrw_status mrw_update_animator(mrw_animator* animator, float dt_s, mrw_animator_step* out) MRW_NODISCARD;
+
+// Takes a snapshot back, a copy of mrw_animator.state: of this animator, or of another of the same binding.
+// Errors: MRW_BAD_DATA if the bytes are not of this graph, or have what no animator has; nothing is changed.
+mrw_status mrw_restore_animator(mrw_animator* animator, const void* snapshot, size_t snapshot_bytes) MRW_NODISCARD;
+
+// Poses as mrw_sample_animated(), and weights of morph targets, by what the animator is in.
+//
+// The character is of the binding's file, and holds as many layers as the graph's first node says it needs poses
+// (mrw_graph_node.poses); with more, more of what is sampled is kept from frame to frame. given: for each
+// given node one a skeleton, in their order; where the list ends nodes are at rest.
+// Errors: MRW_BAD_ARGUMENT (a character of another file, or of too few layers; a given pose that is too short);
+// MRW_BAD_DATA as mrw_update_animator(). Cost: mrw_sample_cached() of each clip that is shown, and mrw_blend(),
+// mrw_overlay() and mrw_add() of them.
+mrw_status mrw_sample_animated(mrw_character* character, mrw_animator* animator, const mrw_given_pose* given,
+    size_t given_count) MRW_NODISCARD;
+
+// The same, then mrw_local_to_model(): ready for inverse kinematics, feet and springs.
+mrw_status mrw_pose_animated(mrw_character* character, mrw_animator* animator, const mrw_given_pose* given,
+    size_t given_count) MRW_NODISCARD;
 
 #ifdef __cplusplus
 }

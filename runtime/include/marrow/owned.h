@@ -49,6 +49,14 @@ struct OwnedCharacter : Character {
   OwnedBlock block;  // what it is views of
 };
 
+// An animator that owns what it is in, and what it is bound to.
+struct OwnedAnimator : Animator {
+  GraphBinding bound = {};
+  GraphMisfit misfit = {};  // of the last make_owned() that failed
+  OwnedBlock bound_block;   // what `bound` is views of
+  OwnedBlock block;         // what it is views of itself
+};
+
 // Ends the program, with a line on stderr, where a call failed.
 inline void must(Status status) {
   if (status == Status::ok) return;
@@ -97,6 +105,21 @@ inline Status make_owned(Span<const char> bytes, Span<const MeshDecoder> decoder
 inline Status make_owned(const OwnedFile& file, const CharacterOptions& options, OwnedCharacter& out) {
   out.block = OwnedBlock(character_bytes(file, options));
   return make_character(file, options, out.block.span(), out);
+}
+
+// An animator of a file's first graph and its own clips, for characters of it. It stays where it is, as does the file.
+// Errors: mismatch if the file has no graph; those of File::graph(), bind_graph() and make_animator(). Cost: theirs, and
+// two allocations.
+inline Status make_owned(const OwnedFile& file, const AnimatorOptions& options, OwnedAnimator& out) {
+  Graph graph;
+  if (file.graph_count() == 0) return Status::mismatch;
+  Status status = file.graph(0, graph);
+  if (status != Status::ok) return status;
+  out.bound_block = OwnedBlock(graph_binding_bytes(graph, file));
+  status = bind_graph(file, graph, file, {&file.animations, 1}, out.bound_block.span(), out.bound, &out.misfit);
+  if (status != Status::ok) return status;
+  out.block = OwnedBlock(animator_bytes(out.bound, options));
+  return make_animator(out.bound, options, out.block.span(), out);
 }
 
 }  // namespace marrow

@@ -156,7 +156,7 @@ TEST(Animator, TriggersWaitAndDie) {
   rig.step(0.02);
   EXPECT_EQ(rig.state("body"), "walks");
   float seconds = 0;
-  EXPECT_EQ(state_of(rig.animator, find_graph_node(rig.file, rig.graph, "body"), &seconds), 0u);
+  EXPECT_EQ(state_of(rig.animator, find_graph_node(rig.binding, "body"), &seconds), 0u);
   EXPECT_NEAR(seconds, 0.01, 1e-6);
 
   rig.set_flag("stand", true);

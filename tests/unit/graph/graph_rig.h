@@ -147,7 +147,7 @@ class GraphRig : public GraphFile {
     block = OwnedBlock(animator_bytes(binding, options));
     EXPECT_EQ(make_animator(binding, options, block.span(), out), Status::ok);
   }
-  std::uint32_t parameter(const char* name) const { return find_parameter(file, graph, name); }
+  std::uint32_t parameter(const char* name) const { return find_parameter(binding, name); }
   void set_number(const char* name, double value) {
     EXPECT_EQ(marrow::set_number(animator, parameter(name), static_cast<float>(value)), Status::ok) << name;
   }
@@ -161,7 +161,7 @@ class GraphRig : public GraphFile {
     return out;
   }
   std::string state(const char* node) const {
-    const std::uint32_t n = find_graph_node(file, graph, node), s = state_of(animator, n);
+    const std::uint32_t n = find_graph_node(binding, node), s = state_of(animator, n);
     if (s == kNoIndex) return "";
     return file.text(graph.states[graph.machines[graph.nodes[n].record].first_state + s].name);
   }
