@@ -53,6 +53,7 @@ RowGroup body_rows();
 RowGroup reaching_rows();
 RowGroup following_rows();
 RowGroup moving_rows();
+RowGroup behaving_rows();
 RowGroup unpacking_rows();
 
 // xorshift32 (Marsaglia, Journal of Statistical Software 8(14), 2003): the same numbers everywhere.

@@ -54,7 +54,8 @@ std::string files_of_clips_text(const Order& order) {
   };
   add("retarget", order.options.retarget);
   add("pose-map", order.options.pose_maps);
-  for (const cook::GraphRule& rule : order.options.graphs) out += named_file_text(order, "graph", rule.file);
+  for (const cook::GraphRule& rule : order.options.graphs)
+    if (rule.text.empty()) out += named_file_text(order, "graph", rule.file);
   return out;
 }
 

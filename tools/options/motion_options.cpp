@@ -55,7 +55,7 @@ void set_phase(CookOptions& options, const Value& given) {
 
 void add_graph(CookOptions& options, const Value& given) {
   if (given.text.empty()) refuse(given, "no file", "as in hero.anim.toml");
-  options.graphs.push_back({given.text, given.origin});
+  options.graphs.push_back({given.text, {}, given.origin});
 }
 
 constexpr Option kMotionOptions[] = {

@@ -31,7 +31,7 @@ RowGroup all_rows(const Models& models) {
   RowGroup all;
   for (const RowGroup& group :
        {sampling_rows(), pose_rows(models), reaching_rows(), chain_rows(), body_rows(), limit_rows(), following_rows(),
-        moving_rows(), skinning_rows(), morphing_rows(), weighing_rows(), unpacking_rows()}) {
+        moving_rows(), behaving_rows(), skinning_rows(), morphing_rows(), weighing_rows(), unpacking_rows()}) {
     all.names += group.names;
     all.rows.insert(all.rows.end(), group.rows.begin(), group.rows.end());
   }

@@ -473,6 +473,10 @@ BuiltGraph build_graph(const GraphText& text, Notes& notes) {
 std::vector<BuiltGraph> build_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes) {
   std::vector<BuiltGraph> out;
   for (const GraphRule& rule : rules) {
+    if (!rule.text.empty()) {
+      out.push_back(build_graph(parse_graph(rule.file, rule.text), notes));
+      continue;
+    }
     std::error_code error;
     if (std::filesystem::file_size(rule.file, error) > kLargestFile && !error)
       throw tools::Failure(tools::Exit::usage, rule.file, "", "too large", "1 MiB is the limit");

@@ -159,6 +159,7 @@ struct MirrorRule {
 // A graph of behaviour, see build_graph().
 struct GraphRule {
   std::string file;
+  std::string text = {};  // of a file that is not read; empty: it is
   RuleOrigin origin = {"--graph", ""};
 };
 

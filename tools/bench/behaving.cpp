@@ -1,0 +1,187 @@
+// The rows graph/…: an animator of thirty nodes, updated and posed once an iteration, at steps of 1/60 s; and the same
+// poses by layers that a game fills by hand.
+#include "bench/workload.h"
+#include "common/check_status.h"
+#include "cook/cook.h"
+#include "cook/gltf/read.h"
+#include "marrow/owned.h"
+#include "sample/embedded.h"
+
+namespace marrow::tools {
+namespace {
+
+// Thirteen clips, two spaces, two machines and that of a one_shot, four layers, two of them additive, and its own.
+constexpr const char* kThirtyNodes = R"(
+output = "blow"
+[parameters]
+speed = { type = "number", range = [0, 6], half_life = 0.08 }
+bend = { type = "number", range = [-1, 1], half_life = 0.08 }
+lean = { type = "number", range = [0, 1] }
+armed = { type = "flag", initial = true }
+jump = { type = "trigger" }
+strike = { type = "trigger" }
+[node.slow]
+type = "clip"
+clip = "walk"
+speed = 0.5
+[node.move]
+type = "space"
+by = "speed"
+points = [ { at = 0, pose = "idle" }, { at = 1, pose = "walk" }, { at = 3, pose = "twist" } ]
+sync = true
+[node.sneak]
+type = "space"
+by = "bend"
+points = [ { at = -1, pose = "twist" }, { at = 0, pose = "slow" }, { at = 1, pose = "walk" } ]
+[node.body]
+type = "machine"
+start = "ground"
+state.ground = { pose = "move" }
+state.low = { pose = "sneak" }
+state.air = { pose = "reach" }
+transition = [
+  { from = "ground", to = "air", when = "jump", fade = 0.15 },
+  { from = "air", to = "ground", at_end = 0.2, fade = 0.2 },
+  { from = "ground", to = "low", when = "speed > 5.5", fade = 0.2 },
+]
+[node.hands]
+type = "machine"
+start = "open"
+state.open = { pose = "reach" }
+state.shut = { pose = "idle" }
+transition = [ { from = "open", to = "shut", when = "not armed", fade = 0.1 } ]
+[node.guard]
+type = "layer"
+base = "body"
+pose = "hands"
+mask = { role = "chest", falloff = 1 }
+weight = "armed"
+fade = 0.1
+[node.leaning]
+type = "add"
+base = "guard"
+pose = "lean_left"
+weight = "lean"
+[node.breathing]
+type = "add"
+base = "leaning"
+pose = "breathe"
+weight = 0.5
+[node.blow]
+type = "one_shot"
+base = "breathing"
+pose = "twist"
+when = "strike"
+mask = { role = "chest" }
+)";
+
+// Of the poses that can be compared: two clips in step, and one over them.
+constexpr const char* kThreeClips = R"(
+output = "guard"
+[parameters]
+speed = { type = "number", range = [0, 6] }
+[node.move]
+type = "space"
+by = "speed"
+points = [ { at = 0, pose = "idle" }, { at = 1, pose = "walk" } ]
+sync = true
+[node.guard]
+type = "layer"
+base = "move"
+pose = "reach"
+mask = { role = "chest", falloff = 1 }
+)";
+
+// The sample with a graph.
+OwnedFile cooked(const char* text) {
+  cook::RawScene scene = cook::read_gltf(kNewt.file, sample_glb());
+  for (const auto& [name, of] : {std::pair("lean_left", "twist"), std::pair("breathe", "idle")})
+    for (std::size_t i = 0; i < scene.clips.size(); ++i)
+      if (scene.clips[i].name == of) {
+        cook::RawClip clip = scene.clips[i];
+        clip.name = name;
+        scene.clips.push_back(clip);
+        break;
+      }
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  options.additive = {{"lean_left", "first", {}}, {"breathe", "first", {}}};
+  options.motion.roots = {{"*", cook::RootMotion::ground, {}}};
+  options.graphs = {{"bench.anim.toml", text, {}}};
+  OwnedFile out;
+  const std::vector<std::byte> bytes = cook::cook_scene(std::move(scene), options).file;
+  check(make_owned(Span<const std::byte>(bytes.data(), bytes.size()), out));
+  return out;
+}
+
+class Behaving : public Workload {
+ public:
+  explicit Behaving(const char* text) : file_(cooked(text)) {
+    check(make_owned(file_, {}, animator_));
+    check(make_owned(file_, {.layers = 8, .skin = false}, character_));
+    check(set_number(animator_, find_parameter(animator_.bound, "speed"), 0.6f));
+    for (int i = 0; i < 600; ++i) check(update_animator(animator_, 1.0f / 60, step_));
+  }
+  std::uint64_t hash_output(std::uint64_t state) const override {
+    const Span<SoaTransform> local = character_.skeletons[0].pose.local;
+    return hash_of(Span<const SoaTransform>(local.data, local.size), hash_of(animator_.state, state));
+  }
+
+ protected:
+  OwnedFile file_;
+  OwnedAnimator animator_;
+  OwnedCharacter character_;
+  AnimatorStep step_;
+};
+
+class Updated : public Behaving {
+ public:
+  Updated() : Behaving(kThirtyNodes) {}
+  std::uint32_t items() const override { return static_cast<std::uint32_t>(animator_.bound.graph.nodes.size); }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i) check(update_animator(animator_, 1.0f / 60, step_));
+  }
+};
+
+class PosedByGraph : public Behaving {
+ public:
+  PosedByGraph() : Behaving(kThreeClips) {}
+  std::uint32_t items() const override { return character_.skeletons[0].pose.skeleton.joint_count; }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i) check(sample_character(character_, animator_));
+  }
+};
+
+// The layers of the same pose.
+class PosedByHand : public PosedByGraph {
+ public:
+  PosedByHand() {
+    const auto times = [&](const char* name) { return find_animation(file_.animations, name); };
+    mask_.resize(4 * character_.skeletons[0].pose.skeleton.soa_size());
+    check(mask_below(character_.skeletons[0].pose.skeleton, joint_of(file_.roles(0), Role::chest), 1, mask_));
+    layers_[0] = {times("idle"), 1.0f, 0.4f};
+    layers_[1] = {times("walk"), 0.5f, 0.6f};
+    layers_[2] = {times("reach"), 0.7f, 1, mask_};
+  }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i) check(sample_character(character_, layers_));
+  }
+
+ private:
+  std::vector<float> mask_;
+  AnimationLayer layers_[3];
+};
+
+}  // namespace
+
+RowGroup behaving_rows() {
+  RowGroup group;
+  const auto row = [&](const char* name, auto make) { group.rows.push_back({name, nullptr, {}, make}); };
+  row("graph/update", [](Models&) { return std::make_unique<Updated>(); });
+  row("graph/pose", [](Models&) { return std::make_unique<PosedByGraph>(); });
+  row("graph/by_hand", [](Models&) { return std::make_unique<PosedByHand>(); });
+  group.names = "graph/{update,pose,by_hand}\n";
+  return group;
+}
+
+}  // namespace marrow::tools
