@@ -52,7 +52,10 @@ void sum_links(const GraphStep& step, std::uint32_t node) {
   const GraphNode& of = step.g.nodes[node];
   const LinkStep* const links = step.links(node);
   const auto sum = [&](std::uint32_t below, double weight) {
-    if (weight > 0) add(step.step(below).motion, weight, n.motion);
+    const NodeStep& from = step.step(below);
+    if (!(weight > 0) || !from.moves) return;
+    add(from.motion, weight, n.motion);
+    n.moves = true;
   };
   switch (of.kind) {
     case GraphNodeKind::space: {
@@ -123,43 +126,16 @@ Status step_nodes(const GraphStep& step) {
 }
 
 Status step_once(const GraphStep& step, RigidMotion& root) {
+  step.s.is_fading = step.s.is_changing = false;
   step_parameters(step);
   const Status status = step_nodes(step);
   if (status != Status::ok) return status;
   end_triggers(step);
   step.head().age_s += step.dt_s;
   step.head().is_updated = 1;
-  root = root * motion_of(step.s.nodes[0].motion);
+  step.head().is_changing = step.s.is_changing || step.s.is_fading ? 1 : 0;
+  if (step.s.nodes[0].moves) root = root * motion_of(step.s.nodes[0].motion);
   return Status::ok;
-}
-
-// Whether a machine that is shown fades.
-bool fades(const GraphStep& step) {
-  for (std::uint32_t n = 0; n < step.g.nodes.size; ++n)
-    if (step.g.nodes[n].kind == GraphNodeKind::machine && step.is_shown(n) && step.own<MachineState>(n).count > 1)
-      return true;
-  return false;
-}
-
-// Whether weights change in the step, as far as is known before it.
-bool is_changing(const GraphStep& step) {
-  constexpr float kNear = 0x1p-10f;  // of a number's range
-  if (step.head().is_touched != 0 || step.head().is_updated == 0) return true;
-  for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
-    const GraphParameter& p = step.g.parameters[i];
-    const ParameterState& own = step.parameter(i);
-    const float off = own.target < own.value ? own.value - own.target : own.target - own.value;
-    if (p.kind == ParameterKind::number ? off > kNear * (p.most - p.least)
-                                        : p.kind == ParameterKind::trigger && own.target != 0)
-      return true;
-  }
-  for (std::uint32_t n = 0; n < step.g.nodes.size; ++n) {
-    if (step.g.nodes[n].kind != GraphNodeKind::layer || !step.is_shown(n)) continue;
-    const GraphLayer& layer = step.g.layers[step.g.nodes[n].record];
-    const bool goes_by_flag = layer.by != kNoIndex && step.g.parameters[layer.by].kind == ParameterKind::flag;
-    if (goes_by_flag && step.own<LayerState>(n).ramp != step.parameter(layer.by).target) return true;
-  }
-  return fades(step);
 }
 
 // How many equal parts a step in which weights change is taken in: of 1/240 s, as means are not quite the way.
@@ -222,14 +198,14 @@ void GraphStep::reach(std::uint32_t node, const Reach& r) const {
   Entry entry = r.entry;
   if (!entry.begins && !is_shown(node)) entry = {.begins = true, .at_s = r.from_s};
   if (!n.is_reached) {
-    n = {};
-    n.is_reached = true;
-    n.entry = entry;
-    n.from_s = r.from_s;
-    n.until_s = r.until_s;
-    n.heard_s = r.heard_s;
-    n.loudness = r.loudness;
-    n.is_kept = r.is_kept;
+    n = {.is_reached = true,
+         .is_kept = r.is_kept,
+         .entry = entry,
+         .from_s = r.from_s,
+         .until_s = r.until_s,
+         .heard_s = r.heard_s,
+         .loudness = r.loudness,
+         .presence = 1};
     return;
   }
   if (entry.begins && (!n.entry.begins || entry.at_s < n.entry.at_s)) n.entry = entry;
@@ -280,11 +256,12 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
   s.event_count = s.left_out = 0;
   RigidMotion root;
   Status status = Status::ok;
-  bool is_cut = is_changing(step);
+  const AnimatorHead& head = step.head();
+  bool is_cut = head.is_touched != 0 || head.is_changing != 0 || head.is_updated == 0;
   if (!is_cut) {
     std::memcpy(s.begun.data, animator.state.data, b.state_bytes);
     status = step_once(step, root);
-    is_cut = fades(step);
+    is_cut = s.is_fading;
     if (is_cut) std::memcpy(animator.state.data, s.begun.data, b.state_bytes);
   }
   if (is_cut && status == Status::ok) {
@@ -342,6 +319,7 @@ std::uint32_t find_state(const GraphBinding& binding, std::uint32_t node, const 
 }
 
 std::uint32_t state_of(const Animator& animator, std::uint32_t node, float* seconds) {
+  if (animator.binding == nullptr) return kNoIndex;
   const Graph& g = animator.binding->graph;
   if (node >= g.nodes.size || g.nodes[node].kind != GraphNodeKind::machine) return kNoIndex;
   const auto& own = state_of_node<MachineState>(*animator.binding, animator.state, node);

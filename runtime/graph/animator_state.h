@@ -16,8 +16,10 @@ struct AnimatorHead {
   float inertia_s;              // how long it takes
   std::uint32_t inertia_count;  // of those so far; 0: none
   std::uint32_t chance;         // xorshift32
-  std::uint16_t is_updated;     // 0 before the first update
-  std::uint16_t is_touched;     // the game has set something else since the last one
+  std::uint8_t is_updated;      // 0 before the first update
+  std::uint8_t is_touched;      // the game has set something else since the last one
+  std::uint8_t is_changing;     // weights were on their way when it ended
+  std::uint8_t reserved;
 };
 static_assert(sizeof(AnimatorHead) == 40);
 
@@ -54,26 +56,29 @@ struct LayerState {
   float ramp;  // of a flag, 0 … 1
 };
 
-// How a node is entered.
+// How a node is entered. All 0: it goes on.
 struct Entry {
-  bool begins = false;    // anew
-  bool in_phase = false;  // at `place`, else at time_s
-  double at_s = 0;        // of the step
-  float time_s = 0;
-  Phase place = {};
+  bool begins;           // anew
+  bool in_phase;         // at the place, else at time_s
+  float time_s;
+  double at_s;           // of the step
+  double share;          // the place, see Phase
+  std::uint32_t segment;
+
+  Phase place() const { return {share, segment, 0}; }
 };
 
-// What happens to a node in a step. Times are within the step.
+// What happens to a node in a step. Times are within the step. Set by GraphStep::reach().
 struct NodeStep {
-  bool is_reached = false;
-  bool is_decided = false;  // of machines
-  bool is_kept = false;     // it is shown at the end of the step
-  Entry entry = {};
-  double from_s = 0, until_s = 0;
-  double heard_s = -1;  // its events count until then; below from_s: not at all, and its machines stay as they are
-  float loudness = 0;   // what its events weigh
-  float presence = 1;   // of a machine: less where it shows nothing
-  Screw motion = {};
+  bool is_reached;
+  bool is_kept;    // it is shown at the end of the step
+  bool moves;      // `motion` is not 0
+  Entry entry;
+  double from_s, until_s;
+  double heard_s;  // its events count until then; below from_s: not at all, and its machines stay as they are
+  float loudness;  // what its events weigh
+  float presence;  // of a machine: less where it shows nothing
+  Screw motion;
 };
 
 // What a link has in a step, and at its end.
@@ -96,6 +101,7 @@ struct AnimatorScratch {
   Span<float> means = {};    // of a number over the step
   Span<AnimatorEvent> events = {};
   std::uint32_t event_count = 0, left_out = 0;
+  bool is_fading = false, is_changing = false;  // when the step ends: a machine shows several states; weights change
   // Of poses.
   Span<ShownSkeleton> skeletons = {};
   double shown_at_s[2] = {};        // by the animator's age

@@ -10,7 +10,7 @@ Playback beginning(const GraphClip& clip, const ClipMotion& motion, const Entry&
   const auto end_s = static_cast<double>(motion.duration_s);
   if (entry.in_phase) {
     Playback now;
-    if (follow_phase(motion, entry.place, entry.place, now, now) == Status::ok) out.time_s = now.time_s;
+    if (follow_phase(motion, entry.place(), entry.place(), now, now) == Status::ok) out.time_s = now.time_s;
   } else {
     const auto enter_s = static_cast<double>(entry.time_s);
     out.time_s = enter_s < end_s ? enter_s : end_s;
@@ -49,6 +49,7 @@ Status play(const GraphStep& step, const Animation& animation, double from_s, do
   Screw screw;
   if (!root_screw(animation.motion, was, playback, screw)) return Status::bad_data;
   add(screw, 1, node.motion);
+  node.moves = true;
   return Status::ok;
 }
 

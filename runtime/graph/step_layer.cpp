@@ -50,6 +50,7 @@ void step_layer(const GraphStep& step, std::uint32_t node) {
     const float target = step.parameter(layer.by).target;
     if (n.entry.begins || !(layer.fade_s > 0)) own.ramp = target;
     own.ramp = ramp_on(own.ramp, target, layer.fade_s, n.until_s - n.from_s, mean);
+    if (own.ramp != target) step.s.is_changing = true;
   }
   const float end = weight_of(step, layer, own);
   if (!goes_by_flag) mean = layer.by == kNoIndex ? end : clamped(step.s.means[layer.by]);

@@ -14,11 +14,11 @@ double fade_sum(double u) {
 
 // What a state has of the step.
 struct Played {
-  std::uint32_t state = 0;
-  double from_s = 0, until_s = 0, heard_s = -1;
-  double sum_s = 0;  // of its weight
-  float end = 0;
-  Entry entry = {};
+  std::uint32_t state;
+  float end;
+  double from_s, until_s, heard_s;
+  double sum_s;  // of its weight
+  Entry entry;
 };
 
 class MachineStep {
@@ -61,8 +61,7 @@ class MachineStep {
     for (std::uint32_t i = 0; i < count_; ++i)
       if (all_[i].state == state) return all_[i];
     Played& p = all_[count_++];
-    p.state = state;
-    p.from_s = p.until_s = t;
+    p = {.state = state, .from_s = t, .until_s = t, .heard_s = -1};
     return p;
   }
 
@@ -239,10 +238,13 @@ class MachineStep {
     const std::uint32_t from = own_.chain[0];
     const std::uint32_t to = choose(transition.to, transition.to_count, (transition.flags & kChooseInTurn) != 0, from);
     const bool was_played = is_played(node_of(to));
-    Entry entry{.begins = true, .at_s = t, .time_s = transition.enter_s};
+    Entry entry{.begins = true, .time_s = transition.enter_s, .at_s = t};
     if ((transition.flags & kEnterInPhase) != 0) {
       entry.begins = !was_played;
-      entry.in_phase = find_place(step_, node_of(from), t, entry.place);
+      Phase place;
+      entry.in_phase = find_place(step_, node_of(from), t, place);
+      entry.share = place.share;
+      entry.segment = place.segment;
     }
     const bool restarts = entry.begins && was_played;
     if ((transition.flags & kFadeIsInertial) != 0 || restarts || !(transition.fade_s > 0)) {
@@ -268,6 +270,7 @@ class MachineStep {
   void end() {
     if (!(own_.in_state_s < static_cast<double>(own_.fade_s))) own_.count = 1;
     if (own_.count == 1) own_.fade_s = 0;
+    if (own_.count > 1) step_.s.is_fading = true;
     float weights[kMaxFading];
     weigh_chain(own_, weights);
     for (std::uint32_t i = 0; i < own_.count; ++i) played(own_.chain[i], n_.until_s).end += weights[i];
@@ -293,7 +296,7 @@ class MachineStep {
   MachineState& own_;
   const NodeStep& n_;
   LinkStep* links_;
-  Played all_[kMaxFading + kMostSwitches];
+  Played all_[kMaxFading + kMostSwitches];  // of which as many as count_ are set
   std::uint32_t count_ = 0;
 };
 

@@ -27,6 +27,7 @@ Decay decay_over(double half_lives) {
 }  // namespace
 
 void step_parameters(const GraphStep& step) {
+  constexpr float kNear = 0x1p-10f;  // of a number's range
   for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
     const GraphParameter& p = step.g.parameters[i];
     if (p.kind != ParameterKind::number) continue;
@@ -35,11 +36,14 @@ void step_parameters(const GraphStep& step) {
     const bool is_smooth = p.seconds > 0 && step.dt_s > 0 && off != 0 && step.head().is_updated != 0;
     const bool stands = p.seconds > 0 && step.dt_s == 0 && step.head().is_updated != 0;
     if (stands) {
+      if (off != 0) step.s.is_changing = true;
       step.s.means[i] = own.value;
       continue;
     }
     const Decay left = is_smooth ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{0, 0};
     own.value = static_cast<float>(target + off * left.rest);
+    const float still = own.target < own.value ? own.value - own.target : own.target - own.value;
+    if (still > kNear * (p.most - p.least)) step.s.is_changing = true;
     step.s.means[i] = static_cast<float>(target + off * left.mean);
   }
 }
@@ -50,6 +54,7 @@ void end_triggers(const GraphStep& step) {
     ParameterState& own = step.parameter(i);
     own.value -= static_cast<float>(step.dt_s);
     if (!(own.value >= 0)) own = {};
+    if (own.target != 0) step.s.is_changing = true;
   }
 }
 
@@ -88,6 +93,7 @@ Status set_flag(Animator& animator, std::uint32_t parameter, bool value) {
 Status fire(Animator& animator, std::uint32_t parameter) {
   MARROW_REQUIRE_GOOD(check_parameter(animator, parameter, ParameterKind::trigger));
   parameters_of(animator.state)[parameter] = {1.0f, animator.binding->graph.parameters[parameter].seconds};
+  head_of(animator.state).is_touched = 1;
   return Status::ok;
 }
 

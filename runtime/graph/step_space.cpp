@@ -26,7 +26,7 @@ const Animation& clip_of(const GraphBinding& b, const GraphSpace& space, std::ui
 
 // Where the phase begins.
 bool enter(const GraphStep& step, const GraphSpace& space, const Entry& entry, SpaceState& own) {
-  Phase place = entry.place;
+  Phase place = entry.place();
   if (!entry.in_phase) {
     place = {};
     if (entry.time_s > 0 && phase_at(clip_of(step.b, space, 0).motion, entry.time_s, place) != Status::ok) return false;
@@ -45,21 +45,22 @@ std::uint32_t loudest(const PhaseClip* clips, std::uint32_t count) {
 
 // What a clip of the group met and how it moves, from one phase to another.
 Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t point, float weight, const Phase& before,
-              const Phase& after, Screw& motion) {
+              const Phase& after, NodeStep& n) {
   const ClipMotion& of = clip_of(step.b, space, point).motion;
   if (of.root.empty()) return Status::ok;
   Playback was, now;
   Screw screw;
   if (follow_phase(of, before, after, was, now) != Status::ok || !root_screw(of, was, now, screw))
     return Status::bad_data;
-  add(screw, static_cast<double>(weight), motion);
+  add(screw, static_cast<double>(weight), n.motion);
+  n.moves = true;
   return Status::ok;
 }
 
 Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeStep& n, std::uint32_t point,
                     const Phase& before, const Phase& heard) {
   const Animation& animation = clip_of(step.b, space, point);
-  if (animation.motion.events.empty()) return Status::ok;
+  if (animation.motion.events.empty() || n.loudness < step.s.options.least_loudness) return Status::ok;
   Playback was, now;
   if (follow_phase(animation.motion, before, heard, was, now) != Status::ok) return Status::bad_data;
   return hear(step, animation, was, now, n.entry.begins, n.loudness);
@@ -89,7 +90,7 @@ Status step_together(const GraphStep& step, const GraphSpace& space, float rate,
   }
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
     if (means[i] == 0) continue;
-    const Status status = follow(step, space, i, means[i], before, after, n.motion);
+    const Status status = follow(step, space, i, means[i], before, after, n);
     if (status != Status::ok) return status;
   }
   own.share = after.share;

@@ -75,7 +75,7 @@ void take_from_another(Random& random, std::vector<Section>& sections, std::size
     for (AlignedBlock (*copy)() :
          {&golden_copy, &golden_coded_copy, &golden_channels_copy, &golden_pack_copy, &golden_looks_copy,
           &golden_half_joint_copy, &golden_centres_copy, &golden_lod_copy, &golden_limits_copy, &golden_springs_copy,
-          &golden_roles_copy, &golden_maps_copy, &golden_shapes_copy}) {
+          &golden_roles_copy, &golden_maps_copy, &golden_graph_copy, &golden_shapes_copy}) {
       const AlignedBlock block = copy();
       for (Section& s : sections_of(block.data(), block.size())) all.push_back(std::move(s));
     }

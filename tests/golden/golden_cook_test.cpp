@@ -85,6 +85,16 @@ TEST(GoldenCook, GivesTheGoldenBytesOfPoseMaps) {
   expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_maps_copy());
 }
 
+TEST(GoldenCook, GivesTheGoldenBytesOfGraphs) {
+  cook::CookOptions options;
+  options.mesh_codec = cook::MeshCodec::none;
+  options.keep_vertex_order = true;
+  options.raw_clips = true;
+  options.motion.roots = {{"walk", cook::RootMotion::ground, {}}};
+  options.graphs = {{test::in_golden("graph.toml"), {}, {}}};
+  expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_graph_copy());
+}
+
 TEST(GoldenCook, TwiceGivesTheSameBytes) {
   EXPECT_EQ(cook_file("dance.gltf", false).file, cook_file("dance.gltf", false).file);
 }

@@ -32,6 +32,8 @@ extern const unsigned char springs_v1[];
 extern const unsigned long long springs_v1_size;
 extern const unsigned char maps_v1[];
 extern const unsigned long long maps_v1_size;
+extern const unsigned char graph_v1[];
+extern const unsigned long long graph_v1_size;
 extern const unsigned char shapes_v1[];
 extern const unsigned long long shapes_v1_size;
 extern const unsigned char packed_v3[];
@@ -107,6 +109,11 @@ inline AlignedBlock golden_roles_copy() {
 // A file with a pose map.
 inline AlignedBlock golden_maps_copy() {
   return AlignedBlock(embedded::maps_v1, static_cast<std::size_t>(embedded::maps_v1_size));
+}
+
+// A file with a graph of behaviour.
+inline AlignedBlock golden_graph_copy() {
+  return AlignedBlock(embedded::graph_v1, static_cast<std::size_t>(embedded::graph_v1_size));
 }
 
 // A file with a space of example shapes.

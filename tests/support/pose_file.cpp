@@ -385,6 +385,49 @@ std::uint64_t hash_pose_maps(std::uint64_t state, const File& file) {
   return state;
 }
 
+// Each for a second, in steps of several lengths, all that a game can set being set at times.
+std::uint64_t hash_graphs(std::uint64_t state, const File& file) {
+  if (file.graph_count() == 0 || file.clip_count() == 0 || file.reference_count() > 0) return state;
+  const AlignedBlock shared(animations_bytes(file, file));
+  Animations animations;
+  if (make_animations(file, file, shared, animations) != Status::ok) return state;
+  for (std::uint32_t i = 0; i < file.graph_count(); ++i) {
+    Graph graph;
+    DataError error;
+    if (file.graph(i, graph, &error) != Status::ok) {
+      require(error.status != Status::ok && error.rule[0] != 0);
+      continue;
+    }
+    const AlignedBlock bound(graph_binding_bytes(graph, file));
+    GraphBinding binding;
+    GraphMisfit misfit;
+    if (bind_graph(file, graph, file, {&animations, 1}, bound, binding, &misfit) != Status::ok) {
+      require(misfit.rule[0] != 0);
+      continue;
+    }
+    const CharacterOptions options{.layers = graph.nodes[0].poses, .skin = false};
+    const AlignedBlock own(animator_bytes(binding, {})), posed(character_bytes(file, options));
+    Animator animator;
+    Character character;
+    require(make_animator(binding, {}, own, animator) == Status::ok);
+    require(make_character(file, options, posed, character) == Status::ok);
+    for (std::uint32_t frame = 0; frame < 24; ++frame) {
+      const std::uint32_t p = frame % 5;
+      if (p < graph.parameters.size && frame % 3 == 0) {
+        static_cast<void>(set_number(animator, p, static_cast<float>(frame) / 12));
+        static_cast<void>(set_flag(animator, p, frame % 2 == 0));
+        static_cast<void>(fire(animator, p));
+      }
+      AnimatorStep step;
+      const Status status = update_animator(animator, frame == 20 ? 1e6f : 0.04f, step);
+      require(status == Status::ok || status == Status::bad_data);
+      if (status != Status::ok || pose_character(character, animator) != Status::ok) break;
+      state = hash_all(hash_all(state, animator.state), character.skeletons[0].pose.local);
+    }
+  }
+  return state;
+}
+
 std::uint64_t exercise(const File& file) {
   play_in_one_piece(file);
   std::uint64_t state = kHashStart;
@@ -399,6 +442,7 @@ std::uint64_t exercise(const File& file) {
   state = hash_nodes(state, file);
   state = hash_examples(state, file);
   state = hash_pose_maps(state, file);
+  state = hash_graphs(state, file);
   require(file.find_clip("no clip has such a name") <= file.clip_count());
   for (std::uint32_t c = 0; c < file.clip_count(); ++c) state = hash_channels(state, file, file.clip(c));
   for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {

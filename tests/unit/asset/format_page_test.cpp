@@ -8,6 +8,7 @@
 
 #include "asset/format.h"
 #include "asset/sections/examples_section.h"
+#include "asset/sections/graph_section.h"
 #include "support/places.h"
 
 namespace marrow {
@@ -146,6 +147,7 @@ TEST_F(FormatPage, HasTheTablesOfSections) {
   expect(section_table<format::PoseMapHeader>(), "PMAP");
   expect(section_table<format::BoundsHeader>(), "BNDS");
   expect(section_table<format::ExampleHeader>(), "SHAP");
+  expect(section_table<format::GraphHeader>(), "GRPH");
   expect(part_table<format::CodedHeader, format::CodedLayout>(0u), "coded segments");
   expect(part_table<format::MorphHeader, format::MorphLayout>(format::GeometryLayout{}), "morph targets");
   expect(part_table<format::PoseSpaceHeader, format::PoseSpaceLayout>(format::GeometryHeader{}), "pose space");
@@ -170,6 +172,19 @@ TEST_F(FormatPage, HasTheTablesOfRecords) {
   expect(record_table<MappedTurn>(), "a turn");
   expect(record_table<MappedPlace>(), "a place");
   expect(record_table<RigStep>(), "a step");
+  expect(record_table<GraphParameter>(), "a parameter");
+  expect(record_table<GraphNode>(), "a node of a graph");
+  expect(record_table<GraphClip>(), "a clip of a graph");
+  expect(record_table<GraphSpace>(), "a space");
+  expect(record_table<GraphPoint>(), "a point");
+  expect(record_table<PlaneTriangle>(), "a triangle");
+  expect(record_table<GraphMachine>(), "a machine");
+  expect(record_table<GraphState>(), "a state");
+  expect(record_table<GraphTransition>(), "a transition");
+  expect(record_table<GraphCondition>(), "a condition");
+  expect(record_table<GraphLayer>(), "a layer");
+  expect(record_table<GraphMask>(), "a mask");
+  expect(record_table<GraphMaskPart>(), "a part of a mask");
   expect(record_table<format::BoundsCodes>(), "bounds");
 }
 

@@ -14,7 +14,7 @@ namespace {
 using test::AlignedBlock;
 
 // Clips raw, coded, additive with channels, in a pack of their own, and with frames at uneven times; looks and nodes; a
-// half-joint; levels of detail; limits of joints; springs; roles; a pose map; a space of example shapes.
+// half-joint; levels of detail; limits of joints; springs; roles; a pose map; a graph; a space of example shapes.
 class Hostile : public ::testing::TestWithParam<AlignedBlock (*)()> {};
 INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
                          ::testing::Values(&test::golden_copy, &test::golden_coded_copy, &test::golden_channels_copy,
@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
                                            &test::golden_half_joint_copy, &test::golden_centres_copy,
                                            &test::golden_lod_copy, &test::golden_limits_copy,
                                            &test::golden_springs_copy, &test::golden_roles_copy,
-                                           &test::golden_maps_copy, &test::golden_shapes_copy));
+                                           &test::golden_maps_copy, &test::golden_graph_copy, &test::golden_shapes_copy));
 
 // Each in a block of its own size, so that a sanitizer sees a read past the end.
 TEST_P(Hostile, EveryPrefixIsRefused) {

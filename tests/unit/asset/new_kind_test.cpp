@@ -111,7 +111,7 @@ TEST_F(NewKind, IsTakenByWhoHasItsLine) {
   EXPECT_EQ(load(block, file, &error), Status::bad_data);
   EXPECT_STREQ(
       error.rule,
-      "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN PMAP SHAP BNDS NAME");
+      "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN PMAP SHAP GRPH BNDS NAME");
 }
 
 TEST_F(NewKind, IsHeldToItsDescription) {

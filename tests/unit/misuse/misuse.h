@@ -214,6 +214,7 @@ struct MisuseRow {
 std::vector<MisuseRow> rows_of_files();
 std::vector<MisuseRow> rows_of_poses();
 std::vector<MisuseRow> rows_of_motion();
+std::vector<MisuseRow> rows_of_animators();
 std::vector<MisuseRow> rows_of_curves();
 std::vector<MisuseRow> rows_of_reaching();
 std::vector<MisuseRow> rows_of_following();
