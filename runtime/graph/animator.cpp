@@ -71,7 +71,7 @@ void sum_links(const GraphStep& step, std::uint32_t node) {
       for (std::uint32_t i = 0; i < m.state_count; ++i) {
         const std::uint32_t below = step.g.states[m.first_state + i].node;
         if (below == kNoIndex || links[i].mean == 0) continue;
-        n.presence += links[i].mean;
+        n.presence += links[i].mean * links[i].time;
         sum(below, static_cast<double>(links[i].mean));
       }
       return;
@@ -200,6 +200,7 @@ void GraphStep::reach(std::uint32_t node, const Reach& r) const {
   if (!n.is_reached) {
     n = {.is_reached = true,
          .is_kept = r.is_kept,
+         .is_left = r.is_left,
          .entry = entry,
          .from_s = r.from_s,
          .until_s = r.until_s,
@@ -214,6 +215,7 @@ void GraphStep::reach(std::uint32_t node, const Reach& r) const {
   n.heard_s = r.heard_s > n.heard_s ? r.heard_s : n.heard_s;
   n.loudness = r.loudness > n.loudness ? r.loudness : n.loudness;
   n.is_kept = n.is_kept || r.is_kept;
+  n.is_left = n.is_left && r.is_left;
 }
 
 std::size_t animator_bytes(const GraphBinding& binding, const AnimatorOptions& options) {
@@ -272,6 +274,7 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
     for (double i = 0; i < parts && status == Status::ok; ++i) status = step_once(part, root);
   }
   if (status != Status::ok) return status;
+  drop_brief_triggers(step);
   step.head().is_touched = 0;
   AnimatorStep made{{}, {s.events.data, s.event_count}, s.left_out};
   if (!rounded_step(root, made.root)) return Status::bad_data;

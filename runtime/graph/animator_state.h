@@ -73,6 +73,7 @@ struct NodeStep {
   bool is_reached;
   bool is_kept;    // it is shown at the end of the step
   bool moves;      // `motion` is not 0
+  bool is_left;    // at heard_s, so that its machines decide nothing then
   Entry entry;
   double from_s, until_s;
   double heard_s;  // its events count until then; below from_s: not at all, and its machines stay as they are
@@ -84,6 +85,7 @@ struct NodeStep {
 // What a link has in a step, and at its end.
 struct LinkStep {
   float mean = 0, end = 0;
+  float time = 0;  // the share of the step that `mean` is over
 };
 
 struct ShownSkeleton {

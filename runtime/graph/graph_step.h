@@ -10,7 +10,7 @@ struct Reach {
   Entry entry = {};
   double from_s = 0, until_s = 0, heard_s = -1;
   float loudness = 0;
-  bool is_kept = false;
+  bool is_kept = false, is_left = false;
 };
 
 // A graph, its state and what is known of the step by now.
@@ -37,8 +37,9 @@ struct GraphStep {
 
 // The parameters' values at the end of a step, and their means over it.
 void step_parameters(const GraphStep& step);
-// At the end of one: triggers whose time is over are set no more.
+// At the end of one: triggers whose time is over are set no more. At the end of an update those that do not wait.
 void end_triggers(const GraphStep& step);
+void drop_brief_triggers(const GraphStep& step);
 
 Status step_clip(const GraphStep& step, std::uint32_t node);
 Status step_space(const GraphStep& step, std::uint32_t node);
@@ -54,10 +55,10 @@ float weight_of(const GraphStep& step, const GraphLayer& layer, const LayerState
 
 // The playback of a clip as it begins.
 Playback beginning(const GraphClip& clip, const ClipMotion& motion, const Entry& entry);
-// Where a clip is at t in the step.
-Playback playback_at(const GraphStep& step, std::uint32_t node, double t);
-// The place that a node below which there is a cycle has at t in the step; false: it has none.
-bool find_place(const GraphStep& step, std::uint32_t node, double t, Phase& out);
+// Where a clip is at t in the step. entered: where it begins in the step, before it is reached; null: it goes on.
+Playback playback_at(const GraphStep& step, std::uint32_t node, double t, const Entry* entered);
+// The place that a node below which there is a cycle has at t in the step; false: it has none. entered: likewise.
+bool find_place(const GraphStep& step, std::uint32_t node, double t, const Entry* entered, Phase& out);
 
 // A clip of a space whose clips go by one phase, shift_s before `phase`, by the space's weights.
 Status move_back(const GraphBinding& b, const GraphSpace& space, const float* weights, float shift_s, Phase& phase);

@@ -55,14 +55,13 @@ Status play(const GraphStep& step, const Animation& animation, double from_s, do
 
 }  // namespace
 
-Playback playback_at(const GraphStep& step, std::uint32_t node, double t) {
+Playback playback_at(const GraphStep& step, std::uint32_t node, double t, const Entry* entered) {
   const std::uint32_t record = step.g.nodes[node].record;
   const GraphClip& clip = step.g.clips[record];
   const ClipMotion& motion = step.b.clips[record].motion;
-  const NodeStep& n = step.step(node);
-  const bool begins = n.is_reached && n.entry.begins;
-  Playback out = begins ? beginning(clip, motion, n.entry) : playback_of(clip, step.own<ClipState>(node));
-  const double from_s = begins ? n.entry.at_s : n.is_reached ? n.from_s : 0;
+  Playback out =
+      entered != nullptr ? beginning(clip, motion, *entered) : playback_of(clip, step.own<ClipState>(node));
+  const double from_s = entered != nullptr ? entered->at_s : 0;
   if (t > from_s) static_cast<void>(advance(out, motion.duration_s, static_cast<float>(t - from_s)));
   return out;
 }

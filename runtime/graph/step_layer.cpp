@@ -54,17 +54,18 @@ void step_layer(const GraphStep& step, std::uint32_t node) {
   }
   const float end = weight_of(step, layer, own);
   if (!goes_by_flag) mean = layer.by == kNoIndex ? end : clamped(step.s.means[layer.by]);
-  links[0] = {1, 1};
-  links[1] = {mean, end};
+  links[0] = {1, 1, 1};
+  links[1] = {mean, end, 1};
   Reach down{.entry = n.entry,
              .from_s = n.from_s,
              .until_s = n.until_s,
              .heard_s = n.heard_s,
              .loudness = n.loudness,
-             .is_kept = n.is_kept};
+             .is_kept = n.is_kept,
+             .is_left = n.is_left};
   step.reach(layer.base, down);
   if (!(mean > 0 || end > 0)) return;
-  down.entry = {};
+  down.entry = n.entry.begins ? Entry{.begins = true, .at_s = n.entry.at_s} : Entry{};
   down.loudness *= mean;
   down.is_kept = n.is_kept && end > 0;
   step.reach(layer.pose, down);

@@ -18,6 +18,7 @@ struct Played {
   float end;
   double from_s, until_s, heard_s;
   double sum_s;  // of its weight
+  bool is_left;
   Entry entry;
 };
 
@@ -31,30 +32,36 @@ class MachineStep {
         links_(step.links(node)) {}
 
   void go() {
-    double t = n_.from_s;
-    if (n_.entry.begins) {
-      begin();
-      t = n_.entry.at_s;
+    for (std::uint32_t i = 0; i < own_.count && own_.is_shown != 0; ++i) {
+      Played& p = played(own_.chain[i], n_.from_s);
+      if (i == 0) p.heard_s = n_.heard_s;
+    }
+    if (!n_.entry.begins) {
+      decide(n_.from_s, n_.until_s);
     } else {
-      for (std::uint32_t i = 0; i < own_.count; ++i) {
-        Played& p = played(own_.chain[i], t);
-        if (i == 0) p.heard_s = n_.heard_s;
-      }
+      if (own_.is_shown != 0 && n_.from_s < n_.entry.at_s) decide(n_.from_s, n_.entry.at_s);
+      leave_all(n_.entry.at_s);
+      begin();
+      decide(n_.entry.at_s, n_.until_s);
     }
-    for (std::uint32_t i = 0; i < kMostSwitches && n_.heard_s >= t; ++i) {
-      double due = 0;
-      const GraphTransition* const next = find_next(t, due);
-      if (next == nullptr) break;
-      pass(t, due);
-      take(*next, due);
-      t = due;
-    }
-    pass(t, n_.until_s);
     end();
   }
 
  private:
   std::uint32_t node_of(std::uint32_t state) const { return step_.g.states[m_.first_state + state].node; }
+
+  // From one time of the step to another.
+  void decide(double t, double until_s) {
+    for (std::uint32_t i = 0; i < kMostSwitches && t <= until_s; ++i) {
+      double due = 0;
+      const GraphTransition* const next = find_next(t, until_s, due);
+      if (next == nullptr) break;
+      pass(t, due);
+      take(*next, due);
+      t = due;
+    }
+    pass(t, until_s);
+  }
 
   // The state's part of the step, from t on if it has none yet.
   Played& played(std::uint32_t state, double t) {
@@ -80,21 +87,24 @@ class MachineStep {
   }
 
   void begin() {
-    const std::uint32_t turn = own_.turn;
+    const MachineState was = own_;
     own_ = {};
-    own_.turn = turn;
+    own_.is_shown = was.is_shown;
+    own_.turn = was.turn;
     own_.count = 1;
     own_.chain[0] =
         static_cast<std::uint16_t>(choose(m_.start, m_.start_count, (m_.flags & kChooseInTurn) != 0, kNoIndex));
     Played& p = played(own_.chain[0], n_.entry.at_s);
     p.entry = n_.entry;
     p.heard_s = n_.heard_s;
+    p.is_left = false;
   }
 
   bool holds(const GraphCondition& c, double t) const {
     const ParameterState& p = step_.parameter(c.parameter);
     if (step_.g.parameters[c.parameter].kind == ParameterKind::trigger) {
-      const bool is_set = p.target != 0 && t <= static_cast<double>(p.value);
+      const bool waits = step_.g.parameters[c.parameter].seconds > 0;
+      const bool is_set = p.target != 0 && (!waits || t <= static_cast<double>(p.value));
       return is_set == (c.test == ConditionTest::set);
     }
     switch (c.test) {
@@ -119,22 +129,21 @@ class MachineStep {
     return true;
   }
 
+  // Where a state begins in the step; null: it goes on.
+  const Entry* entry_of(std::uint32_t state) const {
+    for (std::uint32_t i = 0; i < count_; ++i)
+      if (all_[i].state == state && all_[i].entry.begins) return &all_[i].entry;
+    return nullptr;
+  }
+
   // When the current state's clip is so near its end; below 0: never.
   double end_of_clip(double t, double before_s) const {
     std::uint32_t node = node_of(own_.chain[0]);
     while (node != kNoIndex && step_.g.nodes[node].kind == GraphNodeKind::layer)
       node = step_.g.layers[step_.g.nodes[node].record].base;
     if (node == kNoIndex || step_.g.nodes[node].kind != GraphNodeKind::clip) return -1;
-    const std::uint32_t record = step_.g.nodes[node].record;
-    const ClipMotion& motion = step_.b.clips[record].motion;
-    const Played* entered = nullptr;
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (all_[i].state == own_.chain[0] && all_[i].entry.begins) entered = &all_[i];
-    Playback at =
-        entered != nullptr ? beginning(step_.g.clips[record], motion, entered->entry) : playback_at(step_, node, t);
-    if (entered != nullptr && entered->entry.at_s < t &&
-        advance(at, motion.duration_s, static_cast<float>(t - entered->entry.at_s)) != Status::ok)
-      return -1;
+    const ClipMotion& motion = step_.b.clips[step_.g.nodes[node].record].motion;
+    const Playback at = playback_at(step_, node, t, entry_of(own_.chain[0]));
     const bool backwards = (at.speed < 0) != at.returning;
     const double speed = static_cast<double>(at.speed < 0 ? -at.speed : at.speed);
     const double left_s = backwards ? at.time_s : static_cast<double>(motion.duration_s) - at.time_s;
@@ -143,7 +152,7 @@ class MachineStep {
   }
 
   // The first transition that falls due from t on, while decisions are made; and when.
-  const GraphTransition* find_next(double t, double& due) const {
+  const GraphTransition* find_next(double t, double until_s, double& due) const {
     const GraphTransition* best = nullptr;
     for (int any = 1; any >= 0; --any)
       for (std::uint32_t i = 0; i < m_.transition_count; ++i) {
@@ -158,15 +167,26 @@ class MachineStep {
           if (end_s < 0) continue;
           if (end_s > at) at = end_s;
         }
-        if (!(at <= n_.heard_s) || (best != nullptr && !(at < due)) || !all_hold(candidate, at)) continue;
+        const bool decides = at <= until_s && (n_.is_left ? at < n_.heard_s : at <= n_.heard_s);
+        if (!decides || (best != nullptr && !(at < due)) || !all_hold(candidate, at)) continue;
         best = &candidate;
         due = at;
       }
     return best;
   }
 
-  // Time goes on in the chain.
+  // Time goes on in the chain. What fades away is left where its fade ends.
   void pass(double from, double to) {
+    const double ends = from + (static_cast<double>(own_.fade_s) - own_.in_state_s);
+    if (own_.count > 1 && ends < to) {
+      pass_within(from, ends > from ? ends : from);
+      own_.count = 1;
+      own_.fade_s = 0;
+      if (ends > from) from = ends;
+    }
+    pass_within(from, to);
+  }
+  void pass_within(double from, double to) {
     const double length = to - from;
     double current = length;
     if (own_.fade_s > 0) {
@@ -185,8 +205,13 @@ class MachineStep {
     for (std::uint32_t i = 0; i < own_.count; ++i) {
       Played& p = played(own_.chain[i], t);
       p.until_s = t;
-      if (p.heard_s > t) p.heard_s = t;
+      silence(p, t);
     }
+  }
+  static void silence(Played& p, double t) {
+    if (p.heard_s <= t && p.is_left) return;
+    p.is_left = true;
+    if (p.heard_s > t) p.heard_s = t;
   }
 
   void start_inertia(float fade_s, double t) {
@@ -196,14 +221,19 @@ class MachineStep {
     head.inertia_began_s = head.age_s + t;
   }
 
-  // The chain's weights become shares beside a new state.
+  // The chain's weights become shares beside a new state. States without weight are dropped; of too many the least.
   void push(std::uint32_t state) {
     float weights[kMaxFading];
     weigh_chain(own_, weights);
-    std::uint32_t kept = own_.count;
+    std::uint32_t kept = 0;
+    for (std::uint32_t i = 0; i < own_.count; ++i) {
+      if (!(weights[i] > 0)) continue;
+      weights[kept] = weights[i];
+      own_.chain[kept++] = own_.chain[i];
+    }
     if (kept == kMaxFading) {
-      std::uint32_t least = 1;
-      for (std::uint32_t i = 2; i < kept; ++i)
+      std::uint32_t least = 0;
+      for (std::uint32_t i = 1; i < kept; ++i)
         if (weights[i] < weights[least]) least = i;
       for (std::uint32_t i = least; i + 1 < kept; ++i) {
         weights[i] = weights[i + 1];
@@ -215,7 +245,7 @@ class MachineStep {
     for (std::uint32_t i = 0; i < kept; ++i) sum += weights[i];
     for (std::uint32_t i = kept; i > 0; --i) {
       own_.chain[i] = own_.chain[i - 1];
-      own_.shares[i - 1] = sum > 0 ? weights[i - 1] / sum : i == 1 ? 1.0f : 0.0f;
+      own_.shares[i - 1] = weights[i - 1] / sum;
     }
     own_.chain[0] = static_cast<std::uint16_t>(state);
     own_.count = kept + 1;
@@ -225,7 +255,7 @@ class MachineStep {
     if (node == kNoIndex) return false;
     if (step_.is_shown(node)) return true;
     for (std::uint32_t i = 0; i < count_; ++i)
-      if (node_of(all_[i].state) == node) return true;
+      if (node_of(all_[i].state) == node && all_[i].sum_s > 0) return true;
     return false;
   }
 
@@ -242,7 +272,7 @@ class MachineStep {
     if ((transition.flags & kEnterInPhase) != 0) {
       entry.begins = !was_played;
       Phase place;
-      entry.in_phase = find_place(step_, node_of(from), t, place);
+      entry.in_phase = find_place(step_, node_of(from), t, entry_of(from), place);
       entry.share = place.share;
       entry.segment = place.segment;
     }
@@ -255,8 +285,7 @@ class MachineStep {
       own_.fade_s = 0;
     } else {
       for (std::uint32_t i = 0; i < own_.count; ++i) {
-        Played& p = played(own_.chain[i], t);
-        if (p.heard_s > t) p.heard_s = t;
+        silence(played(own_.chain[i], t), t);
       }
       push(to);
       own_.fade_s = transition.fade_s;
@@ -264,7 +293,14 @@ class MachineStep {
     own_.in_state_s = 0;
     Played& p = played(to, t);
     p.heard_s = n_.heard_s;
+    p.is_left = n_.is_left;
     if (entry.begins) p.entry = entry;
+  }
+
+  bool is_in_chain(std::uint32_t state) const {
+    for (std::uint32_t i = 0; i < own_.count; ++i)
+      if (own_.chain[i] == state) return true;
+    return false;
   }
 
   void end() {
@@ -275,11 +311,12 @@ class MachineStep {
     weigh_chain(own_, weights);
     for (std::uint32_t i = 0; i < own_.count; ++i) played(own_.chain[i], n_.until_s).end += weights[i];
     for (std::uint32_t i = 0; i < m_.state_count; ++i) links_[i] = {};
+    const double whole_s = n_.until_s - n_.from_s;
     for (std::uint32_t i = 0; i < count_; ++i) {
       const Played& p = all_[i];
       const double length = p.until_s - p.from_s;
-      LinkStep& link = links_[p.state];
-      link = {length > 0 ? static_cast<float>(p.sum_s / length) : p.end, p.end};
+      links_[p.state] = {length > 0 ? static_cast<float>(p.sum_s / length) : p.end, p.end,
+                         whole_s > 0 ? static_cast<float>(length / whole_s) : 1.0f};
       const std::uint32_t node = node_of(p.state);
       if (node == kNoIndex) continue;
       step_.reach(node, {.entry = p.entry,
@@ -287,7 +324,8 @@ class MachineStep {
                          .until_s = p.until_s,
                          .heard_s = p.heard_s,
                          .loudness = n_.loudness,
-                         .is_kept = n_.is_kept && p.end > 0});
+                         .is_kept = n_.is_kept && is_in_chain(p.state),
+                         .is_left = p.is_left || n_.is_left});
     }
   }
 
@@ -296,7 +334,7 @@ class MachineStep {
   MachineState& own_;
   const NodeStep& n_;
   LinkStep* links_;
-  Played all_[kMaxFading + kMostSwitches];  // of which as many as count_ are set
+  Played all_[2 * kMaxFading + 2 * kMostSwitches];  // of which as many as count_ are set
   std::uint32_t count_ = 0;
 };
 

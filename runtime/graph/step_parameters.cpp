@@ -50,12 +50,18 @@ void step_parameters(const GraphStep& step) {
 
 void end_triggers(const GraphStep& step) {
   for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
-    if (step.g.parameters[i].kind != ParameterKind::trigger) continue;
     ParameterState& own = step.parameter(i);
-    own.value -= static_cast<float>(step.dt_s);
-    if (!(own.value >= 0)) own = {};
+    if (step.g.parameters[i].kind != ParameterKind::trigger || own.target == 0) continue;
+    if (step.g.parameters[i].seconds > 0) own.value -= static_cast<float>(step.dt_s);
+    if (own.value < 0) own = {};
     if (own.target != 0) step.s.is_changing = true;
   }
+}
+
+void drop_brief_triggers(const GraphStep& step) {
+  for (std::uint32_t i = 0; i < step.g.parameters.size; ++i)
+    if (step.g.parameters[i].kind == ParameterKind::trigger && !(step.g.parameters[i].seconds > 0))
+      step.parameter(i) = {};
 }
 
 namespace {

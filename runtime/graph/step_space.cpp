@@ -25,11 +25,11 @@ const Animation& clip_of(const GraphBinding& b, const GraphSpace& space, std::ui
 }
 
 // Where the phase begins.
-bool enter(const GraphStep& step, const GraphSpace& space, const Entry& entry, SpaceState& own) {
+bool enter(const GraphBinding& b, const GraphSpace& space, const Entry& entry, SpaceState& own) {
   Phase place = entry.place();
   if (!entry.in_phase) {
     place = {};
-    if (entry.time_s > 0 && phase_at(clip_of(step.b, space, 0).motion, entry.time_s, place) != Status::ok) return false;
+    if (entry.time_s > 0 && phase_at(clip_of(b, space, 0).motion, entry.time_s, place) != Status::ok) return false;
   }
   own.share = place.share;
   own.segment = place.segment;
@@ -58,34 +58,33 @@ Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t poin
 }
 
 Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeStep& n, std::uint32_t point,
-                    const Phase& before, const Phase& heard) {
+                    const Phase& before, const Phase& heard, bool begins) {
   const Animation& animation = clip_of(step.b, space, point);
   if (animation.motion.events.empty() || n.loudness < step.s.options.least_loudness) return Status::ok;
   Playback was, now;
   if (follow_phase(animation.motion, before, heard, was, now) != Status::ok) return Status::bad_data;
-  return hear(step, animation, was, now, n.entry.begins, n.loudness);
+  return hear(step, animation, was, now, begins, n.loudness);
 }
 
-Status step_together(const GraphStep& step, const GraphSpace& space, float rate, NodeStep& n, SpaceState& own,
-                     const LinkStep* links) {
+// From one time of the step to another, by the means of the links.
+Status go_together(const GraphStep& step, const GraphSpace& space, float rate, double from_s, double until_s,
+                   bool begins, NodeStep& n, SpaceState& own, const LinkStep* links) {
   float means[kMostPoints];
   for (std::uint32_t i = 0; i < space.point_count; ++i) means[i] = links[i].mean;
   const StepGroup group(step.b, space, means);
-  if (n.entry.begins && !enter(step, space, n.entry, own)) return Status::bad_data;
-  const double from_s = n.entry.begins ? n.entry.at_s : n.from_s;
   const Phase before{own.share, own.segment, 0};
   Phase after = before, heard = before;
   const auto go = [&](double to_s, Phase& phase) {
     return advance_phase(group.all, static_cast<float>((to_s - from_s) * static_cast<double>(rate)), phase);
   };
-  if (go(n.until_s, after) != Status::ok) return Status::bad_data;
+  if (go(until_s, after) != Status::ok) return Status::bad_data;
   if (n.heard_s >= from_s) {
-    if (n.heard_s < n.until_s) {
+    if (n.heard_s < until_s) {
       if (go(n.heard_s, heard) != Status::ok) return Status::bad_data;
     } else {
       heard = after;
     }
-    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, heard);
+    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, heard, begins);
     if (status != Status::ok) return status;
   }
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
@@ -96,6 +95,20 @@ Status step_together(const GraphStep& step, const GraphSpace& space, float rate,
   own.share = after.share;
   own.segment = after.segment;
   return Status::ok;
+}
+
+Status step_together(const GraphStep& step, const GraphSpace& space, float rate, NodeStep& n, SpaceState& own,
+                     const LinkStep* links) {
+  double from_s = n.from_s;
+  if (n.entry.begins) {
+    if (own.is_shown != 0 && from_s < n.entry.at_s) {
+      const Status status = go_together(step, space, rate, from_s, n.entry.at_s, false, n, own, links);
+      if (status != Status::ok) return status;
+    }
+    if (!enter(step.b, space, n.entry, own)) return Status::bad_data;
+    from_s = n.entry.at_s;
+  }
+  return go_together(step, space, rate, from_s, n.until_s, n.entry.begins, n, own, links);
 }
 
 }  // namespace
@@ -141,7 +154,8 @@ Status step_space(const GraphStep& step, std::uint32_t node) {
                                                            .until_s = n.until_s,
                                                            .heard_s = n.heard_s,
                                                            .loudness = n.loudness * links[i].mean,
-                                                           .is_kept = n.is_kept && links[i].end > 0});
+                                                           .is_kept = n.is_kept && links[i].end > 0,
+                                                           .is_left = n.is_left});
   }
   return Status::ok;
 }
@@ -152,35 +166,42 @@ Status move_back(const GraphBinding& b, const GraphSpace& space, const float* we
   return advance_phase(group.all, -shift_s, phase) == Status::ok ? Status::ok : Status::bad_data;
 }
 
-bool find_place(const GraphStep& step, std::uint32_t node, double t, Phase& out) {
+namespace {
+
+// The phase of a space in step at t in the step.
+bool find_phase(const GraphStep& step, const GraphSpace& space, SpaceState own, double t, const Entry* entered,
+                Phase& out) {
+  if ((space.flags & kSpaceInStep) == 0) return false;
+  if (entered != nullptr && !enter(step.b, space, *entered, own)) return false;
+  const double from_s = entered != nullptr ? entered->at_s : 0;
+  out = {own.share, own.segment, 0};
+  if (!(t > from_s)) return true;
+  const float means[2] = {step.s.means[space.by[0]], space.by[1] == kNoIndex ? 0 : step.s.means[space.by[1]]};
+  float weights[kMostPoints], rate = 1;
+  if (weigh_points(step.b, space, means, weights, rate) != Status::ok) return false;
+  return move_back(step.b, space, weights, static_cast<float>(from_s - t) * rate, out) == Status::ok;
+}
+
+}  // namespace
+
+bool find_place(const GraphStep& step, std::uint32_t node, double t, const Entry* entered, Phase& out) {
   for (std::uint32_t depth = 0; depth < kMaxGraphHeight && node != kNoIndex; ++depth) {
     const GraphNode& of = step.g.nodes[node];
     switch (of.kind) {
       case GraphNodeKind::clip: {
-        const Playback at = playback_at(step, node, t);
+        const Playback at = playback_at(step, node, t, entered);
         return phase_at(step.b.clips[of.record].motion, clip_time(at), out) == Status::ok;
       }
-      case GraphNodeKind::space: {
-        const GraphSpace& space = step.g.spaces[of.record];
-        if ((space.flags & kSpaceInStep) == 0) return false;
-        const SpaceState& own = step.own<SpaceState>(node);
-        out = {own.share, own.segment, 0};
-        if (!(t > 0)) return true;
-        float means[2] = {step.s.means[space.by[0]], space.by[1] == kNoIndex ? 0 : step.s.means[space.by[1]]};
-        float weights[kMostPoints], rate = 1;
-        if (weigh_points(step.b, space, means, weights, rate) != Status::ok) return false;
-        return move_back(step.b, space, weights, static_cast<float>(-t) * rate, out) == Status::ok;
-      }
+      case GraphNodeKind::space:
+        return find_phase(step, step.g.spaces[of.record], step.own<SpaceState>(node), t, entered, out);
       case GraphNodeKind::machine: {
         const GraphMachine& m = step.g.machines[of.record];
-        node = step.g.states[m.first_state + step.own<MachineState>(node).chain[0]].node;
+        const std::uint32_t state = entered != nullptr ? m.start : step.own<MachineState>(node).chain[0];
+        node = step.g.states[m.first_state + state].node;
         break;
       }
-      case GraphNodeKind::layer:
-        node = step.g.layers[of.record].base;
-        break;
-      case GraphNodeKind::given:
-        return false;
+      case GraphNodeKind::layer: node = step.g.layers[of.record].base; break;
+      case GraphNodeKind::given: return false;
     }
   }
   return false;
