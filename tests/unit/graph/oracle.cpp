@@ -83,7 +83,8 @@ void Animator::update(double dt_s) {
   if (inertia_s_ > 0) inertia_s_ = std::max(0.0, inertia_s_ - dt_s);
   if (first_)
     for (Value& v : values_) v.value = v.target;
-  const int count = std::clamp(static_cast<int>(std::ceil(240 * dt_s)), 1, 64);
+  // In floats, so that 1/60 s are four.
+  const int count = std::clamp(static_cast<int>(std::ceil(240.0f * static_cast<float>(dt_s))), 1, 64);
   bool in_parts = weights_change();
   if (!in_parts && count > 1) {
     const Everything before = everything();
@@ -94,11 +95,14 @@ void Animator::update(double dt_s) {
     step(dt_s);
   }
   if (in_parts)
-    for (int i = 0; i < count; ++i) step(dt_s / count);
+    for (part_ = 0; part_ < count; ++part_) step(dt_s / count);
+  part_ = 0;
   first_ = was_set_ = false;
   for (std::size_t p = 0; p < values_.size(); ++p)
-    if (graph_.parameters[p].kind == ParameterKind::trigger && graph_.parameters[p].seconds == 0)
+    if (graph_.parameters[p].kind == ParameterKind::trigger && graph_.parameters[p].seconds == 0) {
+      if (dt_s == 0 && values_[p].is_set) ++tags["R3 stays"];
       values_[p].is_set = false;
+    }
 }
 
 void Animator::step(double dt_s) {
@@ -155,6 +159,7 @@ std::size_t Animator::request(int node, Run run) {
       all[r].loud = std::max(all[r].loud, run.loud);
       return r;
     }
+  if (run.fresh && !all.empty()) ++tags[graph_.nodes[static_cast<std::size_t>(node)].kind == Kind::clip ? "R1clip" : "R1"];
   all.push_back(run);
   return all.size() - 1;
 }
@@ -162,11 +167,16 @@ std::size_t Animator::request(int node, Run run) {
 // What begins anew.
 void Animator::begin(int node, NodeState& state, const Run& run) const {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
+  const NodeState was = state;
   state = {};
+  state.begun_s = was.begun_s;
+  state.begun_x = was.begun_x;
+  state.begun_in = was.begun_in;
   if (n.kind == Kind::clip) {
     const Clip& clip = clips()[n.clip];
     state.x = n.speed < 0 ? clip.duration_s : 0;
-    if (run.enter == Enter::seconds) state.x = run.enter_s;
+    if (run.enter == Enter::seconds)  // of what it plays
+      state.x += (n.speed < 0 ? -1 : 1) * std::min(run.enter_s, clip.duration_s);
     if (run.enter == Enter::phase) state.x = folded(clip, Play::loop, time_at(clip, run.enter_place));
   } else if (n.kind == Kind::space && run.enter == Enter::phase) {
     state.place = run.enter_place;
@@ -212,10 +222,17 @@ void Animator::go_clip(int node, Run& run) {
   if (begins) begin(node, state, run);
   run.fresh = false;
   const double x0 = state.x;
+  // In one moment it begins once.
+  const bool begins_again = begins && state.begun_s == run.begin_s && state.begun_in == steps && state.begun_x == x0;
+  if (begins) {
+    state.begun_s = run.begin_s;
+    state.begun_in = steps;
+    state.begun_x = x0;
+  }
   go(node, state, run);
   const Clip& clip = clips()[n.clip];
   run.root = root_between(clip, n.play, x0, state.x);
-  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, begins, events);
+  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, begins && !begins_again, events);
 }
 
 void Animator::go_space(int node, Run& run) {
@@ -228,7 +245,10 @@ void Animator::go_space(int node, Run& run) {
   double rate = 1;
   const std::vector<double> w = weights(n, true, rate);
   if (!n.in_step) {
+    double unused = 1;
+    const std::vector<double> at_end = weights(n, false, unused);
     for (std::size_t i = 0; i < n.points.size(); ++i) {
+      if (w[i] <= 0 && at_end[i] <= 0) continue;  // what has no weight is not shown
       Run part;
       part.begin_s = run.begin_s;
       part.end_s = run.end_s;
@@ -294,6 +314,7 @@ void Animator::go_layer(int node, Run& run) {
   part.fresh = run.fresh;
   part.from = node;
   run.parts.push_back({n.base, request(n.base, part), 1, 1});
+  if (run.mean <= 0 && layer_weight(n, state) <= 0) return;  // what has no weight is not shown
   part.loud = run.loud * run.mean;
   part.from = -2 - node;  // the same node below both is one
   run.parts.push_back({n.pose, request(n.pose, part), 1, 1});
@@ -311,7 +332,7 @@ void Animator::sum_up(int node, Run& run) {
   if (n.kind == Kind::layer) {
     const double at_hips = n.mask.empty() ? 1 : n.mask[0];
     run.there = of(0).there;
-    if (n.additive) return add(1, of(0).root);
+    if (n.additive || run.parts.size() == 1) return add(1, of(0).root);
     // The pose's motion counts already as much as it is there.
     add(1 - run.mean * at_hips * of(1).there, of(0).root);
     add(run.mean * at_hips, of(1).root);
@@ -329,10 +350,16 @@ void Animator::show(int node, std::vector<bool>& shown) const {
   const auto i = static_cast<std::size_t>(node);
   shown[i] = true;
   const Node& n = graph_.nodes[i];
-  if (!n.in_step)
-    for (const Point& p : n.points) show(p.node, shown);
-  show(n.base, shown);
-  show(n.pose, shown);
+  if (n.kind == Kind::space && !n.in_step) {
+    double rate = 1;
+    const std::vector<double> w = weights(n, false, rate);
+    for (std::size_t p = 0; p < w.size(); ++p)
+      if (w[p] > 0) show(n.points[p].node, shown);
+  }
+  if (n.kind == Kind::layer) {
+    show(n.base, shown);
+    if (layer_weight(n, nodes_[i]) > 0) show(n.pose, shown);
+  }
   if (n.kind != Kind::machine) return;
   for (const auto& [s, w] : state_weights(nodes_[i])) show(n.states[static_cast<std::size_t>(s)].node, shown);
 }

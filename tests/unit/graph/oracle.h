@@ -131,11 +131,13 @@ struct NodeState {
   bool shown = false;
   double x = 0;  // of a clip
   Place place;   // of a space in step
+  double begun_s = 0, begun_x = 0;  // of a clip: when it began last, and where
+  int begun_in = -1;
   // Of a machine.
   int current = -1;
   double age_s = 0, since_s = 0, fade_s = 0;
   std::vector<std::pair<int, double>> before;  // states that fade out: their weights when the fade began
-  std::vector<std::size_t> turns;              // one a transition, and the start's
+  std::size_t turn = 0;                        // how often it has chosen one of several
   double ramp = 0;                             // of a layer
 };
 
@@ -187,6 +189,8 @@ class Animator {
   // What is shown; leaf: a clip at a time. rest: one a bone.
   Pose pose(const std::function<Pose(std::size_t, double)>& leaf, const Pose& rest, const Pose& reference) const;
   const Graph& graph() const { return graph_; }
+  std::map<std::string, int> tags;  // TAGS
+  int part_ = 0;
 
  private:
   friend class Machine;
@@ -223,7 +227,7 @@ class Animator {
   double layer_weight(const Node& node, const NodeState& state) const;
   Shown shown(int node, const std::function<Pose(std::size_t, double)>& leaf, const Pose& rest,
               const Pose& reference) const;
-  std::size_t chosen(std::size_t count, bool in_turn, std::size_t& turn, const std::vector<int>& to, int current);
+  int chosen(const std::vector<int>& to, bool in_turn, std::size_t& turn, int current);
 
   Graph graph_;
   double least_loudness_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -38,27 +40,24 @@ std::vector<std::pair<int, double>> state_weights(const NodeState& state) {
   return shares(state, state.before.empty() ? 1 : smooth(std::min(1.0, state.since_s / state.fade_s)));
 }
 
-std::size_t Animator::chosen(std::size_t count, bool in_turn, std::size_t& turn, const std::vector<int>& to,
-                             int current) {
-  if (count == 1) return 0;
-  std::size_t out = turn % count;
-  if (!in_turn) {
-    chance_ ^= chance_ << 13;
-    chance_ ^= chance_ >> 17;
-    chance_ ^= chance_ << 5;
-    out = chance_ % count;
-  }
-  if (to[out] == current) out = (out + 1) % count;
-  turn = out + 1;
-  return out;
+// Which of several: the machine counts its choices.
+int Animator::chosen(const std::vector<int>& to, bool in_turn, std::size_t& turn, int current) {
+  const std::size_t count = to.size();
+  if (count == 1) return to[0];
+  const std::size_t number = turn++;
+  if (in_turn) return to[number % count];
+  chance_ ^= chance_ << 13;
+  chance_ ^= chance_ >> 17;
+  chance_ ^= chance_ << 5;
+  const std::size_t out = chance_ % count;
+  return to[out] == current ? to[(out + 1) % count] : to[out];
 }
 
 void Machine::start() {
+  const std::size_t turn = state_.turn;
   state_ = {};
-  state_.turns.assign(node_.transitions.size() + 1, 0);
-  const std::size_t n =
-      animator_.chosen(node_.start.size(), node_.start_in_turn, state_.turns.back(), node_.start, -1);
-  state_.current = node_.start[n];
+  state_.turn = turn;
+  state_.current = animator_.chosen(node_.start, node_.start_in_turn, state_.turn, -1);
   fresh_ = {};
   fresh_.fresh = true;
 }
@@ -70,6 +69,7 @@ void Machine::go() {
     fresh_.fresh = true;
     state_.shown = true;
   }
+  for (const auto& [n, weight] : state_weights(state_)) played_.insert(n);
   int switches = 0;
   for (;;) {
     Due next;
@@ -79,8 +79,20 @@ void Machine::go() {
     double until = std::min(run_.end_s, fade_end);
     if (next.transition != nullptr) until = std::min(until, next.at_s);
     show_until(until);
-    if (fade_end <= until) state_.before.clear();
+    if (fade_end <= until) {
+      if (run_.end_s - until > 1e-9 && run_.end_s - run_.begin_s > 0.0055) ++animator_.tags["R2"];
+      state_.before.clear();
+    }
     if (next.transition != nullptr && next.at_s <= until) {
+      const double was_s = state_.since_s;
+      (void)was_s;
+      if (now_s_ > run_.begin_s)
+        for (const State& s : node_.states)
+          if (s.node < 0) ++animator_.tags["R4"];
+      for (const Condition& c : next.transition->when)
+        if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger &&
+            animator_.graph_.parameters[c.parameter].seconds == 0 && (now_s_ > 0 || animator_.part_ > 0))
+          ++animator_.tags["R3"];
       take(*next.transition);
       if (++switches == 8) {
         animator_.at_limit = true;
@@ -90,6 +102,7 @@ void Machine::go() {
     }
     if (until >= run_.end_s) break;
   }
+  if (!state_.before.empty() && state_.since_s == 0) ++animator_.tags["R15"];
   // A target that is entered at the very end has no time, but begins.
   if (fresh_.fresh || run_.begin_s == run_.end_s) show_until(run_.end_s);
 }
@@ -191,28 +204,36 @@ void Machine::take(const Transition& t) {
   for (const Condition& c : t.when)
     if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger && c.test == Test::set)
       animator_.values_[c.parameter].is_set = false;
-  const std::size_t number = static_cast<std::size_t>(&t - node_.transitions.data());
-  const int target =
-      t.to[animator_.chosen(t.to.size(), t.in_turn, state_.turns[number], t.to, state_.current)];
+  const int target = animator_.chosen(t.to, t.in_turn, state_.turn, state_.current);
   std::vector<std::pair<int, double>> shown;
   for (const auto& each : state_weights(state_))
     if (each.second > 0) shown.push_back(each);
-  const bool is_shown = std::any_of(shown.begin(), shown.end(), [&](const auto& s) { return s.first == target; });
-  const bool goes_on = is_shown && t.enter == Enter::phase;
+  const bool is_still = std::any_of(shown.begin(), shown.end(), [&](const auto& s) { return s.first == target; });
+  const bool is_shown = is_still || played_.count(target) > 0;
+  const bool goes_on = is_still && t.enter == Enter::phase;
+  if (is_shown && !is_still && t.enter == Enter::phase) ++animator_.tags["R7 goes on"];
   Run fresh;
   fresh.fresh = !goes_on;
   fresh.enter = t.enter;
   fresh.enter_s = t.enter_s;
   if (t.enter == Enter::phase && !goes_on) fresh.enter_place = phase();
+  if (std::getenv("MARROW_ORACLE_TRACE") != nullptr) {
+    std::printf("  part %d at %.6f of %.6f %s: %s -> %s after %.6f, fade %.3f%s, shown:", animator_.part_, now_s_, run_.end_s, node_.name.c_str(),
+                node_.states[static_cast<std::size_t>(state_.current)].name.c_str(),
+                node_.states[static_cast<std::size_t>(target)].name.c_str(), state_.age_s, t.fade_s, t.inertial ? " inertial" : "");
+    for (auto& s : shown) std::printf(" %s %.4f", node_.states[static_cast<std::size_t>(s.first)].name.c_str(), s.second);
+    std::printf("\n");
+  }
   const bool inertial = t.inertial || (is_shown && !goes_on);
   if (inertial) animator_.inertia_s_ = std::max(animator_.inertia_s_, t.fade_s + animator_.dt_s_);
   state_.before.clear();
   if (!inertial && t.fade_s > 0) {
-    const std::size_t most = 4 - (is_shown ? 0 : 1);
+    const std::size_t most = 4 - (is_still ? 0 : 1);
     while (shown.size() > most) {
       auto least = shown.end();
       for (auto it = shown.begin(); it != shown.end(); ++it)
         if (it->first != target && (least == shown.end() || it->second < least->second)) least = it;
+      if (least->first == state_.current) ++animator_.tags["R5"];
       shown.erase(least);
     }
     double sum = 0;
@@ -222,6 +243,7 @@ void Machine::take(const Transition& t) {
   }
   state_.fade_s = t.fade_s;
   state_.current = target;
+  played_.insert(target);
   state_.since_s = state_.age_s = 0;
   fresh_ = fresh;
   // The state that was entered and left at once has begun: what it was to begin with is in `shown` no more.

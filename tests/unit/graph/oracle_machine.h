@@ -1,6 +1,8 @@
 // Machines of the oracle: one stretch of a step.
 #pragma once
 
+#include <set>
+
 #include "unit/graph/oracle.h"
 
 namespace marrow::test::oracle {
@@ -35,6 +37,7 @@ class Machine {
   NodeState& state_;
   Run& run_;
   double now_s_ = 0;
+  std::set<int> played_;  // states that had a part of the step
   // What the current state begins with at its next stretch.
   Run fresh_ = {};
 };

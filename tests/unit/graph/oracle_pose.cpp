@@ -62,6 +62,7 @@ Shown Animator::shown(int node, const std::function<Pose(std::size_t, double)>& 
     return all.empty() ? Shown{rest, 0} : Shown{mean(all), there};
   }
   Shown out = shown(n.base, leaf, rest, reference);
+  if (layer_weight(n, state) <= 0) return out;
   const Shown over = shown(n.pose, leaf, rest, reference);
   const double weight = layer_weight(n, state) * over.there;
   for (std::size_t b = 0; b < out.pose.size(); ++b) {

@@ -1,6 +1,7 @@
 // Animators against an oracle that shares nothing with them, on random graphs.
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <map>
 
@@ -56,14 +57,17 @@ class Pair {
       else if (which < 0.13) dt_s = chance_.number(0.05, 0.3);
       dt_s = static_cast<double>(static_cast<float>(dt_s));
       for (const oracle::Input& input : oracle::random_inputs(twin.graph(), chance_, dt_s)) set(input);
+      if (std::getenv("MARROW_ORACLE_SHOW") != nullptr && frame + 6 > static_cast<int>(from_environment("MARROW_ORACLE_FRAME", 1000000)))
+        show(frame, dt_s);
       const AnimatorStep step = rig.step(dt_s);
+      before_ = twin.tags;
       twin.update(dt_s);
       t += dt_s;
       ++updates;
       const std::string wrong = compare(step, frame);
       if (!wrong.empty())
         return wrong + " at update " + std::to_string(frame) + ", " + std::to_string(t) + " s, dt " +
-               std::to_string(dt_s) + (twin.at_limit ? " (eight switches)" : "");
+               std::to_string(dt_s) + tagged() + (twin.at_limit ? " (eight switches)" : "");
     }
     return "";
   }
@@ -73,14 +77,34 @@ class Pair {
   std::size_t updates = 0, poses = 0, events = 0;
   double worst_root = 0, worst_turn = 0, worst_place = 0, worst_pose = 0, worst_seconds = 0;
 
- private:
+ // private:
   static AnimatorOptions options(std::uint32_t seed) {
     AnimatorOptions out;
     out.events = 1024;
     out.seed = seed;
     return out;
   }
+  std::map<std::string, int> before_;
+  std::string tagged() {
+    std::string out = " NOW[";
+    for (const auto& [tag, count] : twin.tags)
+      if (count != before_[tag]) out += " " + tag;
+    out += "] EVER[";
+    for (const auto& [tag, count] : before_) if (count > 0) out += " " + tag + ":" + std::to_string(count);
+    return out + "]";
+  }
+  void show(int frame, double dt_s) {
+    std::printf("before update %d of %.9g s, after %d steps, %d switches:", frame, dt_s, twin.steps, twin.switches);
+    for (const std::string& name : machines_) {
+      double seconds = 0;
+      const std::string state = twin.state(name, &seconds);
+      std::printf(" %s in %s for %.9g", name.c_str(), state.c_str(), seconds);
+    }
+    std::printf("\n");
+  }
   void set(const oracle::Input& input) {
+    if (std::getenv("MARROW_ORACLE_SHOW") != nullptr)
+      std::printf("set %s %.9g\n", twin.graph().parameters[input.parameter].name.c_str(), input.value);
     const oracle::Parameter& p = twin.graph().parameters[input.parameter];
     const char* name = p.name.c_str();
     switch (p.kind) {
@@ -183,6 +207,38 @@ class Pair {
   GraphPlace place_;
   oracle::Rigid twin_place_;
 };
+
+// PROBE
+TEST(Oracle, DISABLED_Probe) {
+  std::ifstream in(std::getenv("PROBE"));
+  std::string text, line;
+  while (std::getline(in, line) && line != "---") text += line + "\n";
+  Pair pair(text, 1);
+  std::string what, name;
+  double value;
+  int frame = 0;
+  while (in >> what) {
+    if (what == "dt") {
+      in >> value;
+      value = static_cast<double>(static_cast<float>(value));
+      const AnimatorStep step = pair.rig.step(value);
+      pair.twin.update(value);
+      const std::string wrong = pair.compare(step, 0);
+      float has = 0;
+      state_of(pair.rig.animator, find_graph_node(pair.rig.file, pair.rig.graph, "m"), &has);
+      double ought = 0;
+      const std::string st = pair.twin.state("m", &ought);
+      std::map<std::string, int> heard;
+      for (const AnimatorEvent& e : step.events) heard[e.name] += static_cast<int>(e.count);
+      std::printf("%d dt %.4f: m %s %.6f / %s %.6f; z %.6f / %.6f; %s/%s  %s\n", frame++, value, pair.rig.state("m").c_str(),
+                  has, st.c_str(), ought, step.root.translation[2], pair.twin.root.way.z, Pair::shown(heard).c_str(),
+                  Pair::shown(pair.twin.events).c_str(), wrong.c_str());
+    } else {
+      in >> name >> value;
+      pair.set({pair.twin.graph().parameter(name), value});
+    }
+  }
+}
 
 TEST(Oracle, AgreesOnRandomGraphs) {
   const std::size_t graphs = from_environment("MARROW_ORACLE_GRAPHS", 30);
