@@ -314,6 +314,7 @@ void Animator::go_layer(int node, Run& run) {
   part.fresh = run.fresh;
   part.from = node;
   run.parts.push_back({n.base, request(n.base, part), 1, 1});
+  if (run.fresh && nodes_[static_cast<std::size_t>(n.pose)].shown) ++tags["R16"];
   if (run.mean <= 0 && layer_weight(n, state) <= 0) return;  // what has no weight is not shown
   part.loud = run.loud * run.mean;
   part.from = -2 - node;  // the same node below both is one
@@ -360,7 +361,7 @@ void Animator::show(int node, std::vector<bool>& shown) const {
     show(n.base, shown);
     if (layer_weight(n, nodes_[i]) > 0) show(n.pose, shown);
   }
-  if (n.kind != Kind::machine) return;
+  if (n.kind != Kind::machine || nodes_[i].current < 0) return;
   for (const auto& [s, w] : state_weights(nodes_[i])) show(n.states[static_cast<std::size_t>(s)].node, shown);
 }
 void Animator::mark_shown() {

@@ -194,13 +194,31 @@ Place Machine::phase() const {
   NodeState there = animator_.ahead(child);
   if (fresh_.fresh) animator_.begin(child, there, fresh_);
   const Node& node = animator_.graph_.nodes[static_cast<std::size_t>(child)];
-  if (node.kind == Kind::space) return there.place;
+  if (fresh_.fresh || state_.age_s <= now_s_) ++animator_.tags["R9"];
+  if (node.kind == Kind::space) {  // a group has as many segments as its clips together
+    long segments = 1;
+    for (const Point& p : node.points)
+      segments = std::lcm(
+          segments,
+          static_cast<long>(clips()[animator_.graph_.nodes[static_cast<std::size_t>(p.node)].clip].marks.size()));
+    there.place.segment %= segments;
+    return there.place;
+  }
   const Clip& clip = clips()[node.clip];
   return place_at(clip, folded(clip, node.play, there.x));
 }
 
 void Machine::take(const Transition& t) {
   ++animator_.switches;
+  if (now_s_ == run_.begin_s && run_.end_s > run_.begin_s) {
+    const int left = node_.states[static_cast<std::size_t>(state_.current)].node;
+    if (left >= 0) {
+      std::vector<bool> below(animator_.nodes_.size(), false);
+      animator_.show(left, below);
+      for (std::size_t n = 0; n < below.size(); ++n)
+        if (below[n] && animator_.graph_.nodes[n].kind == Kind::machine && animator_.nodes_[n].shown) ++animator_.tags["R17"];
+    }
+  }
   for (const Condition& c : t.when)
     if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger && c.test == Test::set)
       animator_.values_[c.parameter].is_set = false;

@@ -245,7 +245,7 @@ class Reader {
   void one_shot(const Table& t, Node& node) {
     Node machine;
     machine.kind = Kind::machine;
-    machine.name = node.name + "/states";
+    std::swap(machine.name, node.name);  // who asks for its state asks for the machine's
     machine.states = {{"off", -1}, {"on", -1}};
     machine.start = {0};
     Transition on;

@@ -40,7 +40,7 @@ class Pair {
     rest_ = rotations(rig, rig.character.skeletons[0].pose.local);
     reference_ = clip(oracle::clips().size() - 1, 0);
     for (const oracle::Node& n : twin.graph().nodes)
-      if (n.kind == oracle::Kind::machine && n.name.find('/') == std::string::npos && !n.name.empty())
+      if (n.kind == oracle::Kind::machine && !n.name.empty())
         machines_.push_back(n.name);
   }
 
@@ -176,6 +176,7 @@ class Pair {
     place_.move(step.root);
     twin_place_ = twin_place_ * twin.root;
     const double way = glm::length(moved.at - twin.root.way), turn = angle(moved.turn, twin.root.turn);
+    if (std::getenv("MARROW_ORACLE_TRACE") != nullptr && way > 1e-7) std::printf("  root off %.3g of %.3g, steps %d\n", way, glm::length(twin.root.way), twin.steps);
     worst_root = std::max(worst_root, way);
     worst_turn = std::max(worst_turn, turn);
     worst_place = std::max(worst_place, glm::length(place_.at - twin_place_.way));
