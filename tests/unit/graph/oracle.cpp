@@ -95,12 +95,10 @@ void Animator::update(double dt_s) {
     step(dt_s);
   }
   if (in_parts)
-    for (part_ = 0; part_ < count; ++part_) step(dt_s / count);
-  part_ = 0;
+    for (int i = 0; i < count; ++i) step(dt_s / count);
   first_ = was_set_ = false;
   for (std::size_t p = 0; p < values_.size(); ++p)
     if (graph_.parameters[p].kind == ParameterKind::trigger && graph_.parameters[p].seconds == 0) {
-      if (dt_s == 0 && values_[p].is_set) ++tags["R3 stays"];
       values_[p].is_set = false;
     }
 }
@@ -118,7 +116,7 @@ void Animator::step(double dt_s) {
     }
     const double rounds = dt_s / h * std::log(2.0), left = std::exp(-rounds);
     v.mean = v.target + (v.value - v.target) * (rounds > 0 ? -std::expm1(-rounds) / rounds : 1);
-    v.value = v.target + (v.value - v.target) * left;
+    v.value = static_cast<double>(static_cast<float>(v.target + (v.value - v.target) * left));  // numbers are floats
   }
   runs_.assign(nodes_.size(), {});
   Run all;
@@ -159,7 +157,6 @@ std::size_t Animator::request(int node, Run run) {
       all[r].loud = std::max(all[r].loud, run.loud);
       return r;
     }
-  if (run.fresh && !all.empty()) ++tags[graph_.nodes[static_cast<std::size_t>(node)].kind == Kind::clip ? "R1clip" : "R1"];
   all.push_back(run);
   return all.size() - 1;
 }
@@ -178,8 +175,11 @@ void Animator::begin(int node, NodeState& state, const Run& run) const {
     if (run.enter == Enter::seconds)  // of what it plays
       state.x += (n.speed < 0 ? -1 : 1) * std::min(run.enter_s, clip.duration_s);
     if (run.enter == Enter::phase) state.x = folded(clip, Play::loop, time_at(clip, run.enter_place));
-  } else if (n.kind == Kind::space && run.enter == Enter::phase) {
+  } else if (n.in_step && run.enter == Enter::phase) {
     state.place = run.enter_place;
+  } else if (n.in_step && run.enter == Enter::seconds) {  // of its first clip
+    const Clip& first = clips()[graph_.nodes[static_cast<std::size_t>(n.points[0].node)].clip];
+    state.place = place_at(first, std::min(run.enter_s, first.duration_s));
   } else if (n.kind == Kind::layer && n.by_parameter >= 0) {
     state.ramp = values_[static_cast<std::size_t>(n.by_parameter)].target;
   }
@@ -314,7 +314,6 @@ void Animator::go_layer(int node, Run& run) {
   part.fresh = run.fresh;
   part.from = node;
   run.parts.push_back({n.base, request(n.base, part), 1, 1});
-  if (run.fresh && nodes_[static_cast<std::size_t>(n.pose)].shown) ++tags["R16"];
   if (run.mean <= 0 && layer_weight(n, state) <= 0) return;  // what has no weight is not shown
   part.loud = run.loud * run.mean;
   part.from = -2 - node;  // the same node below both is one
@@ -362,7 +361,8 @@ void Animator::show(int node, std::vector<bool>& shown) const {
     if (layer_weight(n, nodes_[i]) > 0) show(n.pose, shown);
   }
   if (n.kind != Kind::machine || nodes_[i].current < 0) return;
-  for (const auto& [s, w] : state_weights(nodes_[i])) show(n.states[static_cast<std::size_t>(s)].node, shown);
+  for (const auto& [s, w] : state_weights(nodes_[i]))  // as far as a float knows
+    if (w > 0x1p-24 || s == nodes_[i].current) show(n.states[static_cast<std::size_t>(s)].node, shown);
 }
 void Animator::mark_shown() {
   std::vector<bool> shown(nodes_.size(), false);

@@ -184,13 +184,11 @@ class Animator {
   std::string state(const std::string& node, double* seconds = nullptr) const;
   bool inertial() const { return inertia_s_ > 0; }
   bool at_limit = false;  // a machine has switched eight times in a step
-  int switches = 0, steps = 0, limits = 0;
+  int switches = 0, steps = 0;
 
   // What is shown; leaf: a clip at a time. rest: one a bone.
   Pose pose(const std::function<Pose(std::size_t, double)>& leaf, const Pose& rest, const Pose& reference) const;
   const Graph& graph() const { return graph_; }
-  std::map<std::string, int> tags;  // TAGS
-  int part_ = 0;
 
  private:
   friend class Machine;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -80,29 +78,15 @@ void Machine::go() {
     if (next.transition != nullptr) until = std::min(until, next.at_s);
     show_until(until);
     if (fade_end <= until) {
-      if (run_.end_s - until > 1e-9 && run_.end_s - run_.begin_s > 0.0055) ++animator_.tags["R2"];
       state_.before.clear();
     }
     if (next.transition != nullptr && next.at_s <= until) {
-      const double was_s = state_.since_s;
-      (void)was_s;
-      if (now_s_ > run_.begin_s)
-        for (const State& s : node_.states)
-          if (s.node < 0) ++animator_.tags["R4"];
-      for (const Condition& c : next.transition->when)
-        if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger &&
-            animator_.graph_.parameters[c.parameter].seconds == 0 && (now_s_ > 0 || animator_.part_ > 0))
-          ++animator_.tags["R3"];
       take(*next.transition);
-      if (++switches == 8) {
-        animator_.at_limit = true;
-        ++animator_.limits;
-      }
+      if (++switches == 8) animator_.at_limit = true;
       continue;
     }
     if (until >= run_.end_s) break;
   }
-  if (!state_.before.empty() && state_.since_s == 0) ++animator_.tags["R15"];
   // A target that is entered at the very end has no time, but begins.
   if (fresh_.fresh || run_.begin_s == run_.end_s) show_until(run_.end_s);
 }
@@ -185,7 +169,9 @@ double Machine::left_s() const {
   const Node& clip = animator_.graph_.nodes[static_cast<std::size_t>(child)];
   const double d = clips()[clip.clip].duration_s;
   if (clip.speed == 0) return std::numeric_limits<double>::infinity();
-  return (clip.speed > 0 ? d - there.x : there.x) / std::abs(clip.speed);
+  // To the end that it runs towards.
+  const double x = clip.play == Play::once ? there.x : there.x - d * std::floor(there.x / d);
+  return (clip.speed > 0 ? d - x : x) / std::abs(clip.speed);
 }
 
 Place Machine::phase() const {
@@ -194,7 +180,6 @@ Place Machine::phase() const {
   NodeState there = animator_.ahead(child);
   if (fresh_.fresh) animator_.begin(child, there, fresh_);
   const Node& node = animator_.graph_.nodes[static_cast<std::size_t>(child)];
-  if (fresh_.fresh || state_.age_s <= now_s_) ++animator_.tags["R9"];
   if (node.kind == Kind::space) {  // a group has as many segments as its clips together
     long segments = 1;
     for (const Point& p : node.points)
@@ -210,38 +195,22 @@ Place Machine::phase() const {
 
 void Machine::take(const Transition& t) {
   ++animator_.switches;
-  if (now_s_ == run_.begin_s && run_.end_s > run_.begin_s) {
-    const int left = node_.states[static_cast<std::size_t>(state_.current)].node;
-    if (left >= 0) {
-      std::vector<bool> below(animator_.nodes_.size(), false);
-      animator_.show(left, below);
-      for (std::size_t n = 0; n < below.size(); ++n)
-        if (below[n] && animator_.graph_.nodes[n].kind == Kind::machine && animator_.nodes_[n].shown) ++animator_.tags["R17"];
-    }
-  }
   for (const Condition& c : t.when)
     if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger && c.test == Test::set)
       animator_.values_[c.parameter].is_set = false;
   const int target = animator_.chosen(t.to, t.in_turn, state_.turn, state_.current);
   std::vector<std::pair<int, double>> shown;
-  for (const auto& each : state_weights(state_))
+  for (const auto& each : state_weights(state_)) {
     if (each.second > 0) shown.push_back(each);
+  }
   const bool is_still = std::any_of(shown.begin(), shown.end(), [&](const auto& s) { return s.first == target; });
   const bool is_shown = is_still || played_.count(target) > 0;
   const bool goes_on = is_still && t.enter == Enter::phase;
-  if (is_shown && !is_still && t.enter == Enter::phase) ++animator_.tags["R7 goes on"];
   Run fresh;
   fresh.fresh = !goes_on;
   fresh.enter = t.enter;
   fresh.enter_s = t.enter_s;
   if (t.enter == Enter::phase && !goes_on) fresh.enter_place = phase();
-  if (std::getenv("MARROW_ORACLE_TRACE") != nullptr) {
-    std::printf("  part %d at %.6f of %.6f %s: %s -> %s after %.6f, fade %.3f%s, shown:", animator_.part_, now_s_, run_.end_s, node_.name.c_str(),
-                node_.states[static_cast<std::size_t>(state_.current)].name.c_str(),
-                node_.states[static_cast<std::size_t>(target)].name.c_str(), state_.age_s, t.fade_s, t.inertial ? " inertial" : "");
-    for (auto& s : shown) std::printf(" %s %.4f", node_.states[static_cast<std::size_t>(s.first)].name.c_str(), s.second);
-    std::printf("\n");
-  }
   const bool inertial = t.inertial || (is_shown && !goes_on);
   if (inertial) animator_.inertia_s_ = std::max(animator_.inertia_s_, t.fade_s + animator_.dt_s_);
   state_.before.clear();
@@ -251,7 +220,6 @@ void Machine::take(const Transition& t) {
       auto least = shown.end();
       for (auto it = shown.begin(); it != shown.end(); ++it)
         if (it->first != target && (least == shown.end() || it->second < least->second)) least = it;
-      if (least->first == state_.current) ++animator_.tags["R5"];
       shown.erase(least);
     }
     double sum = 0;
@@ -264,7 +232,6 @@ void Machine::take(const Transition& t) {
   played_.insert(target);
   state_.since_s = state_.age_s = 0;
   fresh_ = fresh;
-  // The state that was entered and left at once has begun: what it was to begin with is in `shown` no more.
 }
 
 }  // namespace marrow::test::oracle

@@ -21,7 +21,7 @@ std::string named(const std::string& s) {
 
 class Writer {
  public:
-  Writer(std::uint64_t seed, int height) : chance_(seed), height_(height) {}
+  Writer(std::uint64_t seed, int height, bool calm) : chance_(seed), height_(height), calm_(calm) {}
   std::string write() {
     const std::string output = big(height_);
     std::string out = "output = " + named(output) + "\n";
@@ -60,7 +60,7 @@ class Writer {
   std::string trigger() {
     const std::string name = fresh("t");
     parameters_ += name + " = { type = \"trigger\"";
-    if (chance_.is(0.6)) parameters_ += ", hold = " + text(chance_.number(0.02, 0.5));
+    if (chance_.is(0.6) || calm_) parameters_ += ", hold = " + text(chance_.number(0.02, 0.5));
     parameters_ += " }\n";
     return name;
   }
@@ -89,11 +89,12 @@ class Writer {
     if (height <= 0) return leaf();
     if (which < 0.2) return space(height);
     if (which < 0.3) return in_step();
-    if (which < 0.6) return machine(height, false);
+    if (which < 0.6 && (!calm_ || height == height_)) return machine(height, false);
+    if (which < 0.6) return in_step();
     if (which < 0.75) return layer(height);
     if (which < 0.82) return additive(height);
     if (which < 0.92) return one_shot(height);
-    return pick();
+    return calm_ && height < height_ ? in_step() : pick();
   }
 
   std::string in_step() {
@@ -169,7 +170,7 @@ class Writer {
   }
   std::string layer(int height) {
     const std::string name = fresh("n"), base = any(height - 1);
-    std::string pose = chance_.is(0.3) ? machine(height - 1, true) : any(height - 1);
+    std::string pose = chance_.is(0.3) && !calm_ ? machine(height - 1, true) : any(height - 1);
     if (chance_.is(0.15) && base[0] == 'n') pose = base;  // one node
     node(name, "type = \"layer\"\nbase = " + named(base) + "\npose = " + named(pose) + "\n" + mask() + weight());
     return name;
@@ -231,9 +232,9 @@ class Writer {
   }
   std::string transition(const std::vector<Target>& all, std::size_t from, bool any_state) {
     std::size_t to = chance_.below(all.size());
-    if (to == from && !chance_.is(0.1)) to = (to + 1) % all.size();
+    if (to == from && (calm_ || !chance_.is(0.1))) to = (to + 1) % all.size();
     std::string out = "  { from = " + named(any_state ? "*" : all[from].name);
-    if (!any_state && chance_.is(0.2) && to + 1 < all.size())
+    if (!any_state && chance_.is(0.2) && to + 1 < all.size() && !(calm_ && to + 1 == from))
       out += ", to = [" + named(all[to].name) + ", " + named(all[to + 1].name) + "], " + choose();
     else
       out += ", to = " + named(all[to].name);
@@ -241,12 +242,14 @@ class Writer {
     if (!any_state && all[from].waits && which < 0.6) {
       out += ", at_end = " + text(chance_.number(0.03, 0.4));
       if (chance_.is(0.2)) out += ", when = " + condition();
+      if (calm_) out += ", after = 0.7";
     } else if (which < 0.7) {
       out += ", when = " + named(trigger());
-      if (chance_.is(0.2)) out += ", after = " + text(chance_.number(0.05, 0.5));
+      if (calm_) out += ", after = " + text(chance_.number(0.65, 1));
+      else if (chance_.is(0.2)) out += ", after = " + text(chance_.number(0.05, 0.5));
     } else {
       if (chance_.is(0.6)) out += ", when = " + (chance_.is(0.7) ? condition() : "[" + condition() + ", " + condition() + "]");
-      out += ", after = " + text(chance_.number(0.1, 3));
+      out += ", after = " + text(chance_.number(calm_ ? 0.65 : 0.1, 3));
     }
     out += ", fade = " + (chance_.is(0.15) ? "0" : text(chance_.number(0.03, 0.6)));
     if (chance_.is(0.5)) out += chance_.is(0.5) ? ", kind = \"inertial\"" : ", kind = \"cross\"";
@@ -279,6 +282,7 @@ class Writer {
   };
   Chance chance_;
   int height_, count_ = 0;
+  bool calm_;
   bool has_chance_ = false;
   std::string parameters_, nodes_;
   std::vector<Number> numbers_;
@@ -286,8 +290,8 @@ class Writer {
 
 }  // namespace
 
-std::string random_graph(std::uint64_t seed, int height) {
-  return Writer(seed, height).write();
+std::string random_graph(std::uint64_t seed, int height, bool calm) {
+  return Writer(seed, height, calm).write();
 }
 
 std::vector<Input> random_inputs(const Graph& graph, Chance& chance, double dt_s) {

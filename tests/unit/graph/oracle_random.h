@@ -24,8 +24,9 @@ class Chance {
   std::mt19937_64 engine_;
 };
 
-// A valid graph of all kinds of nodes, at most `height` above each other.
-std::string random_graph(std::uint64_t seed, int height);
+// A valid graph of all kinds of nodes, at most `height` above each other. calm: it leaves a state only when the fade to
+// it is over, and machines stand at the top.
+std::string random_graph(std::uint64_t seed, int height, bool calm = false);
 
 struct Input {
   std::size_t parameter;
