@@ -127,11 +127,20 @@ void Animator::step(double dt_s) {
       Run run = runs_[n][r];
       const int i = static_cast<int>(n);
       switch (graph_.nodes[n].kind) {
-        case Kind::clip: go_clip(i, run); break;
-        case Kind::space: go_space(i, run); break;
-        case Kind::machine: Machine(*this, i, run).go(); break;
-        case Kind::layer: go_layer(i, run); break;
-        case Kind::given: break;
+        case Kind::clip:
+          go_clip(i, run);
+          break;
+        case Kind::space:
+          go_space(i, run);
+          break;
+        case Kind::machine:
+          Machine(*this, i, run).go();
+          break;
+        case Kind::layer:
+          go_layer(i, run);
+          break;
+        case Kind::given:
+          break;
       }
       runs_[n][r] = run;
     }
@@ -140,8 +149,7 @@ void Animator::step(double dt_s) {
   root = root * exponential(runs_[static_cast<std::size_t>(graph_.output)][0].root);
   for (std::size_t p = 0; p < values_.size(); ++p) {
     Value& v = values_[p];
-    if (graph_.parameters[p].kind != ParameterKind::trigger || !v.is_set || graph_.parameters[p].seconds == 0)
-      continue;
+    if (graph_.parameters[p].kind != ParameterKind::trigger || !v.is_set || graph_.parameters[p].seconds == 0) continue;
     v.left_s -= dt_s;
     if (v.left_s <= 0) v.is_set = false;
   }
@@ -232,7 +240,8 @@ void Animator::go_clip(int node, Run& run) {
   go(node, state, run);
   const Clip& clip = clips()[n.clip];
   run.root = root_between(clip, n.play, x0, state.x);
-  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, begins && !begins_again, events);
+  if (run.active && run.loud >= least_loudness_)
+    count_events(clip, n.play, x0, state.x, begins && !begins_again, events);
 }
 
 void Animator::go_space(int node, Run& run) {

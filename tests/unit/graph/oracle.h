@@ -34,8 +34,8 @@ struct Condition {
   double value = 0;
 };
 struct Transition {
-  int from = -1;           // -1: any state
-  bool again = false;      // of any: also where the machine is in a target already, as a pick's
+  int from = -1;       // -1: any state
+  bool again = false;  // of any: also where the machine is in a target already, as a pick's
   std::vector<int> to;
   bool in_turn = false;
   std::vector<Condition> when;
@@ -129,8 +129,8 @@ std::vector<std::array<std::size_t, 3>> triangulated(const std::vector<Point>& p
 // What a node is in.
 struct NodeState {
   bool shown = false;
-  double x = 0;  // of a clip
-  Place place;   // of a space in step
+  double x = 0;                     // of a clip
+  Place place;                      // of a space in step
   double begun_s = 0, begun_x = 0;  // of a clip: when it began last, and where
   int begun_in = -1;
   // Of a machine.

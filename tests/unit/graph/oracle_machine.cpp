@@ -72,8 +72,8 @@ void Machine::go() {
   for (;;) {
     Due next;
     if (run_.active && switches < 8) next = due();
-    const double fade_end = state_.before.empty() ? std::numeric_limits<double>::infinity()
-                                                  : now_s_ + state_.fade_s - state_.since_s;
+    const double fade_end =
+        state_.before.empty() ? std::numeric_limits<double>::infinity() : now_s_ + state_.fade_s - state_.since_s;
     double until = std::min(run_.end_s, fade_end);
     if (next.transition != nullptr) until = std::min(until, next.at_s);
     show_until(until);
@@ -95,9 +95,9 @@ void Machine::go() {
 void Machine::show_until(double end_s) {
   const double length = end_s - now_s_, whole = run_.end_s - run_.begin_s;
   const bool is_fading = !state_.before.empty();
-  const double s = is_fading ? mean_smooth(state_.since_s / state_.fade_s,
-                                           std::min(1.0, (state_.since_s + length) / state_.fade_s))
-                             : 1;
+  const double s =
+      is_fading ? mean_smooth(state_.since_s / state_.fade_s, std::min(1.0, (state_.since_s + length) / state_.fade_s))
+                : 1;
   if (whole == 0) run_.parts.clear();  // what is shown at last counts
   if (length > 0 || fresh_.fresh || whole == 0) {
     for (const auto& [n, weight] : shares(state_, s)) {
@@ -151,12 +151,18 @@ bool Machine::holds(const Condition& c, double at_s) const {
   bool is_set = v.target != 0;
   if (p.kind == ParameterKind::trigger) is_set = v.is_set && (p.seconds == 0 || at_s < v.left_s);
   switch (c.test) {
-    case Test::set: return is_set;
-    case Test::not_set: return !is_set;
-    case Test::above: return v.target > c.value;
-    case Test::below: return v.target < c.value;
-    case Test::at_least: return v.target >= c.value;
-    case Test::at_most: return v.target <= c.value;
+    case Test::set:
+      return is_set;
+    case Test::not_set:
+      return !is_set;
+    case Test::above:
+      return v.target > c.value;
+    case Test::below:
+      return v.target < c.value;
+    case Test::at_least:
+      return v.target >= c.value;
+    case Test::at_most:
+      return v.target <= c.value;
   }
   return false;
 }

@@ -115,8 +115,7 @@ Screw root_between(const Clip& clip, Play play, double x0, double x1) {
   return logarithm(inverse(moved_on_line(clip, play, x0)) * moved_on_line(clip, play, x1));
 }
 
-void count_events(const Clip& clip, Play play, double x0, double x1, bool with_begin,
-                  std::map<std::string, int>& out) {
+void count_events(const Clip& clip, Play play, double x0, double x1, bool with_begin, std::map<std::string, int>& out) {
   const double d = clip.duration_s, low = std::min(x0, x1), high = std::max(x0, x1);
   const auto is_met = [&](double moment) {
     if (moment == x0) return with_begin;
@@ -250,8 +249,10 @@ std::vector<std::array<std::size_t, 3>> triangulated(const std::vector<Point>& p
           if (o != i && o != j && o != k && glm::distance(flat(points[o]) - a, middle) < glm::length(middle))
             is_empty = false;
         if (!is_empty) continue;
-        if (area > 0) out.push_back({i, j, k});
-        else out.push_back({i, k, j});
+        if (area > 0)
+          out.push_back({i, j, k});
+        else
+          out.push_back({i, k, j});
       }
   return out;
 }

@@ -245,15 +245,20 @@ class Writer {
       if (calm_) out += ", after = 0.7";
     } else if (which < 0.7) {
       out += ", when = " + named(trigger());
-      if (calm_) out += ", after = " + text(chance_.number(0.65, 1));
-      else if (chance_.is(0.2)) out += ", after = " + text(chance_.number(0.05, 0.5));
+      if (calm_)
+        out += ", after = " + text(chance_.number(0.65, 1));
+      else if (chance_.is(0.2))
+        out += ", after = " + text(chance_.number(0.05, 0.5));
     } else {
-      if (chance_.is(0.6)) out += ", when = " + (chance_.is(0.7) ? condition() : "[" + condition() + ", " + condition() + "]");
+      if (chance_.is(0.6))
+        out += ", when = " + (chance_.is(0.7) ? condition() : "[" + condition() + ", " + condition() + "]");
       out += ", after = " + text(chance_.number(calm_ ? 0.65 : 0.1, 3));
     }
     out += ", fade = " + (chance_.is(0.15) ? "0" : text(chance_.number(0.03, 0.6)));
     if (chance_.is(0.5)) out += chance_.is(0.5) ? ", kind = \"inertial\"" : ", kind = \"cross\"";
-    const auto has_phase = [](const Target& t) { return !t.waits && (t.sort == Sort::clip || t.sort == Sort::in_step); };
+    const auto has_phase = [](const Target& t) {
+      return !t.waits && (t.sort == Sort::clip || t.sort == Sort::in_step);
+    };
     if (!any_state && has_phase(all[from]) && has_phase(all[to]) && to != from && out.find("[") == std::string::npos &&
         chance_.is(0.5))
       out += ", enter = \"same_phase\"";
@@ -307,8 +312,12 @@ std::vector<Input> random_inputs(const Graph& graph, Chance& chance, double dt_s
         out.push_back({p, static_cast<double>(value)});
         break;
       }
-      case ParameterKind::flag: out.push_back({p, chance.is(0.5) ? 1.0 : 0.0}); break;
-      case ParameterKind::trigger: out.push_back({p, 1}); break;
+      case ParameterKind::flag:
+        out.push_back({p, chance.is(0.5) ? 1.0 : 0.0});
+        break;
+      case ParameterKind::trigger:
+        out.push_back({p, 1});
+        break;
     }
   }
   return out;

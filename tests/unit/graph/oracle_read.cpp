@@ -158,10 +158,7 @@ class Reader {
       double value = 0;
       words >> value;
       out.value = static_cast<double>(static_cast<float>(value));
-      out.test = test == ">"    ? Test::above
-                 : test == "<"  ? Test::below
-                 : test == ">=" ? Test::at_least
-                                : Test::at_most;
+      out.test = test == ">" ? Test::above : test == "<" ? Test::below : test == ">=" ? Test::at_least : Test::at_most;
     }
     out.parameter = graph_.parameter(first);
     return out;
@@ -237,8 +234,10 @@ class Reader {
     mask(t, node);
     node.fade_s = number(t.get("fade"), 0);
     if (const toml::node* w = t.get("weight")) {
-      if (w->is_string()) node.by_parameter = static_cast<int>(graph_.parameter(text(w)));
-      else node.weight = number(w, 1);
+      if (w->is_string())
+        node.by_parameter = static_cast<int>(graph_.parameter(text(w)));
+      else
+        node.weight = number(w, 1);
     }
   }
 
