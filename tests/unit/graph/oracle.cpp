@@ -172,11 +172,7 @@ std::size_t Animator::request(int node, Run run) {
 // What begins anew.
 void Animator::begin(int node, NodeState& state, const Run& run) const {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
-  const NodeState was = state;
   state = {};
-  state.begun_s = was.begun_s;
-  state.begun_x = was.begun_x;
-  state.begun_in = was.begun_in;
   if (n.kind == Kind::clip) {
     const Clip& clip = clips()[n.clip];
     state.x = n.speed < 0 ? clip.duration_s : 0;
@@ -230,18 +226,10 @@ void Animator::go_clip(int node, Run& run) {
   if (begins) begin(node, state, run);
   run.fresh = false;
   const double x0 = state.x;
-  // In one moment it begins once.
-  const bool begins_again = begins && state.begun_s == run.begin_s && state.begun_in == steps && state.begun_x == x0;
-  if (begins) {
-    state.begun_s = run.begin_s;
-    state.begun_in = steps;
-    state.begun_x = x0;
-  }
   go(node, state, run);
   const Clip& clip = clips()[n.clip];
   run.root = root_between(clip, n.play, x0, state.x);
-  if (run.active && run.loud >= least_loudness_)
-    count_events(clip, n.play, x0, state.x, begins && !begins_again, events);
+  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, begins, events);
 }
 
 void Animator::go_space(int node, Run& run) {

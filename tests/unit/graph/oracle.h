@@ -129,10 +129,8 @@ std::vector<std::array<std::size_t, 3>> triangulated(const std::vector<Point>& p
 // What a node is in.
 struct NodeState {
   bool shown = false;
-  double x = 0;                     // of a clip
-  Place place;                      // of a space in step
-  double begun_s = 0, begun_x = 0;  // of a clip: when it began last, and where
-  int begun_in = -1;
+  double x = 0;  // of a clip
+  Place place;   // of a space in step
   // Of a machine.
   int current = -1;
   double age_s = 0, since_s = 0, fade_s = 0;

@@ -76,7 +76,9 @@ void Machine::go() {
         state_.before.empty() ? std::numeric_limits<double>::infinity() : now_s_ + state_.fade_s - state_.since_s;
     double until = std::min(run_.end_s, fade_end);
     if (next.transition != nullptr) until = std::min(until, next.at_s);
-    show_until(until);
+    // What is left in the moment in which it is entered was never there.
+    const bool is_left_at_once = next.transition != nullptr && next.at_s <= now_s_ && fresh_.fresh;
+    if (!is_left_at_once) show_until(until);
     if (fade_end <= until) {
       state_.before.clear();
     }
