@@ -26,6 +26,7 @@ AnimatorPieces lay_out(const GraphBinding& b, const AnimatorOptions& options, Me
   made.options = options;
   out.state = memory.take<std::byte>(b.state_bytes);
   made.begun = memory.take<std::byte>(b.state_bytes);
+  made.part_begun = memory.take<std::byte>(b.state_bytes);
   made.nodes = memory.take<NodeStep>(b.graph.nodes.size);
   made.links = memory.take<LinkStep>(b.link_count);
   made.weights = memory.take<float>(b.link_count);
@@ -136,6 +137,29 @@ Status step_once(const GraphStep& step, RigidMotion& root) {
   step.head().is_changing = step.s.is_changing || step.s.is_fading ? 1 : 0;
   if (step.s.nodes[0].moves) root = root * motion_of(step.s.nodes[0].motion);
   return Status::ok;
+}
+
+// In as many parts as are needed for states that are left and entered again.
+Status step_in_cuts(const GraphStep& step, RigidMotion& root) {
+  constexpr int kMostCuts = 16;
+  AnimatorScratch& s = step.s;
+  double left_s = step.dt_s;
+  for (int cuts = 0;; ++cuts) {
+    std::memcpy(s.part_begun.data, step.state.data, step.b.state_bytes);
+    const std::uint32_t events = s.event_count, left_out = s.left_out;
+    const RigidMotion before = root;
+    s.cut_s = -1;
+    const Status status = step_once({step.b, step.g, step.state, s, left_s}, root);
+    const double cut_s = s.cut_s;
+    if (status != Status::ok || !(cut_s > 0 && cut_s < left_s) || cuts == kMostCuts) return status;
+    std::memcpy(step.state.data, s.part_begun.data, step.b.state_bytes);
+    s.event_count = events;
+    s.left_out = left_out;
+    root = before;
+    const Status first = step_once({step.b, step.g, step.state, s, cut_s}, root);
+    if (first != Status::ok) return first;
+    left_s -= cut_s;
+  }
 }
 
 // How many equal parts a step in which weights change is taken in: of 1/240 s, as means are not quite the way.
@@ -262,7 +286,7 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
   bool is_cut = head.is_touched != 0 || head.is_changing != 0 || head.is_updated == 0;
   if (!is_cut) {
     std::memcpy(s.begun.data, animator.state.data, b.state_bytes);
-    status = step_once(step, root);
+    status = step_in_cuts(step, root);
     is_cut = s.is_fading;
     if (is_cut) std::memcpy(animator.state.data, s.begun.data, b.state_bytes);
   }
@@ -271,7 +295,7 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
     root = {};
     const double parts = parts_of(step.dt_s);
     const GraphStep part{b, b.graph, animator.state, s, step.dt_s / parts};
-    for (double i = 0; i < parts && status == Status::ok; ++i) status = step_once(part, root);
+    for (double i = 0; i < parts && status == Status::ok; ++i) status = step_in_cuts(part, root);
   }
   if (status != Status::ok) return status;
   drop_brief_triggers(step);

@@ -58,11 +58,11 @@ struct LayerState {
 
 // How a node is entered. All 0: it goes on.
 struct Entry {
-  bool begins;           // anew
-  bool in_phase;         // at the place, else at time_s
+  bool begins;    // anew
+  bool in_phase;  // at the place, else at time_s
   float time_s;
-  double at_s;           // of the step
-  double share;          // the place, see Phase
+  double at_s;   // of the step
+  double share;  // the place, see Phase
   std::uint32_t segment;
 
   Phase place() const { return {share, segment, 0}; }
@@ -71,9 +71,9 @@ struct Entry {
 // What happens to a node in a step. Times are within the step. Set by GraphStep::reach().
 struct NodeStep {
   bool is_reached;
-  bool is_kept;    // it is shown at the end of the step
-  bool moves;      // `motion` is not 0
-  bool is_left;    // at heard_s, so that its machines decide nothing then
+  bool is_kept;  // it is shown at the end of the step
+  bool moves;    // `motion` is not 0
+  bool is_left;  // at heard_s, so that its machines decide nothing then
   Entry entry;
   double from_s, until_s;
   double heard_s;  // its events count until then; below from_s: not at all, and its machines stay as they are
@@ -96,13 +96,14 @@ struct ShownSkeleton {
 
 struct AnimatorScratch {
   AnimatorOptions options = {};
-  Span<std::byte> begun = {};  // the state at the begin of an update
+  Span<std::byte> begun = {}, part_begun = {};  // the state at the begin of an update, and of a part of it
   Span<NodeStep> nodes = {};
   Span<LinkStep> links = {};
   Span<float> weights = {};  // a link
   Span<float> means = {};    // of a number over the step
   Span<AnimatorEvent> events = {};
   std::uint32_t event_count = 0, left_out = 0;
+  double cut_s = -1;  // where a step must be cut in two, as a state is entered a second time; below 0: nowhere
   bool is_fading = false, is_changing = false;  // when the step ends: a machine shows several states; weights change
   // Of poses.
   Span<ShownSkeleton> skeletons = {};

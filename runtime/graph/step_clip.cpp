@@ -59,8 +59,7 @@ Playback playback_at(const GraphStep& step, std::uint32_t node, double t, const 
   const std::uint32_t record = step.g.nodes[node].record;
   const GraphClip& clip = step.g.clips[record];
   const ClipMotion& motion = step.b.clips[record].motion;
-  Playback out =
-      entered != nullptr ? beginning(clip, motion, *entered) : playback_of(clip, step.own<ClipState>(node));
+  Playback out = entered != nullptr ? beginning(clip, motion, *entered) : playback_of(clip, step.own<ClipState>(node));
   const double from_s = entered != nullptr ? entered->at_s : 0;
   if (t > from_s) static_cast<void>(advance(out, motion.duration_s, static_cast<float>(t - from_s)));
   return out;

@@ -292,6 +292,10 @@ class MachineStep {
     }
     own_.in_state_s = 0;
     Played& p = played(to, t);
+    if (p.until_s < t) {  // it was left in this step
+      if (p.until_s > p.from_s && step_.s.cut_s < 0) step_.s.cut_s = p.until_s;
+      p.from_s = p.until_s = t;
+    }
     p.heard_s = n_.heard_s;
     p.is_left = n_.is_left;
     if (entry.begins) p.entry = entry;
@@ -318,7 +322,8 @@ class MachineStep {
       links_[p.state] = {length > 0 ? static_cast<float>(p.sum_s / length) : p.end, p.end,
                          whole_s > 0 ? static_cast<float>(length / whole_s) : 1.0f};
       const std::uint32_t node = node_of(p.state);
-      if (node == kNoIndex) continue;
+      // What is left in the moment in which it was entered is as if it had not been.
+      if (node == kNoIndex || (!(length > 0) && !is_in_chain(p.state))) continue;
       step_.reach(node, {.entry = p.entry,
                          .from_s = p.from_s,
                          .until_s = p.until_s,

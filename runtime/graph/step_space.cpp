@@ -200,8 +200,11 @@ bool find_place(const GraphStep& step, std::uint32_t node, double t, const Entry
         node = step.g.states[m.first_state + state].node;
         break;
       }
-      case GraphNodeKind::layer: node = step.g.layers[of.record].base; break;
-      case GraphNodeKind::given: return false;
+      case GraphNodeKind::layer:
+        node = step.g.layers[of.record].base;
+        break;
+      case GraphNodeKind::given:
+        return false;
     }
   }
   return false;

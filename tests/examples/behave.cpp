@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
   must(make_owned(bytes, file));
   must(make_owned(file, {}, animator));
   must(make_owned(file, {.layers = 8}, hero));
-  const std::uint32_t speed = find_parameter(animator.bound, "speed"), strike = find_parameter(animator.bound, "strike");
+  const std::uint32_t speed = find_parameter(animator.bound, "speed"),
+                      strike = find_parameter(animator.bound, "strike");
   std::vector<std::uint32_t> gaze;
   for (const Role role : {Role::neck, Role::head})
     if (const std::uint32_t joint = joint_of(file.roles(0), role); joint != kNoJoint) gaze.push_back(joint);

@@ -388,7 +388,7 @@ std::uint64_t hash_pose_maps(std::uint64_t state, const File& file) {
 // Each for a second, in steps of several lengths, all that a game can set being set at times.
 std::uint64_t hash_graphs(std::uint64_t state, const File& file) {
   if (file.graph_count() == 0 || file.clip_count() == 0 || file.reference_count() > 0) return state;
-  const AlignedBlock shared(animations_bytes(file, file));
+  AlignedBlock shared(animations_bytes(file, file));
   Animations animations;
   if (make_animations(file, file, shared, animations) != Status::ok) return state;
   for (std::uint32_t i = 0; i < file.graph_count(); ++i) {
@@ -398,7 +398,7 @@ std::uint64_t hash_graphs(std::uint64_t state, const File& file) {
       require(error.status != Status::ok && error.rule[0] != 0);
       continue;
     }
-    const AlignedBlock bound(graph_binding_bytes(graph, file));
+    AlignedBlock bound(graph_binding_bytes(graph, file));
     GraphBinding binding;
     GraphMisfit misfit;
     if (bind_graph(file, graph, file, {&animations, 1}, bound, binding, &misfit) != Status::ok) {
@@ -406,7 +406,7 @@ std::uint64_t hash_graphs(std::uint64_t state, const File& file) {
       continue;
     }
     const CharacterOptions options{.layers = graph.nodes[0].poses, .skin = false};
-    const AlignedBlock own(animator_bytes(binding, {})), posed(character_bytes(file, options));
+    AlignedBlock own(animator_bytes(binding, {})), posed(character_bytes(file, options));
     Animator animator;
     Character character;
     require(make_animator(binding, {}, own, animator) == Status::ok);
@@ -422,7 +422,9 @@ std::uint64_t hash_graphs(std::uint64_t state, const File& file) {
       const Status status = update_animator(animator, frame == 20 ? 1e6f : 0.04f, step);
       require(status == Status::ok || status == Status::bad_data);
       if (status != Status::ok || pose_character(character, animator) != Status::ok) break;
-      state = hash_all(hash_all(state, animator.state), character.skeletons[0].pose.local);
+      const Span<SoaTransform> local = character.skeletons[0].pose.local;
+      state = hash_all(state, std::vector<std::byte>(animator.state.begin(), animator.state.end()));
+      state = hash_all(state, std::vector<SoaTransform>(local.begin(), local.end()));
     }
   }
   return state;

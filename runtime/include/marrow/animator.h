@@ -33,7 +33,7 @@ struct GraphBinding {
   File file = {};  // whose graph it is
   Graph graph = {};
   File character = {};
-  Span<const Animation> clips = {};  // one a clip of the graph
+  Span<const Animation> clips = {};           // one a clip of the graph
   Span<const SpeedPoint> points = {};         // one a point: where it stands, and the time of a cycle of its space
   Span<const float> masks = {};               // mask after mask, each as AnimationLayer::mask
   Span<const float> hips = {};                // what a mask leaves of root motion

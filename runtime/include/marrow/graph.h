@@ -13,10 +13,10 @@ namespace marrow {
 
 // No node, parameter or mask.
 inline constexpr std::uint32_t kNoIndex = 0xFFFFFFFF;
-inline constexpr std::uint32_t kMaxGraphNodes = 512;   // of a graph
-inline constexpr std::uint32_t kMaxGraphHeight = 16;   // nodes that stand below each other
-inline constexpr std::uint32_t kMaxFading = 4;         // states of a machine that are shown at once
-inline constexpr std::uint32_t kMaxGraphPoses = 64;    // that are held at once
+inline constexpr std::uint32_t kMaxGraphNodes = 512;  // of a graph
+inline constexpr std::uint32_t kMaxGraphHeight = 16;  // nodes that stand below each other
+inline constexpr std::uint32_t kMaxFading = 4;        // states of a machine that are shown at once
+inline constexpr std::uint32_t kMaxGraphPoses = 64;   // that are held at once
 
 // What a parameter is.
 enum class ParameterKind : std::uint32_t {

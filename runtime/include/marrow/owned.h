@@ -108,8 +108,8 @@ inline Status make_owned(const OwnedFile& file, const CharacterOptions& options,
 }
 
 // An animator of a file's first graph and its own clips, for characters of it. It stays where it is, as does the file.
-// Errors: mismatch if the file has no graph; those of File::graph(), bind_graph() and make_animator(). Cost: theirs, and
-// two allocations.
+// Errors: mismatch if the file has no graph; those of File::graph(), bind_graph() and make_animator(). Cost: theirs,
+// and two allocations.
 inline Status make_owned(const OwnedFile& file, const AnimatorOptions& options, OwnedAnimator& out) {
   Graph graph;
   if (file.graph_count() == 0) return Status::mismatch;

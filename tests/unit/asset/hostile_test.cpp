@@ -22,7 +22,8 @@ INSTANTIATE_TEST_SUITE_P(Golden, Hostile,
                                            &test::golden_half_joint_copy, &test::golden_centres_copy,
                                            &test::golden_lod_copy, &test::golden_limits_copy,
                                            &test::golden_springs_copy, &test::golden_roles_copy,
-                                           &test::golden_maps_copy, &test::golden_graph_copy, &test::golden_shapes_copy));
+                                           &test::golden_maps_copy, &test::golden_graph_copy,
+                                           &test::golden_shapes_copy));
 
 // Each in a block of its own size, so that a sanitizer sees a read past the end.
 TEST_P(Hostile, EveryPrefixIsRefused) {

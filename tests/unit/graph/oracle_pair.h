@@ -147,7 +147,7 @@ class Pair {
       const std::string state = twin.state(name, &seconds);
       if (rig.state(name.c_str()) != state) return name + " is in " + rig.state(name.c_str()) + " instead of " + state;
       float has = 0;
-      if (state_of(rig.animator, find_graph_node(rig.file, rig.graph, name.c_str()), &has) == kNoIndex) continue;
+      if (state_of(rig.animator, find_graph_node(rig.binding, name.c_str()), &has) == kNoIndex) continue;
       worst_seconds = std::max(worst_seconds, std::abs(static_cast<double>(has) - seconds));
       if (std::abs(static_cast<double>(has) - seconds) > 1e-6 * std::max(1.0, seconds))
         return name + " lasts " + std::to_string(has) + " instead of " + std::to_string(seconds);

@@ -80,7 +80,8 @@ std::vector<MisuseRow> rows_of_animators() {
          m.returned(make_animator(m.either(whole().animator.bound, GraphBinding{}), options, m.memory(bytes), out));
        }},
       {"find_parameter", MISUSED(find_parameter(m.either(whole().animator.bound, GraphBinding{}), m.pointer("speed")))},
-      {"find_graph_node", MISUSED(find_graph_node(m.either(whole().animator.bound, GraphBinding{}), m.pointer("body")))},
+      {"find_graph_node",
+       MISUSED(find_graph_node(m.either(whole().animator.bound, GraphBinding{}), m.pointer("body")))},
       {"find_state",
        MISUSED(find_state(m.either(whole().animator.bound, GraphBinding{}), m.index(3), m.pointer("moves")))},
       {"set_number",

@@ -14,8 +14,9 @@ namespace {
 
 std::vector<MisuseRow> all_rows() {
   std::vector<MisuseRow> out;
-  for (const auto& rows : {rows_of_files(), rows_of_poses(), rows_of_motion(), rows_of_animators(), rows_of_curves(), rows_of_reaching(),
-                           rows_of_following(), rows_of_skinning(), rows_of_characters(), rows_of_lines()})
+  for (const auto& rows :
+       {rows_of_files(), rows_of_poses(), rows_of_motion(), rows_of_animators(), rows_of_curves(), rows_of_reaching(),
+        rows_of_following(), rows_of_skinning(), rows_of_characters(), rows_of_lines()})
     out.insert(out.end(), rows.begin(), rows.end());
   return out;
 }
