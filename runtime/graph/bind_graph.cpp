@@ -1,12 +1,12 @@
 // A graph's clips, masks and places in the state, found once for all its animators.
 #include <cstring>
 
-#include "asset/graph_fault.h"
 #include "core/check.h"
 #include "core/memory.h"
 #include "core/off_boundary.h"
 #include "core/zone.h"
 #include "graph/animator_state.h"
+#include "graph/graph_fault.h"
 
 namespace marrow {
 namespace {

@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = {
     "everywhere": ("Everywhere: status, memory, versions", "version status call_error zones span block pose math api marrow owned glm"),
     "files": ("Files", "unpack draco meshopt file skeleton roles clip mesh material clip_pack"),
-    "poses": ("Poses", "playback clip_motion pose_map events root_motion phase blend_space sample blend transition local_to_model curve outfit character"),
+    "poses": ("Poses", "playback clip_motion pose_map events root_motion phase blend_space sample blend transition local_to_model curve outfit character graph animator"),
     "reaching": ("Reaching: inverse kinematics, limits, springs", "limits ik ik_solve feet springs debug_lines"),
     "skinning": ("Skinning", "example_space morph palette bounds skin"),
     "gles": ("OpenGL ES", "gles3 gles3_skinner gles3_crowd gles3_self_test gles3_functions egl"),

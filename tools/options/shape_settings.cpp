@@ -10,7 +10,7 @@
 #include "marrow/example_space.h"
 #include "text/nearest.h"
 #include "text/printable.h"
-#include "text/toml_reader.h"
+#include "toml/toml_reader.h"
 
 namespace marrow::cook {
 namespace {

@@ -397,6 +397,7 @@ def main():
         ["smooth.mrw", "--clip-codec", "raw", "--as", "smooth"],
         ["pack.mrw", "--clip-codec", "raw", "--clips-only", "--skeleton", "hero.glb"],
         ["mapped.mrw", "--clip-codec", "raw", "--pose-map", "hero.glb"],  # onto itself
+        ["behaving.mrw", "--root", "*=ground", "--graph", str(HERE / "animator.anim.toml")],
         ["suit.mrw", "--clip-codec", "raw", "--skeleton", "hero.glb"],  # the sample in its own skin
     ]
     running = [subprocess.Popen([marrow, "cook", "hero.glb", "-o", *options], cwd=work, stdout=subprocess.DEVNULL,

@@ -8,7 +8,7 @@
 
 #include "asset/format.h"
 #include "asset/sections/examples_section.h"
-#include "asset/sections/graph_section.h"
+#include "graph/graph_section.h"
 #include "support/places.h"
 
 namespace marrow {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "asset/sections/graph_section.h"
+#include "graph/graph_section.h"
 #include "support/damage.h"
 #include "support/golden.h"
 

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "asset/graph_fault.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
 #include "cook/graph/triangulate.h"
+#include "graph/graph_fault.h"
 #include "text/nearest.h"
-#include "text/toml_reader.h"
+#include "toml/toml_reader.h"
 
 namespace marrow::cook {
 namespace {

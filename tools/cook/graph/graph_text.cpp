@@ -7,7 +7,7 @@
 
 #include "marrow/roles.h"
 #include "text/nearest.h"
-#include "text/toml_reader.h"
+#include "toml/toml_reader.h"
 
 namespace marrow::cook {
 namespace {

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "asset/sections/examples_section.h"
-#include "asset/sections/graph_section.h"
 #include "asset/skeleton_hash.h"
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
@@ -17,6 +16,7 @@
 #include "cook/write/compact.h"
 #include "cook/write/measure_bounds.h"
 #include "cook/write/section_bytes.h"
+#include "graph/graph_section.h"
 
 namespace marrow::cook {
 namespace {

@@ -1,4 +1,4 @@
-#include "asset/graph_fault.h"
+#include "graph/graph_fault.h"
 
 #include <algorithm>
 

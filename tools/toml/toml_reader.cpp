@@ -1,4 +1,4 @@
-#include "text/toml_reader.h"
+#include "toml/toml_reader.h"
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 #include <cstring>
 
 #include "asset/checker.h"
-#include "asset/graph_fault.h"
-#include "asset/sections/graph_section.h"
 #include "core/check.h"
 #include "core/zone.h"
+#include "graph/graph_fault.h"
+#include "graph/graph_section.h"
 #include "marrow/graph.h"
 
 namespace marrow {
