@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
       must(finish_character(hero));
     }
     const std::uint32_t state = state_of(animator, body);
-    std::printf("%s at %.2f m, after %d steps of the left foot\n",
+    std::printf("%s at %.2f m, left foot came down %d times\n",
                 file.text(animator.bound.graph.states[animator.bound.graph.machines[0].first_state + state].name),
                 double(world_from_model.rows[2][3]), steps);
   };
@@ -51,4 +51,7 @@ int main(int argc, char** argv) {
 }
 
 // Prints:
-//   moves at 1.20 m, after 3 steps of the left foot
+//   moves at 1.20 m, left foot came down 3 times
+//   reaches at 1.20 m, left foot came down 1 times
+//   moves at 1.20 m, left foot came down 1 times
+//   moves at 2.40 m, left foot came down 3 times

@@ -72,12 +72,6 @@ const std::vector<std::byte>& fan() {
   return packed;
 }
 
-#define MISUSED(call) \
-  [](Misuse& m) {     \
-    (void)(call);     \
-    m.returned_ok();  \
-  }
-
 // Indices that there are not give what is empty.
 std::vector<MisuseRow> rows_of_views() {
   return {
