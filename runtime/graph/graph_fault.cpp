@@ -11,7 +11,7 @@ constexpr std::uint32_t kMostParameters = 256, kMostPoints = 64, kMostStates = 6
                         kMostConditions = 16, kMostParts = 64, kMostFalloff = 65535;
 constexpr float kMostNumber = 1e12f, kMostSeconds = 1e6f, kMostSpeed = 64;
 
-bool is_time(float s) {
+bool is_graph_time(float s) {
   return within(s, 0, kMostSeconds);
 }
 
@@ -59,7 +59,7 @@ class GraphRules {
   }
 
   void parameter(const GraphParameter& p) {
-    expect(p.kind <= ParameterKind::trigger && is_time(p.seconds), &p, "a kind of parameter, and a time up to 1e6 s");
+    expect(p.kind <= ParameterKind::trigger && is_graph_time(p.seconds), &p, "a kind of parameter, and a time up to 1e6 s");
     if (p.kind == ParameterKind::number)
       expect(within(p.least, -kMostNumber, kMostNumber) && within(p.most, p.least, kMostNumber) &&
                  within(p.initial, p.least, p.most),
@@ -164,7 +164,7 @@ class GraphRules {
                "up to 16 conditions of a transition"))
       return;
     expect(conditions_ <= g_.conditions.size, &t, "conditions of a transition");
-    expect(is_time(t.fade_s) && is_time(t.after_s) && is_time(t.at_end_s) && is_time(t.enter_s) && t.flags < 16, &t,
+    expect(is_graph_time(t.fade_s) && is_graph_time(t.after_s) && is_graph_time(t.at_end_s) && is_graph_time(t.enter_s) && t.flags < 16, &t,
            "times of a transition are 0 to 1e6 s");
   }
 
@@ -173,7 +173,7 @@ class GraphRules {
     expect(l.mask == kNoIndex || l.mask < g_.masks.size, &l, "no such mask");
     expect(l.by == kNoIndex || is_kind(l.by, ParameterKind::number) || is_kind(l.by, ParameterKind::flag), &l,
            "a layer goes by a number or a flag");
-    expect(within(l.weight, 0, 1) && is_time(l.fade_s) && l.flags <= 1, &l, "a weight from 0 to 1, and a time");
+    expect(within(l.weight, 0, 1) && is_graph_time(l.fade_s) && l.flags <= 1, &l, "a weight from 0 to 1, and a time");
   }
 
   const Graph& g_;

@@ -5,11 +5,11 @@
 namespace marrow {
 namespace {
 
-constexpr std::uint32_t kMostPoints = 64;
+constexpr std::uint32_t kMostInSpace = 64;
 
 // The clips of a space in step, with these weights.
 struct StepGroup {
-  PhaseClip clips[kMostPoints];
+  PhaseClip clips[kMostInSpace];
   Span<const PhaseClip> all;
 
   StepGroup(const GraphBinding& b, const GraphSpace& space, const float* weights) : all(clips, space.point_count) {
@@ -69,7 +69,7 @@ Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeSt
 // From one time of the step to another, by the means of the links.
 Status go_together(const GraphStep& step, const GraphSpace& space, float rate, double from_s, double until_s,
                    bool begins, NodeStep& n, SpaceState& own, const LinkStep* links) {
-  float means[kMostPoints];
+  float means[kMostInSpace];
   for (std::uint32_t i = 0; i < space.point_count; ++i) means[i] = links[i].mean;
   const StepGroup group(step.b, space, means);
   const Phase before{own.share, own.segment, 0};
@@ -120,12 +120,12 @@ Status weigh_points(const GraphBinding& b, const GraphSpace& space, const float 
   const Span<const SpeedPoint> places(b.points.data + first, count);
   if ((space.flags & kSpaceMatchesSpeed) != 0) return match_speed(places, at[0], out, rate);
   if (space.triangle_count > 0) {
-    PlanePoint points[kMostPoints];
+    PlanePoint points[kMostInSpace];
     for (std::uint32_t i = 0; i < count; ++i) points[i] = {b.graph.points[first + i].x, b.graph.points[first + i].y};
     return plane_weights({points, count}, {b.graph.triangles.data + space.first_triangle, space.triangle_count},
                          {at[0], at[1]}, out);
   }
-  float points[kMostPoints];
+  float points[kMostInSpace];
   for (std::uint32_t i = 0; i < count; ++i) points[i] = places[i].speed_m_s;
   return line_weights({points, count}, at[0], out);
 }
@@ -140,7 +140,7 @@ Status step_space(const GraphStep& step, std::uint32_t node) {
     means[i] = step.s.means[space.by[i]];
     ends[i] = step.parameter(space.by[i]).value;
   }
-  float weights[kMostPoints];
+  float weights[kMostInSpace];
   Status status = weigh_points(step.b, space, ends, weights, end_rate);
   for (std::uint32_t i = 0; i < space.point_count && status == Status::ok; ++i) links[i].end = weights[i];
   if (status == Status::ok) status = weigh_points(step.b, space, means, weights, rate);
@@ -177,7 +177,7 @@ bool find_phase(const GraphStep& step, const GraphSpace& space, SpaceState own, 
   out = {own.share, own.segment, 0};
   if (!(t > from_s)) return true;
   const float means[2] = {step.s.means[space.by[0]], space.by[1] == kNoIndex ? 0 : step.s.means[space.by[1]]};
-  float weights[kMostPoints], rate = 1;
+  float weights[kMostInSpace], rate = 1;
   if (weigh_points(step.b, space, means, weights, rate) != Status::ok) return false;
   return move_back(step.b, space, weights, static_cast<float>(from_s - t) * rate, out) == Status::ok;
 }

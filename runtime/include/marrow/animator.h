@@ -72,6 +72,7 @@ struct AnimatorEvent {
 // The number of an event's name: 32 bits by FNV-1a. May be computed while compiling.
 constexpr std::uint32_t event_id(const char* name) {
   std::uint32_t id = 2166136261u;
+  if (name == nullptr) return id;
   for (; *name != '\0'; ++name) id = (id ^ static_cast<std::uint8_t>(*name)) * 16777619u;
   return id;
 }

@@ -69,7 +69,6 @@ TEST_F(LoadGraphs, OthersAreRefused) {
   refuse(layout_.nodes + 4, std::uint32_t{5}, "a kind of node");
   refuse(layout_.nodes + 8, std::uint32_t{1}, "records in their nodes' order");
   refuse(layout_.nodes + 12, std::uint16_t{16}, "lower than 16");
-  refuse(layout_.nodes + 12, std::uint16_t{1}, "stand later, and lower");
   refuse(layout_.nodes + 14, std::uint16_t{1}, "as many poses");
   refuse(layout_.clips + 4, 65.0f, "a speed within 64");
   refuse(layout_.clips + 8, std::uint32_t{3}, "a mode");
