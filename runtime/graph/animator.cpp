@@ -72,7 +72,7 @@ void sum_links(const GraphStep& step, std::uint32_t node) {
       for (std::uint32_t i = 0; i < m.state_count; ++i) {
         const std::uint32_t below = step.g.states[m.first_state + i].node;
         if (below == kNoIndex || links[i].mean == 0) continue;
-        n.presence += links[i].mean * links[i].time;
+        n.presence += links[i].mean;
         sum(below, static_cast<double>(links[i].mean));
       }
       return;
@@ -114,7 +114,7 @@ Status step_node(const GraphStep& step, std::uint32_t node) {
 Status step_nodes(const GraphStep& step) {
   const auto count = static_cast<std::uint32_t>(step.g.nodes.size);
   Status status = Status::ok;
-  step.reach(0, {.from_s = 0, .until_s = step.dt_s, .heard_s = step.dt_s, .loudness = 1, .is_kept = true});
+  step.reach(0, {.loudness = 1, .is_heard = true, .is_kept = true});
   for (std::uint32_t node = 0; node < count && status == Status::ok; ++node)
     if (step.step(node).is_reached) status = step_node(step, node);
   for (std::uint32_t node = count; node-- > 0;) {
@@ -127,22 +127,23 @@ Status step_nodes(const GraphStep& step) {
 }
 
 Status step_once(const GraphStep& step, RigidMotion& root) {
-  step.s.is_fading = step.s.is_changing = false;
+  step.s.is_changing = false;
   step_parameters(step);
   const Status status = step_nodes(step);
   if (status != Status::ok) return status;
   end_triggers(step);
   step.head().age_s += step.dt_s;
   step.head().is_updated = 1;
-  step.head().is_changing = step.s.is_changing || step.s.is_fading ? 1 : 0;
+  step.head().is_changing = step.s.is_changing ? 1 : 0;
   if (step.s.nodes[0].moves) root = root * motion_of(step.s.nodes[0].motion);
   return Status::ok;
 }
 
-// In as many parts as are needed for states that are left and entered again.
+// Cut where transitions fall due.
 Status step_in_cuts(const GraphStep& step, RigidMotion& root) {
   constexpr int kMostCuts = 16;
   AnimatorScratch& s = step.s;
+  s.is_fading = false;
   double left_s = step.dt_s;
   for (int cuts = 0;; ++cuts) {
     std::memcpy(s.part_begun.data, step.state.data, step.b.state_bytes);
@@ -151,7 +152,7 @@ Status step_in_cuts(const GraphStep& step, RigidMotion& root) {
     s.cut_s = -1;
     const Status status = step_once({step.b, step.g, step.state, s, left_s}, root);
     const double cut_s = s.cut_s;
-    if (status != Status::ok || !(cut_s > 0 && cut_s < left_s) || cuts == kMostCuts) return status;
+    if (status != Status::ok || cut_s < 0 || cuts == kMostCuts) return status;
     std::memcpy(step.state.data, s.part_begun.data, step.b.state_bytes);
     s.event_count = events;
     s.left_out = left_out;
@@ -219,27 +220,21 @@ bool is_state(const GraphBinding& b, Span<const std::byte> snapshot) {
 
 void GraphStep::reach(std::uint32_t node, const Reach& r) const {
   NodeStep& n = step(node);
-  Entry entry = r.entry;
-  if (!entry.begins && !is_shown(node)) entry = {.begins = true, .at_s = r.from_s};
+  const float loudness = r.is_heard ? r.loudness : 0;
   if (!n.is_reached) {
     n = {.is_reached = true,
          .is_kept = r.is_kept,
-         .is_left = r.is_left,
-         .entry = entry,
-         .from_s = r.from_s,
-         .until_s = r.until_s,
-         .heard_s = r.heard_s,
-         .loudness = r.loudness,
+         .is_heard = r.is_heard,
+         .entry = r.entry,
+         .loudness = loudness,
          .presence = 1};
+    if (!is_shown(node)) n.entry.begins = true;
     return;
   }
-  if (entry.begins && (!n.entry.begins || entry.at_s < n.entry.at_s)) n.entry = entry;
-  n.from_s = r.from_s < n.from_s ? r.from_s : n.from_s;
-  n.until_s = r.until_s > n.until_s ? r.until_s : n.until_s;
-  n.heard_s = r.heard_s > n.heard_s ? r.heard_s : n.heard_s;
-  n.loudness = r.loudness > n.loudness ? r.loudness : n.loudness;
+  if (r.entry.begins && !n.entry.begins) n.entry = r.entry;
+  n.loudness = loudness > n.loudness ? loudness : n.loudness;
+  n.is_heard = n.is_heard || r.is_heard;
   n.is_kept = n.is_kept || r.is_kept;
-  n.is_left = n.is_left && r.is_left;
 }
 
 std::size_t animator_bytes(const GraphBinding& binding, const AnimatorOptions& options) {

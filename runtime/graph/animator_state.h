@@ -61,22 +61,19 @@ struct Entry {
   bool begins;    // anew
   bool in_phase;  // at the place, else at time_s
   float time_s;
-  double at_s;   // of the step
   double share;  // the place, see Phase
   std::uint32_t segment;
 
   Phase place() const { return {share, segment, 0}; }
 };
 
-// What happens to a node in a step. Times are within the step. Set by GraphStep::reach().
+// What happens to a node in a step. Set by GraphStep::reach().
 struct NodeStep {
   bool is_reached;
-  bool is_kept;  // it is shown at the end of the step
-  bool moves;    // `motion` is not 0
-  bool is_left;  // at heard_s, so that its machines decide nothing then
+  bool is_kept;   // it is shown at the end of the step
+  bool is_heard;  // its events count, and its machines decide
+  bool moves;     // `motion` is not 0
   Entry entry;
-  double from_s, until_s;
-  double heard_s;  // its events count until then; below from_s: not at all, and its machines stay as they are
   float loudness;  // what its events weigh
   float presence;  // of a machine: less where it shows nothing
   Screw motion;
@@ -85,7 +82,6 @@ struct NodeStep {
 // What a link has in a step, and at its end.
 struct LinkStep {
   float mean = 0, end = 0;
-  float time = 0;  // the share of the step that `mean` is over
 };
 
 struct ShownSkeleton {
@@ -103,8 +99,9 @@ struct AnimatorScratch {
   Span<float> means = {};    // of a number over the step
   Span<AnimatorEvent> events = {};
   std::uint32_t event_count = 0, left_out = 0;
-  double cut_s = -1;  // where a step must be cut in two, as a state is entered a second time; below 0: nowhere
-  bool is_fading = false, is_changing = false;  // when the step ends: a machine shows several states; weights change
+  double cut_s = -1;         // where a step must be cut, as a transition falls due then; below 0: nowhere
+  bool is_fading = false;    // a machine showed several states in the update
+  bool is_changing = false;  // weights are on their way when the step ends
   // Of poses.
   Span<ShownSkeleton> skeletons = {};
   double shown_at_s[2] = {};        // by the animator's age

@@ -8,9 +8,8 @@ namespace marrow {
 // What a node passes on to one below it.
 struct Reach {
   Entry entry = {};
-  double from_s = 0, until_s = 0, heard_s = -1;
   float loudness = 0;
-  bool is_kept = false, is_left = false;
+  bool is_heard = false, is_kept = false;
 };
 
 // A graph, its state and what is known of the step by now.
@@ -31,7 +30,7 @@ struct GraphStep {
   NodeStep& step(std::uint32_t node) const { return s.nodes[node]; }
   LinkStep* links(std::uint32_t node) const { return s.links.data + b.first_link[node]; }
 
-  // Makes sure that a node has its step, from the last of those above it on.
+  // Makes sure that a node has its step, at least as those above it want it.
   void reach(std::uint32_t node, const Reach& r) const;
 };
 
@@ -53,12 +52,10 @@ void weigh_chain(const MachineState& m, float (&weights)[kMaxFading]);
 // Weight of a layer.
 float weight_of(const GraphStep& step, const GraphLayer& layer, const LayerState& state);
 
-// The playback of a clip as it begins.
-Playback beginning(const GraphClip& clip, const ClipMotion& motion, const Entry& entry);
-// Where a clip is at t in the step. entered: where it begins in the step, before it is reached; null: it goes on.
-Playback playback_at(const GraphStep& step, std::uint32_t node, double t, const Entry* entered);
-// The place that a node below which there is a cycle has at t in the step; false: it has none. entered: likewise.
-bool find_place(const GraphStep& step, std::uint32_t node, double t, const Entry* entered, Phase& out);
+// Where a clip is at the begin of the step. entered: where it begins, before it is reached; null: it goes on.
+Playback playback_of(const GraphStep& step, std::uint32_t node, const Entry* entered);
+// The place that a node below which there is a cycle has then; false: it has none. entered: likewise.
+bool find_place(const GraphStep& step, std::uint32_t node, const Entry* entered, Phase& out);
 
 // A clip of a space whose clips go by one phase, shift_s before `phase`, by the space's weights.
 Status move_back(const GraphBinding& b, const GraphSpace& space, const float* weights, float shift_s, Phase& phase);

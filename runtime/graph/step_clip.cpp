@@ -5,6 +5,9 @@
 
 namespace marrow {
 
+namespace {
+
+// As a clip begins.
 Playback beginning(const GraphClip& clip, const ClipMotion& motion, const Entry& entry) {
   Playback out{.speed = clip.speed, .mode = static_cast<PlayMode>(clip.mode)};
   const auto end_s = static_cast<double>(motion.duration_s);
@@ -19,71 +22,37 @@ Playback beginning(const GraphClip& clip, const ClipMotion& motion, const Entry&
   return out;
 }
 
-namespace {
+}  // namespace
 
-Playback playback_of(const GraphClip& clip, const ClipState& own) {
+Playback playback_of(const GraphStep& step, std::uint32_t node, const Entry* entered) {
+  const std::uint32_t record = step.g.nodes[node].record;
+  const GraphClip& clip = step.g.clips[record];
+  if (entered != nullptr) return beginning(clip, step.b.clips[record].motion, *entered);
+  const ClipState& own = step.own<ClipState>(node);
   return {.time_s = own.time_s,
           .speed = clip.speed,
           .mode = static_cast<PlayMode>(clip.mode),
           .returning = own.returning != 0};
 }
 
-// Plays on from one time of the step to another; events until heard_s count.
-Status play(const GraphStep& step, const Animation& animation, double from_s, double until_s, bool first,
-            NodeStep& node, Playback& playback) {
-  const float duration_s = animation.motion.duration_s;
-  const Playback was = playback;
-  Status status = advance(playback, duration_s, static_cast<float>(until_s - from_s));
-  if (status != Status::ok) return Status::bad_data;
-  if (node.heard_s >= from_s && !animation.motion.events.empty()) {
-    Playback heard = was;
-    if (node.heard_s < until_s) {
-      status = advance(heard, duration_s, static_cast<float>(node.heard_s - from_s));
-    } else {
-      heard = playback;
-    }
-    if (status == Status::ok) status = hear(step, animation, was, heard, first, node.loudness);
-    if (status != Status::ok) return status;
-  }
-  if (animation.motion.root.empty()) return Status::ok;
-  Screw screw;
-  if (!root_screw(animation.motion, was, playback, screw)) return Status::bad_data;
-  add(screw, 1, node.motion);
-  node.moves = true;
-  return Status::ok;
-}
-
-}  // namespace
-
-Playback playback_at(const GraphStep& step, std::uint32_t node, double t, const Entry* entered) {
-  const std::uint32_t record = step.g.nodes[node].record;
-  const GraphClip& clip = step.g.clips[record];
-  const ClipMotion& motion = step.b.clips[record].motion;
-  Playback out = entered != nullptr ? beginning(clip, motion, *entered) : playback_of(clip, step.own<ClipState>(node));
-  const double from_s = entered != nullptr ? entered->at_s : 0;
-  if (t > from_s) static_cast<void>(advance(out, motion.duration_s, static_cast<float>(t - from_s)));
-  return out;
-}
-
 Status step_clip(const GraphStep& step, std::uint32_t node) {
-  const std::uint32_t record = step.g.nodes[node].record;
-  const Animation& animation = step.b.clips[record];
-  ClipState& own = step.own<ClipState>(node);
+  const Animation& animation = step.b.clips[step.g.nodes[node].record];
   NodeStep& n = step.step(node);
-  Playback playback = playback_of(step.g.clips[record], own);
-  double from_s = n.from_s;
-  if (n.entry.begins) {
-    if (own.is_shown != 0 && from_s < n.entry.at_s) {
-      const Status status = play(step, animation, from_s, n.entry.at_s, false, n, playback);
-      if (status != Status::ok) return status;
-    }
-    playback = beginning(step.g.clips[record], animation.motion, n.entry);
-    from_s = n.entry.at_s;
-  }
-  const Status status = play(step, animation, from_s, n.until_s, n.entry.begins, n, playback);
-  own.time_s = playback.time_s;
-  own.returning = playback.returning ? 1 : 0;
-  return status;
+  const Playback was = playback_of(step, node, n.entry.begins ? &n.entry : nullptr);
+  Playback now = was;
+  Status status = advance(now, animation.motion.duration_s, static_cast<float>(step.dt_s));
+  if (status != Status::ok) return Status::bad_data;
+  ClipState& own = step.own<ClipState>(node);
+  own.time_s = now.time_s;
+  own.returning = now.returning ? 1 : 0;
+  if (n.is_heard && !animation.motion.events.empty())
+    status = hear(step, animation, was, now, n.entry.begins, n.loudness);
+  if (status != Status::ok || animation.motion.root.empty()) return status;
+  Screw screw;
+  if (!root_screw(animation.motion, was, now, screw)) return Status::bad_data;
+  add(screw, 1, n.motion);
+  n.moves = true;
+  return Status::ok;
 }
 
 Status hear(const GraphStep& step, const Animation& animation, const Playback& was, const Playback& now, bool first,

@@ -49,23 +49,17 @@ void step_layer(const GraphStep& step, std::uint32_t node) {
   if (goes_by_flag) {
     const float target = step.parameter(layer.by).target;
     if (n.entry.begins || !(layer.fade_s > 0)) own.ramp = target;
-    own.ramp = ramp_on(own.ramp, target, layer.fade_s, n.until_s - n.from_s, mean);
+    own.ramp = ramp_on(own.ramp, target, layer.fade_s, step.dt_s, mean);
     if (own.ramp != target) step.s.is_changing = true;
   }
   const float end = weight_of(step, layer, own);
   if (!goes_by_flag) mean = layer.by == kNoIndex ? end : clamped(step.s.means[layer.by]);
-  links[0] = {1, 1, 1};
-  links[1] = {mean, end, 1};
-  Reach down{.entry = n.entry,
-             .from_s = n.from_s,
-             .until_s = n.until_s,
-             .heard_s = n.heard_s,
-             .loudness = n.loudness,
-             .is_kept = n.is_kept,
-             .is_left = n.is_left};
+  links[0] = {1, 1};
+  links[1] = {mean, end};
+  Reach down{.entry = n.entry, .loudness = n.loudness, .is_heard = n.is_heard, .is_kept = n.is_kept};
   step.reach(layer.base, down);
   if (!(mean > 0 || end > 0)) return;
-  down.entry = n.entry.begins ? Entry{.begins = true, .at_s = n.entry.at_s} : Entry{};
+  down.entry = n.entry.begins ? Entry{.begins = true} : Entry{};
   down.loudness *= mean;
   down.is_kept = n.is_kept && end > 0;
   step.reach(layer.pose, down);

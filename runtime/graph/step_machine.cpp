@@ -6,21 +6,12 @@ namespace marrow {
 namespace {
 
 constexpr std::uint32_t kMostSwitches = 8;
+constexpr double kNow_s = 1e-6;  // what falls due so soon does so at once: times are rounded
 
 // ∫ smoothstep from 0 to u.
 double fade_sum(double u) {
   return u < 1 ? u * u * u * (1.0 - 0.5 * u) : u - 0.5;
 }
-
-// What a state has of the step.
-struct Played {
-  std::uint32_t state;
-  float end;
-  double from_s, until_s, heard_s;
-  double sum_s;  // of its weight
-  bool is_left;
-  Entry entry;
-};
 
 class MachineStep {
  public:
@@ -32,44 +23,29 @@ class MachineStep {
         links_(step.links(node)) {}
 
   void go() {
-    for (std::uint32_t i = 0; i < own_.count && own_.is_shown != 0; ++i) {
-      Played& p = played(own_.chain[i], n_.from_s);
-      if (i == 0) p.heard_s = n_.heard_s;
-    }
-    if (!n_.entry.begins) {
-      decide(n_.from_s, n_.until_s);
-    } else {
-      if (own_.is_shown != 0 && n_.from_s < n_.entry.at_s) decide(n_.from_s, n_.entry.at_s);
-      leave_all(n_.entry.at_s);
-      begin();
-      decide(n_.entry.at_s, n_.until_s);
-    }
-    end();
+    if (n_.entry.begins) begin();
+    if (n_.is_heard) decide();
+    if (own_.count > 1) step_.s.is_fading = true;
+    weigh();
+    show();
   }
 
  private:
   std::uint32_t node_of(std::uint32_t state) const { return step_.g.states[m_.first_state + state].node; }
 
-  // From one time of the step to another.
-  void decide(double t, double until_s) {
-    for (std::uint32_t i = 0; i < kMostSwitches && t <= until_s; ++i) {
+  // At the begin of the step. What falls due later cuts it there.
+  void decide() {
+    for (std::uint32_t i = 0; i < kMostSwitches; ++i) {
       double due = 0;
-      const GraphTransition* const next = find_next(t, until_s, due);
-      if (next == nullptr) break;
-      pass(t, due);
-      take(*next, due);
-      t = due;
+      const GraphTransition* const next = find_next(due);
+      if (next == nullptr) return;
+      if (due > 0) {
+        double& cut_s = step_.s.cut_s;
+        if (cut_s < 0 || due < cut_s) cut_s = due;
+        return;
+      }
+      take(*next);
     }
-    pass(t, until_s);
-  }
-
-  // The state's part of the step, from t on if it has none yet.
-  Played& played(std::uint32_t state, double t) {
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (all_[i].state == state) return all_[i];
-    Played& p = all_[count_++];
-    p = {.state = state, .from_s = t, .until_s = t, .heard_s = -1};
-    return p;
   }
 
   std::uint32_t choose(std::uint32_t first, std::uint32_t count, bool in_turn, std::uint32_t other_than) {
@@ -87,17 +63,14 @@ class MachineStep {
   }
 
   void begin() {
-    const MachineState was = own_;
+    const std::uint32_t is_shown = own_.is_shown, turn = own_.turn;
     own_ = {};
-    own_.is_shown = was.is_shown;
-    own_.turn = was.turn;
+    own_.is_shown = is_shown;
+    own_.turn = turn;
     own_.count = 1;
     own_.chain[0] =
         static_cast<std::uint16_t>(choose(m_.start, m_.start_count, (m_.flags & kChooseInTurn) != 0, kNoIndex));
-    Played& p = played(own_.chain[0], n_.entry.at_s);
-    p.entry = n_.entry;
-    p.heard_s = n_.heard_s;
-    p.is_left = false;
+    entry_ = n_.entry;
   }
 
   bool holds(const GraphCondition& c, double t) const {
@@ -129,30 +102,26 @@ class MachineStep {
     return true;
   }
 
-  // Where a state begins in the step; null: it goes on.
-  const Entry* entry_of(std::uint32_t state) const {
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (all_[i].state == state && all_[i].entry.begins) return &all_[i].entry;
-    return nullptr;
-  }
+  // Where the current state begins; null: it goes on.
+  const Entry* entered() const { return entry_.begins ? &entry_ : nullptr; }
 
   // When the current state's clip is so near its end; below 0: never.
-  double end_of_clip(double t, double before_s) const {
+  double end_of_clip(double before_s) const {
     std::uint32_t node = node_of(own_.chain[0]);
     while (node != kNoIndex && step_.g.nodes[node].kind == GraphNodeKind::layer)
       node = step_.g.layers[step_.g.nodes[node].record].base;
     if (node == kNoIndex || step_.g.nodes[node].kind != GraphNodeKind::clip) return -1;
     const ClipMotion& motion = step_.b.clips[step_.g.nodes[node].record].motion;
-    const Playback at = playback_at(step_, node, t, entry_of(own_.chain[0]));
+    const Playback at = playback_of(step_, node, entered());
     const bool backwards = (at.speed < 0) != at.returning;
     const double speed = static_cast<double>(at.speed < 0 ? -at.speed : at.speed);
     const double left_s = backwards ? at.time_s : static_cast<double>(motion.duration_s) - at.time_s;
-    if (left_s <= before_s * speed) return t;
-    return speed > 0 ? t + (left_s / speed - before_s) : -1;
+    if (left_s <= before_s * speed) return 0;
+    return speed > 0 ? left_s / speed - before_s : -1;
   }
 
-  // The first transition that falls due from t on, while decisions are made; and when.
-  const GraphTransition* find_next(double t, double until_s, double& due) const {
+  // The first transition that falls due in the step, and when: 0 at once.
+  const GraphTransition* find_next(double& due) const {
     const GraphTransition* best = nullptr;
     for (int any = 1; any >= 0; --any)
       for (std::uint32_t i = 0; i < m_.transition_count; ++i) {
@@ -160,65 +129,25 @@ class MachineStep {
         const std::uint32_t current = own_.chain[0];
         const bool is_there = candidate.to_count == 1 && candidate.to == current;
         if (any == 1 ? candidate.from != kNoIndex || is_there : candidate.from != current) continue;
-        double at = t + (static_cast<double>(candidate.after_s) - own_.in_state_s);
-        if (!(at > t)) at = t;
+        double at = static_cast<double>(candidate.after_s) - own_.in_state_s;
         if ((candidate.flags & kWaitsForEnd) != 0) {
-          const double end_s = end_of_clip(t, static_cast<double>(candidate.at_end_s));
+          const double end_s = end_of_clip(static_cast<double>(candidate.at_end_s));
           if (end_s < 0) continue;
           if (end_s > at) at = end_s;
         }
-        const bool decides = at <= until_s && (n_.is_left ? at < n_.heard_s : at <= n_.heard_s);
-        if (!decides || (best != nullptr && !(at < due)) || !all_hold(candidate, at)) continue;
+        if (!(at > kNow_s)) at = 0;
+        if (at > step_.dt_s || (best != nullptr && !(at < due)) || !all_hold(candidate, at)) continue;
         best = &candidate;
         due = at;
       }
     return best;
   }
 
-  // Time goes on in the chain. What fades away is left where its fade ends.
-  void pass(double from, double to) {
-    const double ends = from + (static_cast<double>(own_.fade_s) - own_.in_state_s);
-    if (own_.count > 1 && ends < to) {
-      pass_within(from, ends > from ? ends : from);
-      own_.count = 1;
-      own_.fade_s = 0;
-      if (ends > from) from = ends;
-    }
-    pass_within(from, to);
-  }
-  void pass_within(double from, double to) {
-    const double length = to - from;
-    double current = length;
-    if (own_.fade_s > 0) {
-      const auto fade = static_cast<double>(own_.fade_s);
-      current = fade * (fade_sum((own_.in_state_s + length) / fade) - fade_sum(own_.in_state_s / fade));
-    }
-    for (std::uint32_t i = 0; i < own_.count; ++i) {
-      Played& p = played(own_.chain[i], from);
-      p.sum_s += i == 0 ? current : static_cast<double>(own_.shares[i - 1]) * (length - current);
-      p.until_s = to;
-    }
-    own_.in_state_s += length;
-  }
-
-  void leave_all(double t) {
-    for (std::uint32_t i = 0; i < own_.count; ++i) {
-      Played& p = played(own_.chain[i], t);
-      p.until_s = t;
-      silence(p, t);
-    }
-  }
-  static void silence(Played& p, double t) {
-    if (p.heard_s <= t && p.is_left) return;
-    p.is_left = true;
-    if (p.heard_s > t) p.heard_s = t;
-  }
-
-  void start_inertia(float fade_s, double t) {
+  void start_inertia(float fade_s) {
     AnimatorHead& head = step_.head();
     ++head.inertia_count;
     head.inertia_s = fade_s;
-    head.inertia_began_s = head.age_s + t;
+    head.inertia_began_s = head.age_s;
   }
 
   // The chain's weights become shares beside a new state. States without weight are dropped; of too many the least.
@@ -228,8 +157,11 @@ class MachineStep {
     std::uint32_t kept = 0;
     for (std::uint32_t i = 0; i < own_.count; ++i) {
       if (!(weights[i] > 0)) continue;
-      weights[kept] = weights[i];
-      own_.chain[kept++] = own_.chain[i];
+      std::uint32_t same = 0;
+      while (same < kept && own_.chain[same] != own_.chain[i]) ++same;
+      weights[same] = same < kept ? weights[same] + weights[i] : weights[i];
+      own_.chain[same] = own_.chain[i];
+      if (same == kept) ++kept;
     }
     if (kept == kMaxFading) {
       std::uint32_t least = 0;
@@ -251,15 +183,7 @@ class MachineStep {
     own_.count = kept + 1;
   }
 
-  bool is_played(std::uint32_t node) const {
-    if (node == kNoIndex) return false;
-    if (step_.is_shown(node)) return true;
-    for (std::uint32_t i = 0; i < count_; ++i)
-      if (node_of(all_[i].state) == node && all_[i].sum_s > 0) return true;
-    return false;
-  }
-
-  void take(const GraphTransition& transition, double t) {
+  void take(const GraphTransition& transition) {
     for (std::uint32_t i = 0; i < transition.condition_count; ++i) {
       const GraphCondition& c = step_.g.conditions[transition.first_condition + i];
       if (step_.g.parameters[c.parameter].kind == ParameterKind::trigger && c.test == ConditionTest::set)
@@ -267,70 +191,60 @@ class MachineStep {
     }
     const std::uint32_t from = own_.chain[0];
     const std::uint32_t to = choose(transition.to, transition.to_count, (transition.flags & kChooseInTurn) != 0, from);
-    const bool was_played = is_played(node_of(to));
-    Entry entry{.begins = true, .time_s = transition.enter_s, .at_s = t};
+    const bool was_shown = !n_.entry.begins && node_of(to) != kNoIndex && step_.is_shown(node_of(to));
+    Entry entry{.begins = true, .time_s = transition.enter_s};
     if ((transition.flags & kEnterInPhase) != 0) {
-      entry.begins = !was_played;
+      entry.begins = !was_shown;
       Phase place;
-      entry.in_phase = find_place(step_, node_of(from), t, entry_of(from), place);
+      entry.in_phase = find_place(step_, node_of(from), entered(), place);
       entry.share = place.share;
       entry.segment = place.segment;
     }
-    const bool restarts = entry.begins && was_played;
-    if ((transition.flags & kFadeIsInertial) != 0 || restarts || !(transition.fade_s > 0)) {
-      if (transition.fade_s > 0) start_inertia(transition.fade_s, t);
-      leave_all(t);
+    const bool is_inertial = (transition.flags & kFadeIsInertial) != 0 || (entry.begins && was_shown);
+    // From what was entered just now nothing fades.
+    const bool fades = transition.fade_s > 0 && (!entry_.begins || own_.count > 1);
+    if (fades && !is_inertial) {
+      push(to);
+      own_.fade_s = transition.fade_s;
+    } else {
+      if (fades) start_inertia(transition.fade_s);
       own_.count = 1;
       own_.chain[0] = static_cast<std::uint16_t>(to);
       own_.fade_s = 0;
-    } else {
-      for (std::uint32_t i = 0; i < own_.count; ++i) {
-        silence(played(own_.chain[i], t), t);
-      }
-      push(to);
-      own_.fade_s = transition.fade_s;
     }
     own_.in_state_s = 0;
-    Played& p = played(to, t);
-    if (p.until_s < t) {  // it was left in this step
-      if (p.until_s > p.from_s && step_.s.cut_s < 0) step_.s.cut_s = p.until_s;
-      p.from_s = p.until_s = t;
-    }
-    p.heard_s = n_.heard_s;
-    p.is_left = n_.is_left;
-    if (entry.begins) p.entry = entry;
+    entry_ = entry;
   }
 
-  bool is_in_chain(std::uint32_t state) const {
-    for (std::uint32_t i = 0; i < own_.count; ++i)
-      if (own_.chain[i] == state) return true;
-    return false;
-  }
-
-  void end() {
-    if (!(own_.in_state_s < static_cast<double>(own_.fade_s))) own_.count = 1;
-    if (own_.count == 1) own_.fade_s = 0;
-    if (own_.count > 1) step_.s.is_fading = true;
+  // Mean weights of the states, then those at the end. own_.chain keeps those whose fade ends.
+  void weigh() {
+    for (std::uint32_t i = 0; i < m_.state_count; ++i) links_[i] = {};
+    shown_ = own_.count;
     float weights[kMaxFading];
     weigh_chain(own_, weights);
-    for (std::uint32_t i = 0; i < own_.count; ++i) played(own_.chain[i], n_.until_s).end += weights[i];
-    for (std::uint32_t i = 0; i < m_.state_count; ++i) links_[i] = {};
-    const double whole_s = n_.until_s - n_.from_s;
-    for (std::uint32_t i = 0; i < count_; ++i) {
-      const Played& p = all_[i];
-      const double length = p.until_s - p.from_s;
-      links_[p.state] = {length > 0 ? static_cast<float>(p.sum_s / length) : p.end, p.end,
-                         whole_s > 0 ? static_cast<float>(length / whole_s) : 1.0f};
-      const std::uint32_t node = node_of(p.state);
-      // What is left in the moment in which it was entered is as if it had not been.
-      if (node == kNoIndex || (!(length > 0) && !is_in_chain(p.state))) continue;
-      step_.reach(node, {.entry = p.entry,
-                         .from_s = p.from_s,
-                         .until_s = p.until_s,
-                         .heard_s = p.heard_s,
+    const auto fade_s = static_cast<double>(own_.fade_s);
+    if (shown_ > 1 && step_.dt_s > 0) {
+      const double from = own_.in_state_s / fade_s, length = step_.dt_s / fade_s;
+      weights[0] = static_cast<float>((fade_sum(from + length) - fade_sum(from)) / length);
+      for (std::uint32_t i = 1; i < shown_; ++i) weights[i] = own_.shares[i - 1] * (1.0f - weights[0]);
+    }
+    for (std::uint32_t i = 0; i < shown_; ++i) links_[own_.chain[i]].mean += weights[i];
+    own_.in_state_s += step_.dt_s;
+    if (!(own_.in_state_s < fade_s)) own_.count = 1;
+    if (own_.count == 1) own_.fade_s = 0;
+    if (own_.count > 1) step_.s.is_changing = true;
+    weigh_chain(own_, weights);
+    for (std::uint32_t i = 0; i < own_.count; ++i) links_[own_.chain[i]].end += weights[i];
+  }
+
+  void show() {
+    for (std::uint32_t i = 0; i < shown_; ++i) {
+      const std::uint32_t state = own_.chain[i], node = node_of(state);
+      if (node == kNoIndex) continue;
+      step_.reach(node, {.entry = i == 0 ? entry_ : Entry{},
                          .loudness = n_.loudness,
-                         .is_kept = n_.is_kept && is_in_chain(p.state),
-                         .is_left = p.is_left || n_.is_left});
+                         .is_heard = n_.is_heard && i == 0,
+                         .is_kept = n_.is_kept && (i == 0 || links_[state].end > 0)});
     }
   }
 
@@ -339,8 +253,8 @@ class MachineStep {
   MachineState& own_;
   const NodeStep& n_;
   LinkStep* links_;
-  Played all_[2 * kMaxFading + 2 * kMostSwitches];  // of which as many as count_ are set
-  std::uint32_t count_ = 0;
+  Entry entry_ = {};  // of the current state, if it was entered in this step
+  std::uint32_t shown_ = 0;
 };
 
 }  // namespace

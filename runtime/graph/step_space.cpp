@@ -58,33 +58,27 @@ Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t poin
 }
 
 Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeStep& n, std::uint32_t point,
-                    const Phase& before, const Phase& heard, bool begins) {
+                    const Phase& before, const Phase& after) {
   const Animation& animation = clip_of(step.b, space, point);
   if (animation.motion.events.empty() || n.loudness < step.s.options.least_loudness) return Status::ok;
   Playback was, now;
-  if (follow_phase(animation.motion, before, heard, was, now) != Status::ok) return Status::bad_data;
-  return hear(step, animation, was, now, begins, n.loudness);
+  if (follow_phase(animation.motion, before, after, was, now) != Status::ok) return Status::bad_data;
+  return hear(step, animation, was, now, n.entry.begins, n.loudness);
 }
 
-// From one time of the step to another, by the means of the links.
-Status go_together(const GraphStep& step, const GraphSpace& space, float rate, double from_s, double until_s,
-                   bool begins, NodeStep& n, SpaceState& own, const LinkStep* links) {
+// By the means of the links.
+Status step_together(const GraphStep& step, const GraphSpace& space, float rate, NodeStep& n, SpaceState& own,
+                     const LinkStep* links) {
+  if (n.entry.begins && !enter(step.b, space, n.entry, own)) return Status::bad_data;
   float means[kMostInSpace];
   for (std::uint32_t i = 0; i < space.point_count; ++i) means[i] = links[i].mean;
   const StepGroup group(step.b, space, means);
   const Phase before{own.share, own.segment, 0};
-  Phase after = before, heard = before;
-  const auto go = [&](double to_s, Phase& phase) {
-    return advance_phase(group.all, static_cast<float>((to_s - from_s) * static_cast<double>(rate)), phase);
-  };
-  if (go(until_s, after) != Status::ok) return Status::bad_data;
-  if (n.heard_s >= from_s) {
-    if (n.heard_s < until_s) {
-      if (go(n.heard_s, heard) != Status::ok) return Status::bad_data;
-    } else {
-      heard = after;
-    }
-    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, heard, begins);
+  Phase after = before;
+  if (advance_phase(group.all, static_cast<float>(step.dt_s * static_cast<double>(rate)), after) != Status::ok)
+    return Status::bad_data;
+  if (n.is_heard) {
+    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, after);
     if (status != Status::ok) return status;
   }
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
@@ -95,20 +89,6 @@ Status go_together(const GraphStep& step, const GraphSpace& space, float rate, d
   own.share = after.share;
   own.segment = after.segment;
   return Status::ok;
-}
-
-Status step_together(const GraphStep& step, const GraphSpace& space, float rate, NodeStep& n, SpaceState& own,
-                     const LinkStep* links) {
-  double from_s = n.from_s;
-  if (n.entry.begins) {
-    if (own.is_shown != 0 && from_s < n.entry.at_s) {
-      const Status status = go_together(step, space, rate, from_s, n.entry.at_s, false, n, own, links);
-      if (status != Status::ok) return status;
-    }
-    if (!enter(step.b, space, n.entry, own)) return Status::bad_data;
-    from_s = n.entry.at_s;
-  }
-  return go_together(step, space, rate, from_s, n.until_s, n.entry.begins, n, own, links);
 }
 
 }  // namespace
@@ -150,12 +130,9 @@ Status step_space(const GraphStep& step, std::uint32_t node) {
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
     if (!(links[i].mean > 0 || links[i].end > 0)) continue;
     step.reach(step.g.points[space.first_point + i].node, {.entry = n.entry,
-                                                           .from_s = n.from_s,
-                                                           .until_s = n.until_s,
-                                                           .heard_s = n.heard_s,
                                                            .loudness = n.loudness * links[i].mean,
-                                                           .is_kept = n.is_kept && links[i].end > 0,
-                                                           .is_left = n.is_left});
+                                                           .is_heard = n.is_heard,
+                                                           .is_kept = n.is_kept && links[i].end > 0});
   }
   return Status::ok;
 }
@@ -166,34 +143,22 @@ Status move_back(const GraphBinding& b, const GraphSpace& space, const float* we
   return advance_phase(group.all, -shift_s, phase) == Status::ok ? Status::ok : Status::bad_data;
 }
 
-namespace {
-
-// The phase of a space in step at t in the step.
-bool find_phase(const GraphStep& step, const GraphSpace& space, SpaceState own, double t, const Entry* entered,
-                Phase& out) {
-  if ((space.flags & kSpaceInStep) == 0) return false;
-  if (entered != nullptr && !enter(step.b, space, *entered, own)) return false;
-  const double from_s = entered != nullptr ? entered->at_s : 0;
-  out = {own.share, own.segment, 0};
-  if (!(t > from_s)) return true;
-  const float means[2] = {step.s.means[space.by[0]], space.by[1] == kNoIndex ? 0 : step.s.means[space.by[1]]};
-  float weights[kMostInSpace], rate = 1;
-  if (weigh_points(step.b, space, means, weights, rate) != Status::ok) return false;
-  return move_back(step.b, space, weights, static_cast<float>(from_s - t) * rate, out) == Status::ok;
-}
-
-}  // namespace
-
-bool find_place(const GraphStep& step, std::uint32_t node, double t, const Entry* entered, Phase& out) {
+bool find_place(const GraphStep& step, std::uint32_t node, const Entry* entered, Phase& out) {
   for (std::uint32_t depth = 0; depth < kMaxGraphHeight && node != kNoIndex; ++depth) {
     const GraphNode& of = step.g.nodes[node];
     switch (of.kind) {
       case GraphNodeKind::clip: {
-        const Playback at = playback_at(step, node, t, entered);
+        const Playback at = playback_of(step, node, entered);
         return phase_at(step.b.clips[of.record].motion, clip_time(at), out) == Status::ok;
       }
-      case GraphNodeKind::space:
-        return find_phase(step, step.g.spaces[of.record], step.own<SpaceState>(node), t, entered, out);
+      case GraphNodeKind::space: {
+        const GraphSpace& space = step.g.spaces[of.record];
+        SpaceState own = step.own<SpaceState>(node);
+        if ((space.flags & kSpaceInStep) == 0) return false;
+        if (entered != nullptr && !enter(step.b, space, *entered, own)) return false;
+        out = {own.share, own.segment, 0};
+        return true;
+      }
       case GraphNodeKind::machine: {
         const GraphMachine& m = step.g.machines[of.record];
         const std::uint32_t state = entered != nullptr ? m.start : step.own<MachineState>(node).chain[0];
