@@ -86,13 +86,12 @@ void Animator::update(double dt_s) {
   // In floats, so that 1/60 s are four.
   const int count = std::clamp(static_cast<int>(std::ceil(240.0f * static_cast<float>(dt_s))), 1, 64);
   bool in_parts = weights_change();
-  if (!in_parts && count > 1) {
+  if (!in_parts) {
     const Everything before = everything();
+    several_ = false;
     step(dt_s);
-    in_parts = shows_several();
+    in_parts = several_;
     if (in_parts) take(before);
-  } else if (!in_parts) {
-    step(dt_s);
   }
   if (in_parts)
     for (int i = 0; i < count; ++i) step(dt_s / count);
@@ -103,9 +102,57 @@ void Animator::update(double dt_s) {
     }
 }
 
+// Cut where transitions fall due.
 void Animator::step(double dt_s) {
+  for (int cuts = 0;; ++cuts) {
+    const Everything before = everything();
+    cut_s_ = -1;
+    step_whole(dt_s);
+    const double cut_s = cut_s_;
+    if (cut_s < 0 || cuts == 16) return;
+    take(before);
+    step_whole(cut_s);
+    dt_s -= cut_s;
+  }
+}
+
+void Animator::step_whole(double dt_s) {
   ++steps;
   dt_s_ = dt_s;
+  step_numbers(dt_s);
+  runs_.assign(nodes_.size(), {});
+  Run all;
+  all.active = true;
+  all.loud = 1;
+  request(graph_.output, all);
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    if (!runs_[n].reached) continue;
+    const int i = static_cast<int>(n);
+    switch (graph_.nodes[n].kind) {
+      case Kind::clip:
+        go_clip(i, runs_[n]);
+        break;
+      case Kind::space:
+        go_space(i, runs_[n]);
+        break;
+      case Kind::machine:
+        Machine(*this, i, runs_[n]).go();
+        break;
+      case Kind::layer:
+        go_layer(i, runs_[n]);
+        break;
+      case Kind::given:
+        break;
+    }
+  }
+  for (std::size_t n = nodes_.size(); n-- > 0;)
+    if (runs_[n].reached) sum_up(static_cast<int>(n), runs_[n]);
+  root = root * exponential(runs_[static_cast<std::size_t>(graph_.output)].root);
+  step_triggers(dt_s);
+  mark_shown();
+}
+
+void Animator::step_numbers(double dt_s) {
   for (std::size_t p = 0; p < values_.size(); ++p) {
     Value& v = values_[p];
     const double h = graph_.parameters[p].seconds;
@@ -118,55 +165,36 @@ void Animator::step(double dt_s) {
     v.mean = v.target + (v.value - v.target) * (rounds > 0 ? -std::expm1(-rounds) / rounds : 1);
     v.value = static_cast<double>(static_cast<float>(v.target + (v.value - v.target) * left));  // numbers are floats
   }
-  runs_.assign(nodes_.size(), {});
-  Run all;
-  all.end_s = dt_s;
-  request(graph_.output, all);
-  for (std::size_t n = 0; n < nodes_.size(); ++n)
-    for (std::size_t r = 0; r < runs_[n].size(); ++r) {
-      Run run = runs_[n][r];
-      const int i = static_cast<int>(n);
-      switch (graph_.nodes[n].kind) {
-        case Kind::clip:
-          go_clip(i, run);
-          break;
-        case Kind::space:
-          go_space(i, run);
-          break;
-        case Kind::machine:
-          Machine(*this, i, run).go();
-          break;
-        case Kind::layer:
-          go_layer(i, run);
-          break;
-        case Kind::given:
-          break;
-      }
-      runs_[n][r] = run;
-    }
-  for (std::size_t n = nodes_.size(); n-- > 0;)
-    for (Run& run : runs_[n]) sum_up(static_cast<int>(n), run);
-  root = root * exponential(runs_[static_cast<std::size_t>(graph_.output)][0].root);
+}
+
+void Animator::step_triggers(double dt_s) {
   for (std::size_t p = 0; p < values_.size(); ++p) {
     Value& v = values_[p];
     if (graph_.parameters[p].kind != ParameterKind::trigger || !v.is_set || graph_.parameters[p].seconds == 0) continue;
     v.left_s -= dt_s;
     if (v.left_s <= 0) v.is_set = false;
   }
-  mark_shown();
 }
 
 // A node that several show has one stretch for them all.
-std::size_t Animator::request(int node, Run run) {
-  std::vector<Run>& all = runs_[static_cast<std::size_t>(node)];
-  for (std::size_t r = 0; r < all.size(); ++r)
-    if (all[r].begin_s == run.begin_s && all[r].end_s == run.end_s && all[r].from != run.from) {
-      all[r].active = all[r].active || run.active;
-      all[r].loud = std::max(all[r].loud, run.loud);
-      return r;
-    }
-  all.push_back(run);
-  return all.size() - 1;
+void Animator::request(int node, const Run& run) {
+  const auto i = static_cast<std::size_t>(node);
+  Run& all = runs_[i];
+  const double loud = run.active ? run.loud : 0;
+  if (!all.reached) {
+    all = run;
+    all.reached = true;
+    all.loud = loud;
+    all.fresh = run.fresh || !nodes_[i].shown;
+    return;
+  }
+  all.active = all.active || run.active;
+  all.loud = std::max(all.loud, loud);
+  if (!run.fresh || all.fresh) return;
+  all.fresh = true;
+  all.enter = run.enter;
+  all.enter_s = run.enter_s;
+  all.enter_place = run.enter_place;
 }
 
 // What begins anew.
@@ -190,29 +218,6 @@ void Animator::begin(int node, NodeState& state, const Run& run) const {
   state.shown = true;
 }
 
-// Time alone.
-void Animator::go(int node, NodeState& state, const Run& run) const {
-  const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
-  if (run.fresh || !state.shown) begin(node, state, run);
-  const double dt_s = run.end_s - run.begin_s;
-  if (n.kind == Kind::clip) {
-    state.x += n.speed * dt_s;
-    if (n.play == Play::once) state.x = std::clamp(state.x, 0.0, clips()[n.clip].duration_s);
-  } else if (n.kind == Kind::space && n.in_step) {
-    double rate = 1;
-    const std::vector<double> w = weights(n, true, rate);
-    std::vector<std::pair<const Clip*, double>> group;
-    for (std::size_t i = 0; i < w.size(); ++i)
-      group.emplace_back(&clips()[graph_.nodes[static_cast<std::size_t>(n.points[i].node)].clip], w[i]);
-    go_on(group, dt_s * rate, state.place);
-  }
-}
-NodeState Animator::ahead(int node) const {
-  NodeState state = nodes_[static_cast<std::size_t>(node)];
-  for (const Run& run : runs_[static_cast<std::size_t>(node)]) go(node, state, run);
-  return state;
-}
-
 std::vector<double> Animator::weights(const Node& node, bool mean, double& rate) const {
   const auto value = [&](std::size_t i) { return mean ? values_[node.by[i]].mean : values_[node.by[i]].value; };
   if (node.by.size() == 2) return plane(node, value(0), value(1));
@@ -222,54 +227,50 @@ std::vector<double> Animator::weights(const Node& node, bool mean, double& rate)
 void Animator::go_clip(int node, Run& run) {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
   NodeState& state = nodes_[static_cast<std::size_t>(node)];
-  const bool begins = run.fresh || !state.shown;
-  if (begins) begin(node, state, run);
-  run.fresh = false;
-  const double x0 = state.x;
-  go(node, state, run);
+  if (run.fresh) begin(node, state, run);
   const Clip& clip = clips()[n.clip];
+  const double x0 = state.x;
+  state.x += n.speed * dt_s_;
+  if (n.play == Play::once) state.x = std::clamp(state.x, 0.0, clip.duration_s);
   run.root = root_between(clip, n.play, x0, state.x);
-  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, begins, events);
+  if (run.active && run.loud >= least_loudness_) count_events(clip, n.play, x0, state.x, run.fresh, events);
 }
 
 void Animator::go_space(int node, Run& run) {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
   NodeState& state = nodes_[static_cast<std::size_t>(node)];
-  const bool begins = run.fresh || !state.shown;
-  if (begins) begin(node, state, run);
-  const bool fresh = run.fresh;
-  run.fresh = false;
-  double rate = 1;
-  const std::vector<double> w = weights(n, true, rate);
+  if (run.fresh) begin(node, state, run);
+  double rate = 1, unused = 1;
+  const std::vector<double> w = weights(n, true, rate), at_end = weights(n, false, unused);
   if (!n.in_step) {
-    double unused = 1;
-    const std::vector<double> at_end = weights(n, false, unused);
     for (std::size_t i = 0; i < n.points.size(); ++i) {
       if (w[i] <= 0 && at_end[i] <= 0) continue;  // what has no weight is not shown
       Run part;
-      part.begin_s = run.begin_s;
-      part.end_s = run.end_s;
       part.active = run.active;
       part.loud = run.loud * w[i];
-      part.fresh = fresh;
-      part.from = node;
-      run.parts.push_back({n.points[i].node, request(n.points[i].node, part), w[i], 1});
+      part.fresh = run.fresh;
+      request(n.points[i].node, part);
+      run.parts.push_back({n.points[i].node, w[i]});
     }
     return;
   }
+  const auto clip_of = [&](std::size_t i) -> const Clip& {
+    return clips()[graph_.nodes[static_cast<std::size_t>(n.points[i].node)].clip];
+  };
+  std::vector<std::pair<const Clip*, double>> group;
+  for (std::size_t i = 0; i < w.size(); ++i) group.emplace_back(&clip_of(i), w[i]);
   const Place was = state.place;
-  go(node, state, run);
+  go_on(group, dt_s_ * rate, state.place);
   std::size_t loudest = 0;
   for (std::size_t i = 1; i < w.size(); ++i)
     if (w[i] > w[loudest]) loudest = i;
   for (std::size_t i = 0; i < w.size(); ++i) {
-    const Clip& clip = clips()[graph_.nodes[static_cast<std::size_t>(n.points[i].node)].clip];
-    const double x0 = time_at(clip, was), x1 = time_at(clip, state.place);
-    const Screw each = root_between(clip, Play::loop, x0, x1);
+    const double x0 = time_at(clip_of(i), was), x1 = time_at(clip_of(i), state.place);
+    const Screw each = root_between(clip_of(i), Play::loop, x0, x1);
     run.root.turn += w[i] * each.turn;
     run.root.way += w[i] * each.way;
     if (i == loudest && run.active && run.loud >= least_loudness_)
-      count_events(clip, Play::loop, x0, x1, begins, events);
+      count_events(clip_of(i), Play::loop, x0, x1, run.fresh, events);
   }
 }
 
@@ -283,8 +284,8 @@ double Animator::layer_weight(const Node& n, const NodeState& state) const {
 void Animator::go_layer(int node, Run& run) {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
   NodeState& state = nodes_[static_cast<std::size_t>(node)];
-  if (run.fresh || !state.shown) begin(node, state, run);
-  const double length = run.end_s - run.begin_s;
+  if (run.fresh) begin(node, state, run);
+  const double length = dt_s_;
   run.mean = n.weight;
   if (n.by_parameter >= 0) {
     const auto p = static_cast<std::size_t>(n.by_parameter);
@@ -304,24 +305,25 @@ void Animator::go_layer(int node, Run& run) {
     }
   }
   Run part;
-  part.begin_s = run.begin_s;
-  part.end_s = run.end_s;
   part.active = run.active;
-  part.loud = run.loud;
-  part.fresh = run.fresh;
-  part.from = node;
-  run.parts.push_back({n.base, request(n.base, part), 1, 1});
-  if (run.mean <= 0 && layer_weight(n, state) <= 0) return;  // what has no weight is not shown
   part.loud = run.loud * run.mean;
-  part.from = -2 - node;  // the same node below both is one
-  run.parts.push_back({n.pose, request(n.pose, part), 1, 1});
+  part.fresh = run.fresh;
+  // The base is entered as the layer is.
+  Run base = part;
+  base.loud = run.loud;
+  base.enter = run.enter;
+  base.enter_s = run.enter_s;
+  base.enter_place = run.enter_place;
+  request(n.base, base);
+  run.parts.push_back({n.base, 1});
+  if (run.mean <= 0 && layer_weight(n, state) <= 0) return;  // what has no weight is not shown
+  request(n.pose, part);
+  run.parts.push_back({n.pose, 1});
 }
 
 void Animator::sum_up(int node, Run& run) {
   const Node& n = graph_.nodes[static_cast<std::size_t>(node)];
-  const auto of = [&](std::size_t p) -> const Run& {
-    return runs_[static_cast<std::size_t>(run.parts[p].node)][run.parts[p].run];
-  };
+  const auto of = [&](std::size_t p) -> const Run& { return runs_[static_cast<std::size_t>(run.parts[p].node)]; };
   const auto add = [&](double w, const Screw& s) {
     run.root.turn += w * s.turn;
     run.root.way += w * s.way;
@@ -337,7 +339,7 @@ void Animator::sum_up(int node, Run& run) {
     run.there = 0;
     for (std::size_t p = 0; p < run.parts.size(); ++p) {
       add(run.parts[p].weight, of(p).root);
-      run.there += run.parts[p].weight * run.parts[p].share * of(p).there;
+      run.there += run.parts[p].weight * of(p).there;
     }
   }
 }

@@ -139,22 +139,19 @@ struct NodeState {
   double ramp = 0;                             // of a layer
 };
 
-// A stretch of a step in which a node is shown.
+// What a node has of a step.
 struct Run {
-  double begin_s = 0, end_s = 0;
-  bool active = true;  // heard, and decides
-  double loud = 1;
+  bool reached = false;
+  bool active = false;  // heard, and decides
+  double loud = 0;
   bool fresh = false;  // begins anew
   Enter enter = Enter::beginning;
   double enter_s = 0;
   Place enter_place;
-  int from = -1;  // the node that shows it
   // What came of it.
   struct Part {
     int node;
-    std::size_t run;
-    double weight;  // of the root's motion
-    double share;   // of the stretch
+    double weight;  // mean
   };
   std::vector<Part> parts;
   double mean = 0;  // of a layer's weight
@@ -209,16 +206,17 @@ class Animator {
   bool weights_change() const;
   bool shows_several() const;
   void step(double dt_s);
-  std::size_t request(int node, Run run);
+  void step_whole(double dt_s);
+  void step_numbers(double dt_s);
+  void step_triggers(double dt_s);
+  void request(int node, const Run& run);
   void begin(int node, NodeState& state, const Run& run) const;
-  void go(int node, NodeState& state, const Run& run) const;
   void go_clip(int node, Run& run);
   void go_space(int node, Run& run);
   void go_layer(int node, Run& run);
   void sum_up(int node, Run& run);
   void mark_shown();
   void show(int node, std::vector<bool>& shown) const;
-  NodeState ahead(int node) const;
   std::vector<double> weights(const Node& node, bool mean, double& rate) const;
   double layer_weight(const Node& node, const NodeState& state) const;
   Shown shown(int node, const std::function<Pose(std::size_t, double)>& leaf, const Pose& rest,
@@ -231,9 +229,9 @@ class Animator {
   std::vector<NodeState> nodes_;
   std::uint32_t chance_;
   double inertia_s_ = 0;
-  double now_s_ = 0, dt_s_ = 0;
-  bool first_ = true, was_set_ = false;
-  std::vector<std::vector<Run>> runs_;
+  double dt_s_ = 0, cut_s_ = -1;
+  bool first_ = true, was_set_ = false, several_ = false;
+  std::vector<Run> runs_;
 };
 
 // The weights of a machine's states now.

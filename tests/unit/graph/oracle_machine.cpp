@@ -1,4 +1,4 @@
-// What a machine of the oracle does in a stretch of a step: it asks, switches, fades.
+// What a machine of the oracle does in a step: it asks, switches, fades.
 #include "unit/graph/oracle_machine.h"
 
 #include <algorithm>
@@ -61,67 +61,48 @@ void Machine::start() {
 }
 
 void Machine::go() {
-  now_s_ = run_.begin_s;
-  if (run_.fresh || !state_.shown) {
-    start();
-    fresh_.fresh = true;
-    state_.shown = true;
-  }
-  for (const auto& [n, weight] : state_weights(state_)) played_.insert(n);
-  int switches = 0;
-  for (;;) {
-    Due next;
-    if (run_.active && switches < 8) next = due();
-    const double fade_end =
-        state_.before.empty() ? std::numeric_limits<double>::infinity() : now_s_ + state_.fade_s - state_.since_s;
-    double until = std::min(run_.end_s, fade_end);
-    if (next.transition != nullptr) until = std::min(until, next.at_s);
-    // What is left in the moment in which it is entered was never there.
-    const bool is_left_at_once = next.transition != nullptr && next.at_s <= now_s_ && fresh_.fresh;
-    if (!is_left_at_once) show_until(until);
-    if (fade_end <= until) {
-      state_.before.clear();
-    }
-    if (next.transition != nullptr && next.at_s <= until) {
-      take(*next.transition);
-      if (++switches == 8) animator_.at_limit = true;
-      continue;
-    }
-    if (until >= run_.end_s) break;
-  }
-  // A target that is entered at the very end has no time, but begins.
-  if (fresh_.fresh || run_.begin_s == run_.end_s) show_until(run_.end_s);
+  if (run_.fresh) start();
+  if (run_.active) decide();
+  if (!state_.before.empty()) animator_.several_ = true;
+  show();
 }
 
-// From now on: what is shown, with the mean weights of that time.
-void Machine::show_until(double end_s) {
-  const double length = end_s - now_s_, whole = run_.end_s - run_.begin_s;
-  const bool is_fading = !state_.before.empty();
-  const double s =
-      is_fading ? mean_smooth(state_.since_s / state_.fade_s, std::min(1.0, (state_.since_s + length) / state_.fade_s))
-                : 1;
-  if (whole == 0) run_.parts.clear();  // what is shown at last counts
-  if (length > 0 || fresh_.fresh || whole == 0) {
-    for (const auto& [n, weight] : shares(state_, s)) {
-      const bool is_current = n == state_.current;
-      if (length == 0 && whole > 0 && !(is_current && fresh_.fresh)) continue;
-      const int child = node_.states[static_cast<std::size_t>(n)].node;
-      if (child < 0) continue;
-      Run run;
-      if (is_current) run = fresh_;
-      run.begin_s = now_s_;
-      run.end_s = end_s;
-      run.active = run_.active && is_current;
-      run.loud = run_.loud;
-      run.from = index_;
-      const std::size_t r = animator_.request(child, run);
-      run_.parts.push_back({child, r, weight, whole > 0 ? length / whole : 1});
+void Machine::decide() {
+  for (int switches = 0; switches < 8; ++switches) {
+    const Due next = due();
+    if (next.transition == nullptr) return;
+    if (next.at_s > 0) {
+      if (animator_.cut_s_ < 0 || next.at_s < animator_.cut_s_) animator_.cut_s_ = next.at_s;
+      return;
     }
-    fresh_ = {};
+    take(*next.transition);
+    if (switches == 7) animator_.at_limit = true;
   }
-  state_.since_s += length;
-  state_.age_s += length;
-  now_s_ = end_s;
+}
+
+// The states with their mean weights.
+void Machine::show() {
+  const double dt_s = animator_.dt_s_;
+  double s = 1;
+  if (!state_.before.empty()) {
+    // smooth from since_s to the end of the fade, then 1.
+    const double left = std::min(dt_s, state_.fade_s - state_.since_s);
+    s = mean_smooth(state_.since_s / state_.fade_s, (state_.since_s + left) / state_.fade_s);
+    if (dt_s > 0) s = (s * left + dt_s - left) / dt_s;
+  }
+  for (const auto& [n, weight] : shares(state_, s)) {
+    const bool is_current = n == state_.current;
+    if (child(n) < 0) continue;
+    Run run;
+    if (is_current) run = fresh_;
+    run.active = run_.active && is_current;
+    run.loud = run_.loud;
+    animator_.request(child(n), run);
+    run_.parts.push_back({child(n), weight});
+  }
+  state_.since_s += dt_s;
+  state_.age_s += dt_s;
+  if (state_.since_s >= state_.fade_s) state_.before.clear();
 }
 
 Machine::Due Machine::due() const {
@@ -132,19 +113,18 @@ Machine::Due Machine::due() const {
       if (!any && t.from != state_.current) continue;
       if (any && !t.again && std::find(t.to.begin(), t.to.end(), state_.current) != t.to.end()) continue;
       double at_s = 0;
-      if (!is_due(t, at_s) || at_s > run_.end_s) continue;
+      if (!is_due(t, at_s) || at_s > animator_.dt_s_) continue;
       if (best.transition == nullptr || at_s < best.at_s) best = {&t, at_s};
     }
   return best;
 }
 
 bool Machine::is_due(const Transition& t, double& at_s) const {
-  at_s = now_s_;
-  if (t.after_s >= 0) at_s = std::max(at_s, now_s_ + t.after_s - state_.age_s);
-  if (t.at_end_s >= 0) at_s = std::max(at_s, now_s_ + left_s() - t.at_end_s);
-  for (const Condition& c : t.when)
-    if (!holds(c, at_s)) return false;
-  return true;
+  at_s = 0;
+  if (t.after_s >= 0) at_s = std::max(at_s, t.after_s - state_.age_s);
+  if (t.at_end_s >= 0) at_s = std::max(at_s, left_s() - t.at_end_s);
+  if (at_s <= 1e-6) at_s = 0;
+  return std::all_of(t.when.begin(), t.when.end(), [&](const Condition& c) { return holds(c, at_s); });
 }
 
 bool Machine::holds(const Condition& c, double at_s) const {
@@ -169,12 +149,18 @@ bool Machine::holds(const Condition& c, double at_s) const {
   return false;
 }
 
+// What the current state shows, as it is now.
+NodeState Machine::current() const {
+  const int node = child(state_.current);
+  NodeState there = animator_.nodes_[static_cast<std::size_t>(node)];
+  if (fresh_.fresh) animator_.begin(node, there, fresh_);
+  return there;
+}
+
 // Of the current state's clip.
 double Machine::left_s() const {
-  const int child = node_.states[static_cast<std::size_t>(state_.current)].node;
-  NodeState there = animator_.ahead(child);
-  if (fresh_.fresh) animator_.begin(child, there, fresh_);
-  const Node& clip = animator_.graph_.nodes[static_cast<std::size_t>(child)];
+  const NodeState there = current();
+  const Node& clip = animator_.graph_.nodes[static_cast<std::size_t>(child(state_.current))];
   const double d = clips()[clip.clip].duration_s;
   if (clip.speed == 0) return std::numeric_limits<double>::infinity();
   // To the end that it runs towards.
@@ -183,11 +169,9 @@ double Machine::left_s() const {
 }
 
 Place Machine::phase() const {
-  const int child = node_.states[static_cast<std::size_t>(state_.current)].node;
-  if (child < 0) return {};
-  NodeState there = animator_.ahead(child);
-  if (fresh_.fresh) animator_.begin(child, there, fresh_);
-  const Node& node = animator_.graph_.nodes[static_cast<std::size_t>(child)];
+  if (child(state_.current) < 0) return {};
+  NodeState there = current();
+  const Node& node = animator_.graph_.nodes[static_cast<std::size_t>(child(state_.current))];
   if (node.kind == Kind::space) {  // a group has as many segments as its clips together
     long segments = 1;
     for (const Point& p : node.points)
@@ -207,37 +191,30 @@ void Machine::take(const Transition& t) {
     if (animator_.graph_.parameters[c.parameter].kind == ParameterKind::trigger && c.test == Test::set)
       animator_.values_[c.parameter].is_set = false;
   const int target = animator_.chosen(t.to, t.in_turn, state_.turn, state_.current);
-  std::vector<std::pair<int, double>> shown;
-  for (const auto& each : state_weights(state_)) {
-    if (each.second > 0) shown.push_back(each);
-  }
-  const bool is_still = std::any_of(shown.begin(), shown.end(), [&](const auto& s) { return s.first == target; });
-  const bool is_shown = is_still || played_.count(target) > 0;
-  const bool goes_on = is_still && t.enter == Enter::phase;
+  const bool was_shown =
+      !run_.fresh && child(target) >= 0 && animator_.nodes_[static_cast<std::size_t>(child(target))].shown;
+  const bool goes_on = was_shown && t.enter == Enter::phase;
   Run fresh;
   fresh.fresh = !goes_on;
   fresh.enter = t.enter;
   fresh.enter_s = t.enter_s;
   if (t.enter == Enter::phase && !goes_on) fresh.enter_place = phase();
-  const bool inertial = t.inertial || (is_shown && !goes_on);
-  if (inertial) animator_.inertia_s_ = std::max(animator_.inertia_s_, t.fade_s + animator_.dt_s_);
-  state_.before.clear();
-  if (!inertial && t.fade_s > 0) {
-    const std::size_t most = 4 - (is_still ? 0 : 1);
-    while (shown.size() > most) {
-      auto least = shown.end();
-      for (auto it = shown.begin(); it != shown.end(); ++it)
-        if (it->first != target && (least == shown.end() || it->second < least->second)) least = it;
-      shown.erase(least);
-    }
-    double sum = 0;
-    for (const auto& s : shown) sum += s.second;
-    for (auto& s : shown) s.second /= sum;
-    state_.before = shown;
-  }
-  state_.fade_s = t.fade_s;
+  const bool inertial = t.inertial || (was_shown && !goes_on);
+  const bool fades = t.fade_s > 0 && !(fresh_.fresh && state_.before.empty());  // else nothing was shown
+  std::vector<std::pair<int, double>> shown;
+  if (fades && !inertial)
+    for (const auto& each : state_weights(state_))
+      if (each.second > 0) shown.push_back(each);
+  if (fades && inertial) animator_.inertia_s_ = std::max(animator_.inertia_s_, t.fade_s + animator_.dt_s_);
+  if (shown.size() > 3)
+    shown.erase(
+        std::min_element(shown.begin(), shown.end(), [](const auto& a, const auto& b) { return a.second < b.second; }));
+  double sum = 0;
+  for (const auto& s : shown) sum += s.second;
+  for (auto& s : shown) s.second /= sum;
+  state_.before = shown;
+  state_.fade_s = shown.empty() ? 0 : t.fade_s;
   state_.current = target;
-  played_.insert(target);
   state_.since_s = state_.age_s = 0;
   fresh_ = fresh;
 }
