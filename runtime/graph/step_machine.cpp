@@ -77,7 +77,7 @@ class MachineStep {
     const ParameterState& p = step_.parameter(c.parameter);
     if (step_.g.parameters[c.parameter].kind == ParameterKind::trigger) {
       const bool waits = step_.g.parameters[c.parameter].seconds > 0;
-      const bool is_set = p.target != 0 && (!waits || t <= static_cast<double>(p.value));
+      const bool is_set = p.target != 0 && (!waits || t < static_cast<double>(p.value));
       return is_set == (c.test == ConditionTest::set);
     }
     switch (c.test) {
@@ -150,13 +150,14 @@ class MachineStep {
     head.inertia_began_s = head.age_s;
   }
 
-  // The chain's weights become shares beside a new state. States without weight are dropped; of too many the least.
+  // The chain's weights become shares beside a new state. A current one without weight is dropped; of too
+  // many the least.
   void push(std::uint32_t state) {
     float weights[kMaxFading];
     weigh_chain(own_, weights);
     std::uint32_t kept = 0;
     for (std::uint32_t i = 0; i < own_.count; ++i) {
-      if (!(weights[i] > 0)) continue;
+      if (i == 0 && !(weights[i] > 0)) continue;
       std::uint32_t same = 0;
       while (same < kept && own_.chain[same] != own_.chain[i]) ++same;
       weights[same] = same < kept ? weights[same] + weights[i] : weights[i];
@@ -239,12 +240,12 @@ class MachineStep {
 
   void show() {
     for (std::uint32_t i = 0; i < shown_; ++i) {
-      const std::uint32_t state = own_.chain[i], node = node_of(state);
+      const std::uint32_t node = node_of(own_.chain[i]);
       if (node == kNoIndex) continue;
       step_.reach(node, {.entry = i == 0 ? entry_ : Entry{},
                          .loudness = n_.loudness,
                          .is_heard = n_.is_heard && i == 0,
-                         .is_kept = n_.is_kept && (i == 0 || links_[state].end > 0)});
+                         .is_kept = n_.is_kept && i < own_.count});
     }
   }
 

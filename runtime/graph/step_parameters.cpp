@@ -33,14 +33,10 @@ void step_parameters(const GraphStep& step) {
     if (p.kind != ParameterKind::number) continue;
     ParameterState& own = step.parameter(i);
     const double target = static_cast<double>(own.target), off = static_cast<double>(own.value) - target;
-    const bool is_smooth = p.seconds > 0 && step.dt_s > 0 && off != 0 && step.head().is_updated != 0;
-    const bool stands = p.seconds > 0 && step.dt_s == 0 && step.head().is_updated != 0;
-    if (stands) {
-      if (off != 0) step.s.is_changing = true;
-      step.s.means[i] = own.value;
-      continue;
-    }
-    const Decay left = is_smooth ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{0, 0};
+    // A number arrives when its float does.
+    Decay left{0, 0};
+    if (p.seconds > 0 && step.head().is_updated != 0 && off != 0)
+      left = step.dt_s > 0 ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{1, 1};
     own.value = static_cast<float>(target + off * left.rest);
     const float still = own.target < own.value ? own.value - own.target : own.target - own.value;
     if (still > kNear * (p.most - p.least)) step.s.is_changing = true;
@@ -51,9 +47,10 @@ void step_parameters(const GraphStep& step) {
 void end_triggers(const GraphStep& step) {
   for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
     ParameterState& own = step.parameter(i);
-    if (step.g.parameters[i].kind != ParameterKind::trigger || own.target == 0) continue;
-    if (step.g.parameters[i].seconds > 0) own.value -= static_cast<float>(step.dt_s);
-    if (own.value < 0) own = {};
+    const GraphParameter& p = step.g.parameters[i];
+    if (p.kind != ParameterKind::trigger || own.target == 0 || !(p.seconds > 0)) continue;
+    own.value -= static_cast<float>(step.dt_s);
+    if (!(own.value > 0)) own = {};
     if (own.target != 0) step.s.is_changing = true;
   }
 }

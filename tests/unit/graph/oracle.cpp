@@ -83,8 +83,7 @@ void Animator::update(double dt_s) {
   if (inertia_s_ > 0) inertia_s_ = std::max(0.0, inertia_s_ - dt_s);
   if (first_)
     for (Value& v : values_) v.value = v.target;
-  // In floats, so that 1/60 s are four.
-  const int count = std::clamp(static_cast<int>(std::ceil(240.0f * static_cast<float>(dt_s))), 1, 64);
+  const int count = std::clamp(static_cast<int>(std::ceil(240 * dt_s - 1e-6)), 1, 64);
   bool in_parts = weights_change();
   if (!in_parts) {
     const Everything before = everything();
@@ -360,8 +359,7 @@ void Animator::show(int node, std::vector<bool>& shown) const {
     if (layer_weight(n, nodes_[i]) > 0) show(n.pose, shown);
   }
   if (n.kind != Kind::machine || nodes_[i].current < 0) return;
-  for (const auto& [s, w] : state_weights(nodes_[i]))  // as far as a float knows
-    if (w > 0x1p-24 || s == nodes_[i].current) show(n.states[static_cast<std::size_t>(s)].node, shown);
+  for (const auto& [s, w] : state_weights(nodes_[i])) show(n.states[static_cast<std::size_t>(s)].node, shown);
 }
 void Animator::mark_shown() {
   std::vector<bool> shown(nodes_.size(), false);

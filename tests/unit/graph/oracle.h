@@ -34,8 +34,7 @@ struct Condition {
   double value = 0;
 };
 struct Transition {
-  int from = -1;       // -1: any state
-  bool again = false;  // of any: also where the machine is in a target already, as a pick's
+  int from = -1;  // -1: any state
   std::vector<int> to;
   bool in_turn = false;
   std::vector<Condition> when;

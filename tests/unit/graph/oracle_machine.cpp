@@ -111,7 +111,7 @@ Machine::Due Machine::due() const {
     for (const Transition& t : node_.transitions) {
       if ((t.from < 0) != any) continue;
       if (!any && t.from != state_.current) continue;
-      if (any && !t.again && std::find(t.to.begin(), t.to.end(), state_.current) != t.to.end()) continue;
+      if (any && t.to.size() == 1 && t.to[0] == state_.current) continue;
       double at_s = 0;
       if (!is_due(t, at_s) || at_s > animator_.dt_s_) continue;
       if (best.transition == nullptr || at_s < best.at_s) best = {&t, at_s};

@@ -275,7 +275,6 @@ class Reader {
       node.states.push_back({p, pose(p, poses.size() > 1)});
     }
     next.to = node.start;
-    next.again = true;
     if (poses.size() > 1) node.transitions = {next};
   }
 
