@@ -58,7 +58,9 @@ class Writer {
     return name;
   }
   std::string trigger() {
+    if (!calm_ && !triggers_.empty() && chance_.is(0.15)) return triggers_[chance_.below(triggers_.size())];
     const std::string name = fresh("t");
+    triggers_.push_back(name);
     parameters_ += name + " = { type = \"trigger\"";
     if (chance_.is(0.6) || calm_) parameters_ += ", hold = " + text(chance_.number(0.02, 0.5));
     parameters_ += " }\n";
@@ -68,8 +70,10 @@ class Writer {
 
   // A pose of any kind.
   std::string any(int height) {
-    if (height <= 0 || chance_.is(0.15)) return leaf();
-    return big(height);
+    if (!calm_ && !done_.empty() && chance_.is(0.1)) return done_[chance_.below(done_.size())];
+    const std::string name = height <= 0 || chance_.is(0.15) ? leaf() : big(height);
+    if (name[0] == 'n') done_.push_back(name);  // another may take it, too
+    return name;
   }
   std::string leaf() {
     if (chance_.is(0.5)) return ground_clip();
@@ -189,11 +193,7 @@ class Writer {
     node(name, body);
     return name;
   }
-  std::string choose() {
-    if (has_chance_ || chance_.is(0.5)) return "choose = \"turn\"";
-    has_chance_ = true;  // in one node of a graph: the order of several is not said
-    return "choose = \"chance\"";
-  }
+  std::string choose() { return chance_.is(0.5) ? "choose = \"turn\"" : "choose = \"chance\""; }
   std::string pick() {
     const std::string name = fresh("n");
     std::string poses;
@@ -288,8 +288,8 @@ class Writer {
   Chance chance_;
   int height_, count_ = 0;
   bool calm_;
-  bool has_chance_ = false;
   std::string parameters_, nodes_;
+  std::vector<std::string> triggers_, done_;
   std::vector<Number> numbers_;
 };
 

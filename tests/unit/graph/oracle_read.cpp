@@ -278,27 +278,22 @@ class Reader {
     if (poses.size() > 1) node.transitions = {next};
   }
 
-  // Numbers the nodes anew, such that each stands before those that it takes.
+  // Numbers the nodes anew: each before those that it takes, the first of them first.
   void order() {
-    std::vector<int> height(graph_.nodes.size(), -1);
-    const std::function<int(int)> above = [&](int n) -> int {
-      int& h = height[static_cast<std::size_t>(n)];
-      if (h >= 0) return h;
+    std::vector<int> order, at(graph_.nodes.size(), -1);
+    std::vector<bool> met(graph_.nodes.size(), false);
+    const std::function<void(int)> go = [&](int n) {
+      if (n < 0 || met[static_cast<std::size_t>(n)]) return;
+      met[static_cast<std::size_t>(n)] = true;
       const Node& node = graph_.nodes[static_cast<std::size_t>(n)];
-      int most = -1;
-      for (const Point& p : node.points) most = std::max(most, above(p.node));
-      for (const State& s : node.states)
-        if (s.node >= 0) most = std::max(most, above(s.node));
-      for (const int c : {node.base, node.pose})
-        if (c >= 0) most = std::max(most, above(c));
-      return height[static_cast<std::size_t>(n)] = most + 1;
+      go(node.pose);
+      go(node.base);
+      for (std::size_t i = node.states.size(); i-- > 0;) go(node.states[i].node);
+      for (std::size_t i = node.points.size(); i-- > 0;) go(node.points[i].node);
+      order.push_back(n);
     };
-    above(graph_.output);
-    std::vector<int> order, at(graph_.nodes.size());
-    for (std::size_t i = 0; i < graph_.nodes.size(); ++i) order.push_back(static_cast<int>(i));
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-      return height[static_cast<std::size_t>(a)] > height[static_cast<std::size_t>(b)];
-    });
+    go(graph_.output);
+    std::reverse(order.begin(), order.end());
     std::vector<Node> nodes;
     for (std::size_t i = 0; i < order.size(); ++i) {
       at[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
