@@ -67,6 +67,7 @@ void hash_files(StageHashes& out) {
   out.push_back({"levels of detail", file_hash(golden_lod_copy())});
   out.push_back({"limits", file_hash(golden_limits_copy())});
   out.push_back({"example shapes", file_hash(golden_shapes_copy())});
+  out.push_back({"an animator", file_hash(golden_graph_copy())});
   out.push_back({"unpack, a coded clip", unpacked_hash(golden_packed_copy())});  // into the clip pack
   out.push_back({"unpack", unpacked_hash(packed_fan())});
   out.push_back({"unpack, deformers", unpacked_hash(packed_deformers())});

@@ -72,6 +72,7 @@ constexpr StageHash kStored[] = {
     {"levels of detail", 0x309F339A0F2B5A38},
     {"limits", 0x29D2E77DC9998191},
     {"example shapes", 0x799DAEC328666B4F},
+    {"an animator", 0x56C217CC3650394F},
     {"unpack, a coded clip", 0xF85BB1BE447E2F8D},
     {"unpack", 0x97846384F63C80E5},
     {"unpack, deformers", 0xEA4789054240AE97},
