@@ -55,9 +55,9 @@ DataError check_container(Span<const std::byte> block, Span<const SectionKind> k
     const auto& s = *reinterpret_cast<const File::Section*>(block.data + entry);
     while (kind != kinds.end() && s.type != kind->type) ++kind;
     if (kind == kinds.end())
-      return bad(
-          entry,
-          "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN PMAP SHAP GRPH BNDS NAME");
+      return bad(entry,
+                 "section types in order: SKEL SREF CLIP GEOM MESH MATL IMAG NODE LIMI SPRI ROLE MOTN PMAP SHAP GRPH "
+                 "BNDS NAME");
     if (s.offset != format::align16(end)) return bad(entry + 4, "sections stand back to back");
     if (s.offset > block.size || s.bytes > block.size - s.offset) return bad(entry + 8, "section outside the file");
     for (; end < s.offset; ++end)

@@ -59,7 +59,8 @@ class GraphRules {
   }
 
   void parameter(const GraphParameter& p) {
-    expect(p.kind <= ParameterKind::trigger && is_graph_time(p.seconds), &p, "a kind of parameter, and a time up to 1e6 s");
+    expect(p.kind <= ParameterKind::trigger && is_graph_time(p.seconds), &p,
+           "a kind of parameter, and a time up to 1e6 s");
     if (p.kind == ParameterKind::number)
       expect(within(p.least, -kMostNumber, kMostNumber) && within(p.most, p.least, kMostNumber) &&
                  within(p.initial, p.least, p.most),
@@ -164,8 +165,9 @@ class GraphRules {
                "up to 16 conditions of a transition"))
       return;
     expect(conditions_ <= g_.conditions.size, &t, "conditions of a transition");
-    expect(is_graph_time(t.fade_s) && is_graph_time(t.after_s) && is_graph_time(t.at_end_s) && is_graph_time(t.enter_s) && t.flags < 16, &t,
-           "times of a transition are 0 to 1e6 s");
+    expect(is_graph_time(t.fade_s) && is_graph_time(t.after_s) && is_graph_time(t.at_end_s) &&
+               is_graph_time(t.enter_s) && t.flags < 16,
+           &t, "times of a transition are 0 to 1e6 s");
   }
 
   void layer(std::uint32_t index, const GraphLayer& l) {

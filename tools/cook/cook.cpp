@@ -12,7 +12,7 @@
 #include "cook/add_clips.h"
 #include "cook/add_pose_maps.h"
 #include "cook/clip/build_clips.h"
-#include "cook/graph/build_graph.h"
+#include "cook/graph/read_graphs.h"
 #include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_examples.h"
 #include "cook/mesh/build_materials.h"
@@ -207,7 +207,7 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   result.reads = std::move(scene.reads);
   const SourceFile source{scene.source, scene.source_bytes};
   BuiltScene built = build_scene(std::move(scene), options, notes);
-  built.graphs = build_graphs(options.graphs, notes.reads, notes);
+  built.graphs = read_graphs(options.graphs, built.clips, notes.reads, notes);
   WrittenFile written = write_scene(built, source.file);
   result.report = report_scene(source, built, written, notes.warnings);
   result.file = std::move(written.bytes);

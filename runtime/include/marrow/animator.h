@@ -30,18 +30,18 @@ struct GraphMisfit {
 
 // A graph for characters of one file: its clips found, its masks made.
 struct GraphBinding {
-  File file = {};  // whose graph it is
-  Graph graph = {};
-  File character = {};
+  File file = {};                             // whose graph it is
+  Graph graph = {};                           // as it was given
+  File character = {};                        // whose skeletons and meshes it is for
   Span<const Animation> clips = {};           // one a clip of the graph
   Span<const SpeedPoint> points = {};         // one a point: where it stands, and the time of a cycle of its space
   Span<const float> masks = {};               // mask after mask, each as AnimationLayer::mask
   Span<const float> hips = {};                // what a mask leaves of root motion
   Span<const std::uint32_t> state_at = {};    // of a node, in Animator::state
   Span<const std::uint32_t> first_link = {};  // of a node: of its points, states, or base and pose
-  std::uint32_t link_count = 0;
-  std::uint32_t state_bytes = 0;  // of an animator
-  std::uint64_t hash = 0;         // of the graph
+  std::uint32_t link_count = 0;               // of all nodes
+  std::uint32_t state_bytes = 0;              // of an animator
+  std::uint64_t hash = 0;                     // of the graph
 };
 
 // Bytes that bind_graph() needs. A multiple of 16.
@@ -61,10 +61,11 @@ MARROW_API Status bind_graph(const File& file, const Graph& graph, const File& c
 
 // An event of a clip that a step met.
 struct AnimatorEvent {
-  std::uint32_t id = 0;   // event_id() of its name
-  const char* name = "";  // as the clip's file has it
-  float number = 0;       // as ClipEvent has them, here and below
-  float time_s = 0, until_s = 0;
+  std::uint32_t id = 0;                  // event_id() of its name
+  const char* name = "";                 // as the clip's file has it
+  float number = 0;                      // as ClipEvent has it, here and below
+  float time_s = 0;                      // in the clip
+  float until_s = 0;                     // likewise
   std::uint32_t count = 0;               // how often
   const Animation* animation = nullptr;  // whose clip it is of
 };
@@ -97,9 +98,9 @@ struct AnimatorScratch;
 
 // An instance of a graph. Views into the caller's memory; a copy is the same animator.
 struct Animator {
-  const GraphBinding* binding = nullptr;
-  Span<std::byte> state = {};          // what it is in: plain bytes, without pointers
-  AnimatorScratch* scratch = nullptr;  // its own
+  const GraphBinding* binding = nullptr;  // as it was given
+  Span<std::byte> state = {};             // what it is in: plain bytes, without pointers
+  AnimatorScratch* scratch = nullptr;     // its own
 };
 
 // Bytes that make_animator() needs. A multiple of 16.

@@ -1119,10 +1119,10 @@ enum {
 typedef struct mrw_graph_parameter mrw_graph_parameter;
 struct mrw_graph_parameter {
   uint32_t name;  // here and below see mrw_file_text, of the graph's file
-  mrw_parameter_kind kind;
+  mrw_parameter_kind kind;  // what it is
   float initial;  // of a flag 0 or 1
   float least;  // of a number
-  float most;  // of a number
+  float most;  // likewise
   // Of a number its half-life: it goes half of the way to what it is set to in this time. Of a trigger how long it
   // waits. ≥ 0
   float seconds;
@@ -1142,7 +1142,7 @@ enum {
 typedef struct mrw_graph_node mrw_graph_node;
 struct mrw_graph_node {
   uint32_t name;  // empty: a clip that is named where it is used
-  mrw_graph_node_kind kind;
+  mrw_graph_node_kind kind;  // what makes its pose
   uint32_t record;  // of mrw_graph's array of that kind, which stand in the nodes' order; of given: which pose
   uint16_t height;  // above those whose poses it takes
   uint16_t poses;  // that are held at once to make this one
@@ -1151,7 +1151,7 @@ struct mrw_graph_node {
 // Plays a clip.
 typedef struct mrw_graph_clip mrw_graph_clip;
 struct mrw_graph_clip {
-  uint32_t name;
+  uint32_t name;  // the clip's
   float speed;  // seconds of the clip a second, within ±64
   uint32_t mode;  // an mrw_play_mode
 };
@@ -1159,27 +1159,27 @@ struct mrw_graph_clip {
 // A pose of a space.
 typedef struct mrw_graph_point mrw_graph_point;
 struct mrw_graph_point {
-  uint32_t node;
-  float x;
-  float y;
+  uint32_t node;  // whose pose stands there
+  float x;  // where on the line, or in the plane
+  float y;  // in a plane
   uint32_t own_speed;  // 1: x is the speed of its clip
 };
 
 // Blends poses that stand on a line, or in a plane.
 typedef struct mrw_graph_space mrw_graph_space;
 struct mrw_graph_space {
-  uint32_t first_point;
-  uint32_t point_count;
+  uint32_t first_point;  // of mrw_graph.points
+  uint32_t point_count;  // from that on
   uint32_t by[2];  // numbers; on a line one
-  uint32_t first_triangle;
-  uint32_t triangle_count;
-  uint32_t flags;
+  uint32_t first_triangle;  // of mrw_graph.triangles
+  uint32_t triangle_count;  // from that on; 0 on a line
+  uint32_t flags;  // SpaceFlags
 };
 
 // A state of a machine.
 typedef struct mrw_graph_state mrw_graph_state;
 struct mrw_graph_state {
-  uint32_t name;
+  uint32_t name;  // its own
   uint32_t node;  // MRW_NO_INDEX: nothing, so a layer above shows less of itself
 };
 
@@ -1187,15 +1187,15 @@ struct mrw_graph_state {
 typedef struct mrw_graph_transition mrw_graph_transition;
 struct mrw_graph_transition {
   uint32_t from;  // MRW_NO_INDEX: any but the target
-  uint32_t to;  // states in a row, of which one is chosen
-  uint32_t to_count;  // states in a row, of which one is chosen
-  uint32_t first_condition;
-  uint32_t condition_count;
-  float fade_s;
+  uint32_t to;  // a state
+  uint32_t to_count;  // so many states from that on, of which one is chosen
+  uint32_t first_condition;  // of mrw_graph.conditions
+  uint32_t condition_count;  // from that on; all must hold
+  float fade_s;  // how long it takes
   float after_s;  // that the state has lasted, at least
   float at_end_s;  // with kWaitsForEnd: before the end
   float enter_s;  // where the target begins
-  uint32_t flags;
+  uint32_t flags;  // TransitionFlags
 };
 
 // What a condition asks of a parameter.
@@ -1212,33 +1212,33 @@ enum {
 // One of those that all hold.
 typedef struct mrw_graph_condition mrw_graph_condition;
 struct mrw_graph_condition {
-  uint32_t parameter;
-  mrw_condition_test test;
+  uint32_t parameter;  // of mrw_graph.parameters
+  mrw_condition_test test;  // what is asked of it
   float value;  // of numbers
 };
 
 // Is in one of several states.
 typedef struct mrw_graph_machine mrw_graph_machine;
 struct mrw_graph_machine {
-  uint32_t first_state;
-  uint32_t state_count;
-  uint32_t first_transition;  // in the order in which they are asked
-  uint32_t transition_count;  // in the order in which they are asked
-  uint32_t start;  // as a transition's targets
-  uint32_t start_count;  // as a transition's targets
+  uint32_t first_state;  // of mrw_graph.states
+  uint32_t state_count;  // from that on
+  uint32_t first_transition;  // of mrw_graph.transitions
+  uint32_t transition_count;  // from that on, in the order in which they are asked
+  uint32_t start;  // as mrw_graph_transition.to
+  uint32_t start_count;  // as mrw_graph_transition.to_count
   uint32_t flags;  // kChooseInTurn: of the start
 };
 
 // Lays a pose over another.
 typedef struct mrw_graph_layer mrw_graph_layer;
 struct mrw_graph_layer {
-  uint32_t base;
-  uint32_t pose;
-  uint32_t mask;
+  uint32_t base;  // a node
+  uint32_t pose;  // that is laid over it
+  uint32_t mask;  // of mrw_graph.masks; MRW_NO_INDEX: all joints
   uint32_t by;  // a number or a flag; MRW_NO_INDEX: `weight`
   float weight;  // 0 … 1
   float fade_s;  // of a flag: how long it takes from 0 to 1
-  uint32_t flags;
+  uint32_t flags;  // LayerFlags
 };
 
 // A joint and all below it, as in mrw_mask_below().
@@ -1246,44 +1246,45 @@ typedef struct mrw_graph_mask_part mrw_graph_mask_part;
 struct mrw_graph_mask_part {
   uint32_t role;  // an mrw_role; 0: `joint`
   uint32_t joint;  // its name
-  uint32_t falloff;
+  uint32_t falloff;  // over so many joints it grows
 };
 
+// Several joints, and all below each.
 typedef struct mrw_graph_mask mrw_graph_mask;
 struct mrw_graph_mask {
-  uint32_t first_part;
-  uint32_t part_count;
+  uint32_t first_part;  // of mrw_graph.mask_parts
+  uint32_t part_count;  // from that on
 };
 
 // A graph. Plain lists, from mrw_file_graph() or made by hand.
 typedef struct mrw_graph mrw_graph;
 struct mrw_graph {
-  const char* name;
-  const mrw_graph_parameter* parameters;
+  const char* name;  // as its text's file is called
+  const mrw_graph_parameter* parameters;  // what a game sets
   size_t parameter_count;
-  const mrw_graph_node* nodes;
+  const mrw_graph_node* nodes;  // the first one's pose is the graph's
   size_t node_count;
-  const mrw_graph_clip* clips;
+  const mrw_graph_clip* clips;  // one a node of that kind, as spaces, machines and layers
   size_t clip_count;
-  const mrw_graph_space* spaces;
+  const mrw_graph_space* spaces;  // likewise
   size_t space_count;
-  const mrw_graph_point* points;
+  const mrw_graph_point* points;  // space after space
   size_t point_count;
-  const mrw_plane_triangle* triangles;  // their corners are points of their space
+  const mrw_plane_triangle* triangles;  // likewise; their corners are points of their space
   size_t triangle_count;
-  const mrw_graph_machine* machines;
+  const mrw_graph_machine* machines;  // one a node of that kind
   size_t machine_count;
-  const mrw_graph_state* states;
+  const mrw_graph_state* states;  // machine after machine
   size_t state_count;
-  const mrw_graph_transition* transitions;
+  const mrw_graph_transition* transitions;  // likewise
   size_t transition_count;
-  const mrw_graph_condition* conditions;
+  const mrw_graph_condition* conditions;  // transition after transition
   size_t condition_count;
-  const mrw_graph_layer* layers;
+  const mrw_graph_layer* layers;  // one a node of that kind
   size_t layer_count;
-  const mrw_graph_mask* masks;
+  const mrw_graph_mask* masks;  // of layers
   size_t mask_count;
-  const mrw_graph_mask_part* mask_parts;
+  const mrw_graph_mask_part* mask_parts;  // mask after mask
   size_t mask_part_count;
   uint32_t given_count;  // nodes that are given
 };
@@ -3531,8 +3532,8 @@ struct mrw_graph_misfit {
 typedef struct mrw_graph_binding mrw_graph_binding;
 struct mrw_graph_binding {
   mrw_file file;  // whose graph it is
-  mrw_graph graph;
-  mrw_file character;
+  mrw_graph graph;  // as it was given
+  mrw_file character;  // whose skeletons and meshes it is for
   const mrw_animation* clips;  // one a clip of the graph
   size_t clip_count;
   const mrw_speed_point* points;  // one a point: where it stands, and the time of a cycle of its space
@@ -3545,7 +3546,7 @@ struct mrw_graph_binding {
   size_t state_at_count;
   const uint32_t* first_link;  // of a node: of its points, states, or base and pose
   size_t first_link_count;
-  uint32_t link_count;
+  uint32_t link_count;  // of all nodes
   uint32_t state_bytes;  // of an animator
   uint64_t hash;  // of the graph
 };
@@ -3555,9 +3556,9 @@ typedef struct mrw_animator_event mrw_animator_event;
 struct mrw_animator_event {
   uint32_t id;  // mrw_event_id() of its name
   const char* name;  // as the clip's file has it
-  float number;  // as mrw_clip_event has them, here and below
-  float time_s;
-  float until_s;
+  float number;  // as mrw_clip_event has it, here and below
+  float time_s;  // in the clip
+  float until_s;  // likewise
   uint32_t count;  // how often
   const mrw_animation* animation;  // whose clip it is of
 };
@@ -3587,7 +3588,7 @@ typedef struct mrw_animator_scratch mrw_animator_scratch;
 // An instance of a graph. Views into the caller's memory; a copy is the same animator.
 typedef struct mrw_animator mrw_animator;
 struct mrw_animator {
-  const mrw_graph_binding* binding;
+  const mrw_graph_binding* binding;  // as it was given
   void* state;  // what it is in: plain bytes, without pointers
   size_t state_bytes;
   mrw_animator_scratch* scratch;  // its own

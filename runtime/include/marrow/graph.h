@@ -27,10 +27,11 @@ enum class ParameterKind : std::uint32_t {
 
 // What a game sets.
 struct GraphParameter {
-  std::uint32_t name = 0;  // here and below see File::text, of the graph's file
-  ParameterKind kind = ParameterKind::number;
-  float initial = 0;          // of a flag 0 or 1
-  float least = 0, most = 0;  // of a number
+  std::uint32_t name = 0;                      // here and below see File::text, of the graph's file
+  ParameterKind kind = ParameterKind::number;  // what it is
+  float initial = 0;                           // of a flag 0 or 1
+  float least = 0;                             // of a number
+  float most = 0;                              // likewise
   // Of a number its half-life: it goes half of the way to what it is set to in this time. Of a trigger how long it
   // waits. ≥ 0
   float seconds = 0;
@@ -47,8 +48,8 @@ enum class GraphNodeKind : std::uint32_t {
 
 // A node stands before those whose poses it takes; the first one's pose is the graph's.
 struct GraphNode {
-  std::uint32_t name = 0;  // empty: a clip that is named where it is used
-  GraphNodeKind kind = GraphNodeKind::clip;
+  std::uint32_t name = 0;                    // empty: a clip that is named where it is used
+  GraphNodeKind kind = GraphNodeKind::clip;  // what makes its pose
   std::uint32_t record = 0;  // of Graph's array of that kind, which stand in the nodes' order; of given: which pose
   std::uint16_t height = 0;  // above those whose poses it takes
   std::uint16_t poses = 1;   // that are held at once to make this one
@@ -56,15 +57,16 @@ struct GraphNode {
 
 // Plays a clip.
 struct GraphClip {
-  std::uint32_t name = 0;
+  std::uint32_t name = 0;  // the clip's
   float speed = 1;         // seconds of the clip a second, within ±64
   std::uint32_t mode = 0;  // a PlayMode
 };
 
 // A pose of a space.
 struct GraphPoint {
-  std::uint32_t node = 0;
-  float x = 0, y = 0;
+  std::uint32_t node = 0;       // whose pose stands there
+  float x = 0;                  // where on the line, or in the plane
+  float y = 0;                  // in a plane
   std::uint32_t own_speed = 0;  // 1: x is the speed of its clip
 };
 
@@ -75,15 +77,17 @@ enum SpaceFlags : std::uint32_t {
 };
 // Blends poses that stand on a line, or in a plane.
 struct GraphSpace {
-  std::uint32_t first_point = 0, point_count = 0;
+  std::uint32_t first_point = 0;               // of Graph::points
+  std::uint32_t point_count = 0;               // from that on
   std::uint32_t by[2] = {kNoIndex, kNoIndex};  // numbers; on a line one
-  std::uint32_t first_triangle = 0, triangle_count = 0;
-  std::uint32_t flags = 0;
+  std::uint32_t first_triangle = 0;            // of Graph::triangles
+  std::uint32_t triangle_count = 0;            // from that on; 0 on a line
+  std::uint32_t flags = 0;                     // SpaceFlags
 };
 
 // A state of a machine.
 struct GraphState {
-  std::uint32_t name = 0;
+  std::uint32_t name = 0;         // its own
   std::uint32_t node = kNoIndex;  // kNoIndex: nothing, so a layer above shows less of itself
 };
 
@@ -96,31 +100,36 @@ enum TransitionFlags : std::uint32_t {
 };
 // From a state of a machine to another.
 struct GraphTransition {
-  std::uint32_t from = kNoIndex;       // kNoIndex: any but the target
-  std::uint32_t to = 0, to_count = 1;  // states in a row, of which one is chosen
-  std::uint32_t first_condition = 0, condition_count = 0;
-  float fade_s = 0;
-  float after_s = 0;   // that the state has lasted, at least
-  float at_end_s = 0;  // with kWaitsForEnd: before the end
-  float enter_s = 0;   // where the target begins
-  std::uint32_t flags = 0;
+  std::uint32_t from = kNoIndex;      // kNoIndex: any but the target
+  std::uint32_t to = 0;               // a state
+  std::uint32_t to_count = 1;         // so many states from that on, of which one is chosen
+  std::uint32_t first_condition = 0;  // of Graph::conditions
+  std::uint32_t condition_count = 0;  // from that on; all must hold
+  float fade_s = 0;                   // how long it takes
+  float after_s = 0;                  // that the state has lasted, at least
+  float at_end_s = 0;                 // with kWaitsForEnd: before the end
+  float enter_s = 0;                  // where the target begins
+  std::uint32_t flags = 0;            // TransitionFlags
 };
 
 // What a condition asks of a parameter.
 enum class ConditionTest : std::uint32_t { set, not_set, above, below, at_least, at_most };
 // One of those that all hold.
 struct GraphCondition {
-  std::uint32_t parameter = 0;
-  ConditionTest test = ConditionTest::set;
-  float value = 0;  // of numbers
+  std::uint32_t parameter = 0;              // of Graph::parameters
+  ConditionTest test = ConditionTest::set;  // what is asked of it
+  float value = 0;                          // of numbers
 };
 
 // Is in one of several states.
 struct GraphMachine {
-  std::uint32_t first_state = 0, state_count = 0;
-  std::uint32_t first_transition = 0, transition_count = 0;  // in the order in which they are asked
-  std::uint32_t start = 0, start_count = 1;                  // as a transition's targets
-  std::uint32_t flags = 0;                                   // kChooseInTurn: of the start
+  std::uint32_t first_state = 0;       // of Graph::states
+  std::uint32_t state_count = 0;       // from that on
+  std::uint32_t first_transition = 0;  // of Graph::transitions
+  std::uint32_t transition_count = 0;  // from that on, in the order in which they are asked
+  std::uint32_t start = 0;             // as GraphTransition::to
+  std::uint32_t start_count = 1;       // as GraphTransition::to_count
+  std::uint32_t flags = 0;             // kChooseInTurn: of the start
 };
 
 // Bits of GraphLayer::flags.
@@ -129,41 +138,44 @@ enum LayerFlags : std::uint32_t {
 };
 // Lays a pose over another.
 struct GraphLayer {
-  std::uint32_t base = 0, pose = 0;
-  std::uint32_t mask = kNoIndex;
-  std::uint32_t by = kNoIndex;  // a number or a flag; kNoIndex: `weight`
-  float weight = 1;             // 0 … 1
-  float fade_s = 0;             // of a flag: how long it takes from 0 to 1
-  std::uint32_t flags = 0;
+  std::uint32_t base = 0;         // a node
+  std::uint32_t pose = 0;         // that is laid over it
+  std::uint32_t mask = kNoIndex;  // of Graph::masks; kNoIndex: all joints
+  std::uint32_t by = kNoIndex;    // a number or a flag; kNoIndex: `weight`
+  float weight = 1;               // 0 … 1
+  float fade_s = 0;               // of a flag: how long it takes from 0 to 1
+  std::uint32_t flags = 0;        // LayerFlags
 };
 
 // A joint and all below it, as in mask_below().
 struct GraphMaskPart {
-  std::uint32_t role = 0;   // a Role; 0: `joint`
-  std::uint32_t joint = 0;  // its name
-  std::uint32_t falloff = 0;
+  std::uint32_t role = 0;     // a Role; 0: `joint`
+  std::uint32_t joint = 0;    // its name
+  std::uint32_t falloff = 0;  // over so many joints it grows
 };
+// Several joints, and all below each.
 struct GraphMask {
-  std::uint32_t first_part = 0, part_count = 0;
+  std::uint32_t first_part = 0;  // of Graph::mask_parts
+  std::uint32_t part_count = 0;  // from that on
 };
 
 // A graph. Plain spans, from File::graph() or made by hand.
 struct Graph {
-  const char* name = "";
-  Span<const GraphParameter> parameters = {};
-  Span<const GraphNode> nodes = {};
-  Span<const GraphClip> clips = {};
-  Span<const GraphSpace> spaces = {};
-  Span<const GraphPoint> points = {};
-  Span<const PlaneTriangle> triangles = {};  // their corners are points of their space
-  Span<const GraphMachine> machines = {};
-  Span<const GraphState> states = {};
-  Span<const GraphTransition> transitions = {};
-  Span<const GraphCondition> conditions = {};
-  Span<const GraphLayer> layers = {};
-  Span<const GraphMask> masks = {};
-  Span<const GraphMaskPart> mask_parts = {};
-  std::uint32_t given_count = 0;  // nodes that are given
+  const char* name = "";                         // as its text's file is called
+  Span<const GraphParameter> parameters = {};    // what a game sets
+  Span<const GraphNode> nodes = {};              // the first one's pose is the graph's
+  Span<const GraphClip> clips = {};              // one a node of that kind, as spaces, machines and layers
+  Span<const GraphSpace> spaces = {};            // likewise
+  Span<const GraphPoint> points = {};            // space after space
+  Span<const PlaneTriangle> triangles = {};      // likewise; their corners are points of their space
+  Span<const GraphMachine> machines = {};        // one a node of that kind
+  Span<const GraphState> states = {};            // machine after machine
+  Span<const GraphTransition> transitions = {};  // likewise
+  Span<const GraphCondition> conditions = {};    // transition after transition
+  Span<const GraphLayer> layers = {};            // one a node of that kind
+  Span<const GraphMask> masks = {};              // of layers
+  Span<const GraphMaskPart> mask_parts = {};     // mask after mask
+  std::uint32_t given_count = 0;                 // nodes that are given
 };
 
 }  // namespace marrow

@@ -51,7 +51,7 @@ struct OwnedCharacter : Character {
 
 // An animator that owns what it is in, and what it is bound to.
 struct OwnedAnimator : Animator {
-  GraphBinding bound = {};
+  GraphBinding bound = {};  // its graph, its file and its clips
   GraphMisfit misfit = {};  // of the last make_owned() that failed
   OwnedBlock bound_block;   // what `bound` is views of
   OwnedBlock block;         // what it is views of itself

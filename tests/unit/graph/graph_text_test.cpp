@@ -13,63 +13,64 @@ namespace {
 
 // A whole graph, line by line, of which one line is exchanged.
 const std::vector<std::string> kLines = {
-    "output = 'all'",                                                            // 1
-    "[parameters]",                                                              // 2
+    "output = 'all'",                                                             // 1
+    "[parameters]",                                                               // 2
     "speed = { type = 'number', range = [0, 6], initial = 1, half_life = 0.1 }",  // 3
-    "bend = { type = 'number', range = [-1, 1] }",                               // 4
-    "armed = { type = 'flag', initial = true }",                                 // 5
-    "jump = { type = 'trigger', hold = 0.2 }",                                   // 6
-    "[node.slow]",                                                               // 7
-    "type = 'clip'",                                                             // 8
-    "clip = 'walk'",                                                             // 9
-    "speed = 0.5",                                                               // 10
-    "play = 'ping_pong'",                                                        // 11
-    "[node.gaits]",                                                              // 12
-    "type = 'space'",                                                            // 13
-    "by = 'speed'",                                                              // 14
-    "points = [ { at = 0, pose = 'idle' }, { pose = 'slow' } ]",                 // 15
-    "match_speed = true",                                                        // 16
-    "sync = true",                                                               // 17
-    "[node.plane]",                                                              // 18
-    "type = 'space'",                                                            // 19
-    "by = ['speed', 'bend']",                                                    // 20
-    "points = [ { at = [0, 0], pose = 'gaits' }, { at = [1, 0], pose = 'idle' }, { at = [0, 1], pose = 'run' } ]",  // 21
-    "[node.body]",                                                               // 22
-    "type = 'machine'",                                                          // 23
-    "start = 'ground'",                                                          // 24
-    "state.ground = { pose = 'plane' }",                                         // 25
-    "state.air = { pose = 'fly' }",                                              // 26
-    "state.land = { pose = 'hit' }",                                             // 27
-    "transition = [",                                                            // 28
+    "bend = { type = 'number', range = [-1, 1] }",                                // 4
+    "armed = { type = 'flag', initial = true }",                                  // 5
+    "jump = { type = 'trigger', hold = 0.2 }",                                    // 6
+    "[node.slow]",                                                                // 7
+    "type = 'clip'",                                                              // 8
+    "clip = 'walk'",                                                              // 9
+    "speed = 0.5",                                                                // 10
+    "play = 'ping_pong'",                                                         // 11
+    "[node.gaits]",                                                               // 12
+    "type = 'space'",                                                             // 13
+    "by = 'speed'",                                                               // 14
+    "points = [ { at = 0, pose = 'idle' }, { pose = 'slow' } ]",                  // 15
+    "match_speed = true",                                                         // 16
+    "sync = true",                                                                // 17
+    "[node.plane]",                                                               // 18
+    "type = 'space'",                                                             // 19
+    "by = ['speed', 'bend']",                                                     // 20
+    "points = [ { at = [0, 0], pose = 'gaits' }, { at = [1, 0], pose = 'idle' }, { at = [0, 1], pose = 'run' } "
+    "]",                                                                                                  // 21
+    "[node.body]",                                                                                        // 22
+    "type = 'machine'",                                                                                   // 23
+    "start = 'ground'",                                                                                   // 24
+    "state.ground = { pose = 'plane' }",                                                                  // 25
+    "state.air = { pose = 'fly' }",                                                                       // 26
+    "state.land = { pose = 'hit' }",                                                                      // 27
+    "transition = [",                                                                                     // 28
     "  { from = 'ground', to = 'air', when = ['jump', 'speed > 0.5'], fade = 0.1, kind = 'inertial' },",  // 29
-    "  { from = ['air'], to = 'land', after = 0.5, enter = 0.25 },",             // 30
-    "  { from = 'land', to = 'ground', at_end = 0.1, fade = 0.1, enter = 'same_phase' },",  // 31
-    "  { from = '*', to = ['air', 'land'], choose = 'turn', when = 'not armed' },",  // 32
-    "]",                                                                         // 33
-    "[node.guard]",                                                              // 34
-    "type = 'layer'",                                                            // 35
-    "base = 'body'",                                                             // 36
-    "pose = 'block'",                                                            // 37
-    "mask = [ { role = 'chest', falloff = 2 }, { joint = 'tail' } ]",            // 38
-    "weight = 'armed'",                                                          // 39
-    "fade = 0.1",                                                                // 40
-    "[node.lean]",                                                               // 41
-    "type = 'add'",                                                              // 42
-    "base = 'guard'",                                                            // 43
-    "pose = 'leaning'",                                                          // 44
-    "weight = 0.5",                                                              // 45
-    "[node.all]",                                                                // 46
-    "type = 'one_shot'",                                                         // 47
-    "base = 'lean'",                                                             // 48
-    "pose = 'strike'",                                                           // 49
-    "when = 'jump'",                                                             // 50
-    "fade_in = 0.1",                                                             // 51
-    "[node.variants]",                                                           // 52
-    "type = 'pick'",                                                             // 53
-    "poses = ['a', 'b']",                                                        // 54
-    "choose = 'chance'",                                                         // 55
-    "[node.ragdoll]",                                                            // 56
-    "type = 'given'",                                                            // 57
+    "  { from = ['air'], to = 'land', after = 0.5, enter = 0.25 },",                                      // 30
+    "  { from = 'land', to = 'ground', at_end = 0.1, fade = 0.1, enter = 'same_phase' },",                // 31
+    "  { from = '*', to = ['air', 'land'], choose = 'turn', when = 'not armed' },",                       // 32
+    "]",                                                                                                  // 33
+    "[node.guard]",                                                                                       // 34
+    "type = 'layer'",                                                                                     // 35
+    "base = 'body'",                                                                                      // 36
+    "pose = 'block'",                                                                                     // 37
+    "mask = [ { role = 'chest', falloff = 2 }, { joint = 'tail' } ]",                                     // 38
+    "weight = 'armed'",                                                                                   // 39
+    "fade = 0.1",                                                                                         // 40
+    "[node.lean]",                                                                                        // 41
+    "type = 'add'",                                                                                       // 42
+    "base = 'guard'",                                                                                     // 43
+    "pose = 'leaning'",                                                                                   // 44
+    "weight = 0.5",                                                                                       // 45
+    "[node.all]",                                                                                         // 46
+    "type = 'one_shot'",                                                                                  // 47
+    "base = 'lean'",                                                                                      // 48
+    "pose = 'strike'",                                                                                    // 49
+    "when = 'jump'",                                                                                      // 50
+    "fade_in = 0.1",                                                                                      // 51
+    "[node.variants]",                                                                                    // 52
+    "type = 'pick'",                                                                                      // 53
+    "poses = ['a', 'b']",                                                                                 // 54
+    "choose = 'chance'",                                                                                  // 55
+    "[node.ragdoll]",                                                                                     // 56
+    "type = 'given'",                                                                                     // 57
 };
 
 std::string text_with(std::size_t line, const std::string& other) {
@@ -134,8 +135,8 @@ const std::vector<Mistake> kMistakes = {
      "on one line"},
     {21, "points = [ { at = [0, 0], pose = 'a' }, { at = [0, 0], pose = 'b' }, { at = [2, 0], pose = 'c' } ]", "21:34",
      "at one place"},
-    {21, "points = [ { at = [0, 0], pose = 'all' }, { at = [1, 0], pose = 'b' }, { at = [0, 1], pose = 'c' } ]", "21:34",
-     "made of itself"},
+    {21, "points = [ { at = [0, 0], pose = 'all' }, { at = [1, 0], pose = 'b' }, { at = [0, 1], pose = 'c' } ]",
+     "21:34", "made of itself"},
     {24, "start = 'grond'", "24:9", "did you mean \"ground\"?"},
     {24, "", "22:1", "without \"start\""},
     {25, "state.ground = 'plane'", "25:16", "a state must be a table"},
@@ -159,7 +160,8 @@ const std::vector<Mistake> kMistakes = {
     {30, "  { from = [], to = 'land', after = 0.5 },", "30:12", "names nothing"},
     {30, "  { from = 'air', to = 'land', after = 'soon' },", "30:40", "must be a number"},
     {30, "  { from = 'ground', to = 'land', at_end = 0.5 },", "25:25", "which is no clip"},
-    {31, "  { from = 'land', to = 'ground', at_end = 0.1, enter = 'begining' },", "31:57", "did you mean \"beginning\"?"},
+    {31, "  { from = 'land', to = 'ground', at_end = 0.1, enter = 'begining' },", "31:57",
+     "did you mean \"beginning\"?"},
     {31, "  { from = 'land', to = 'ground', at_end = 0.1, enter = -1 },", "31:57", "from 0 to 1e+06"},
     {32, "  { from = '*', to = ['ground', 'land'], when = 'jump' },", "32:33", "must follow one another"},
     {32, "  { from = '*', to = 'air', choose = 'dice', when = 'jump' },", "32:38", "\"chance\""},
@@ -185,8 +187,8 @@ const std::vector<Mistake> kMistakes = {
     {55, "choose = 'random'", "55:10", "\"chance\""},
     {57, "type = 'given'\nof = 1", "58:1", "has no \"of\""},
     {57, "type = 'given'\n[nodes.x]\ntype = 'given'", "58:2", "did you mean \"node\"?"},
-    {57, "type = 'given'\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s.t.u.v.w.x.y.z.a1.b1.c1.d1.e1.f1.g1.h1.i1.j1.k1 = 1", "58:",
-     ""},
+    {57, "type = 'given'\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r.s.t.u.v.w.x.y.z.a1.b1.c1.d1.e1.f1.g1.h1.i1.j1.k1 = 1",
+     "58:", ""},
 };
 
 TEST(GraphText, IsRightAsAWhole) {

@@ -1,15 +1,12 @@
 #include "cook/graph/build_graph.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
 #include "cook/graph/triangulate.h"
 #include "graph/graph_fault.h"
 #include "text/nearest.h"
@@ -17,8 +14,6 @@
 
 namespace marrow::cook {
 namespace {
-
-constexpr std::size_t kLargestFile = 1024 * 1024;
 
 // A node on its way, with those whose poses it takes in the order of its points, states, or base and pose.
 struct Draft {
@@ -468,25 +463,6 @@ Graph view(const BuiltGraph& g) {
 
 BuiltGraph build_graph(const GraphText& text, Notes& notes) {
   return GraphBuilder(text, notes).build();
-}
-
-std::vector<BuiltGraph> build_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes) {
-  std::vector<BuiltGraph> out;
-  for (const GraphRule& rule : rules) {
-    if (!rule.text.empty()) {
-      out.push_back(build_graph(parse_graph(rule.file, rule.text), notes));
-      continue;
-    }
-    std::error_code error;
-    if (std::filesystem::file_size(rule.file, error) > kLargestFile && !error)
-      throw tools::Failure(tools::Exit::usage, rule.file, "", "too large", "1 MiB is the limit");
-    const tools::AlignedBytes bytes = tools::read_file(rule.file);
-    reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(rule.file), error).string(),
-                     bytes.size(), tools::hash_of({bytes.data(), bytes.size()})});
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    out.push_back(build_graph(parse_graph(rule.file, text), notes));
-  }
-  return out;
 }
 
 }  // namespace marrow::cook

@@ -6,7 +6,6 @@
 
 #include "cook/graph/graph_text.h"
 #include "cook/scene/built.h"
-#include "cook/scene/cook_options.h"
 
 namespace marrow::cook {
 
@@ -15,8 +14,5 @@ namespace marrow::cook {
 // over a machine, a pick a machine. Notes nodes that nothing uses. Throws tools::Failure (usage) at the place of a name
 // that is no parameter or state, of nodes that are made of themselves, and of what does not fit its kind.
 BuiltGraph build_graph(const GraphText& text, Notes& notes);
-
-// Reads and builds what the options ask for. Files are added to `reads`.
-std::vector<BuiltGraph> build_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes);
 
 }  // namespace marrow::cook

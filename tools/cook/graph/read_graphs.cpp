@@ -1,0 +1,56 @@
+#include "cook/graph/read_graphs.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "common/failure.h"
+#include "common/files.h"
+#include "common/hash.h"
+#include "cook/graph/build_graph.h"
+#include "text/nearest.h"
+
+namespace marrow::cook {
+namespace {
+
+constexpr std::size_t kLargestFile = 1024 * 1024;
+
+BuiltGraph read_graph(const GraphRule& rule, std::vector<RawRead>& reads, Notes& notes) {
+  if (!rule.text.empty()) return build_graph(parse_graph(rule.file, rule.text), notes);
+  std::error_code error;
+  if (std::filesystem::file_size(rule.file, error) > kLargestFile && !error)
+    throw tools::Failure(tools::Exit::usage, rule.file, "", "too large", "1 MiB is the limit");
+  const tools::AlignedBytes bytes = tools::read_file(rule.file);
+  reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(rule.file), error).string(),
+                   bytes.size(), tools::hash_of({bytes.data(), bytes.size()})});
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return build_graph(parse_graph(rule.file, text), notes);
+}
+
+// Clips may come from a pack, so that one that is not here is no error.
+void warn_of_missing(const BuiltGraph& graph, const std::string& file, const std::vector<BuiltClip>& clips,
+                     Notes& notes) {
+  std::vector<std::string> names;
+  for (const BuiltClip& clip : clips) names.push_back(clip.name);
+  for (const std::string& name : std::set<std::string>(graph.clip_names.begin(), graph.clip_names.end())) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    const std::string meant = tools::did_you_mean(name, names);
+    notes.warnings.push_back(
+        {file, "no-such-clip",
+         "no clip here is called \"" + name + "\": " + (meant.empty() ? "it must come from a clip pack" : meant)});
+  }
+}
+
+}  // namespace
+
+std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, const std::vector<BuiltClip>& clips,
+                                    std::vector<RawRead>& reads, Notes& notes) {
+  std::vector<BuiltGraph> out;
+  for (const GraphRule& rule : rules) {
+    out.push_back(read_graph(rule, reads, notes));
+    warn_of_missing(out.back(), rule.file, clips, notes);
+  }
+  return out;
+}
+
+}  // namespace marrow::cook
