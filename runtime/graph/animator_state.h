@@ -58,25 +58,25 @@ struct LayerState {
 
 // How a node is entered. All 0: it goes on.
 struct Entry {
-  bool begins;    // anew
-  bool in_phase;  // at the place, else at time_s
-  float time_s;
-  double share;  // the place, see Phase
-  std::uint32_t segment;
+  bool begins = false;    // anew
+  bool in_phase = false;  // at the place, else at time_s
+  float time_s = 0;
+  double share = 0;  // the place, see Phase
+  std::uint32_t segment = 0;
 
   Phase place() const { return {share, segment, 0}; }
 };
 
 // What happens to a node in a step. Set by GraphStep::reach().
 struct NodeStep {
-  bool is_reached;
-  bool is_kept;   // it is shown at the end of the step
-  bool is_heard;  // its events count, and its machines decide
-  bool moves;     // `motion` is not 0
-  Entry entry;
-  float loudness;  // what its events weigh
-  float presence;  // of a machine: less where it shows nothing
-  Screw motion;
+  bool is_reached = false;
+  bool is_kept = false;   // it is shown at the end of the step
+  bool is_heard = false;  // its events count, and its machines decide
+  bool moves = false;     // `motion` is not 0
+  Entry entry = {};
+  float loudness = 0;  // what its events weigh
+  float presence = 0;  // of a machine: less where it shows nothing
+  Screw motion = {};
 };
 
 // What a link has in a step, and at its end.

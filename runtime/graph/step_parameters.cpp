@@ -12,8 +12,8 @@ struct Decay {
 };
 // 2^-x and (1 - 2^-x) / (x ln 2): Taylor's series of e^-z to z = ½ ln 2, squared as often as x has halves.
 Decay decay_over(double half_lives) {
-  constexpr double kMost = 64, kLn2 = 0.69314718055994530942;
-  if (half_lives >= kMost) return {0, 1.0 / (half_lives * kLn2)};
+  constexpr double kMostHalfLives = 64, kLn2 = 0.69314718055994530942;
+  if (half_lives >= kMostHalfLives) return {0, 1.0 / (half_lives * kLn2)};
   const auto whole = static_cast<int>(half_lives);
   const double z = (half_lives - whole) * kLn2;
   double lost = 0;  // (1 - e^-z) / z
@@ -27,7 +27,7 @@ Decay decay_over(double half_lives) {
 }  // namespace
 
 void step_parameters(const GraphStep& step) {
-  constexpr float kNear = 0x1p-10f;  // of a number's range
+  constexpr float kOnItsWay = 0x1p-10f;  // of a number's range
   for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
     const GraphParameter& p = step.g.parameters[i];
     if (p.kind != ParameterKind::number) continue;
@@ -39,7 +39,7 @@ void step_parameters(const GraphStep& step) {
       left = step.dt_s > 0 ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{1, 1};
     own.value = static_cast<float>(target + off * left.rest);
     const float still = own.target < own.value ? own.value - own.target : own.target - own.value;
-    if (still > kNear * (p.most - p.least)) step.s.is_changing = true;
+    if (still > kOnItsWay * (p.most - p.least)) step.s.is_changing = true;
     step.s.means[i] = static_cast<float>(target + off * left.mean);
   }
 }
