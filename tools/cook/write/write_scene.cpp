@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
-#include <map>
 
 #include "asset/sections/examples_section.h"
 #include "asset/skeleton_hash.h"
@@ -15,34 +14,12 @@
 #include "cook/write/clip_packer.h"
 #include "cook/write/compact.h"
 #include "cook/write/measure_bounds.h"
+#include "cook/write/names.h"
 #include "cook/write/section_bytes.h"
-#include "graph/graph_section.h"
+#include "cook/write/write_graph.h"
 
 namespace marrow::cook {
 namespace {
-
-// Zero-terminated names, each once; the empty one first.
-class Names {
- public:
-  Names() { add(""); }
-  std::uint32_t add(const std::string& name) {
-    const std::string text = name.substr(0, name.find('\0'));
-    const auto [at, is_new] = offsets_.try_emplace(text, static_cast<std::uint32_t>(pool_.size()));
-    if (is_new) pool_.insert(pool_.end(), text.c_str(), text.c_str() + text.size() + 1);
-    return at->second;
-  }
-  // As compact records have it: 0 if this adds the name, else its offset, plus one.
-  std::uint32_t add_in_turn(const std::string& name, std::uint32_t& offset) {
-    const std::size_t end = pool_.size();
-    offset = add(name);
-    return offset == end ? 0 : offset + 1;
-  }
-  const std::vector<char>& pool() const { return pool_; }
-
- private:
-  std::map<std::string, std::uint32_t> offsets_;
-  std::vector<char> pool_;
-};
 
 Section write_skeleton(const BuiltSkeleton& s, Names& names) {
   Section out;
@@ -261,35 +238,6 @@ Section write_example_space(const BuiltExampleSpace& e, Names& names) {
   out.set(l.parameters, parameters);
   out.set(l.targets, e.targets);
   out.set(l.meshes, e.meshes);
-  return out;
-}
-
-Section write_graph(const BuiltGraph& g, Names& names) {
-  Section out;
-  const auto count = [](const auto& records) { return static_cast<std::uint32_t>(records.size()); };
-  const auto named = [&](auto records, const std::vector<std::string>& texts) {
-    for (std::size_t i = 0; i < records.size(); ++i) records[i].name = names.add(texts[i]);
-    return records;
-  };
-  std::vector<GraphMaskPart> parts = g.mask_parts;
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].joint = names.add(g.part_joints[i]);
-  const auto l = out.begin(format::GraphHeader{names.add(g.name), count(g.parameters), count(g.nodes), count(g.clips),
-                                               count(g.spaces), count(g.points), count(g.triangles), count(g.machines),
-                                               count(g.states), count(g.transitions), count(g.conditions),
-                                               count(g.layers), count(g.masks), count(g.mask_parts), g.given_count});
-  out.set(l.parameters, named(g.parameters, g.parameter_names));
-  out.set(l.nodes, named(g.nodes, g.node_names));
-  out.set(l.clips, named(g.clips, g.clip_names));
-  out.set(l.spaces, g.spaces);
-  out.set(l.points, g.points);
-  out.set(l.triangles, g.triangles);
-  out.set(l.machines, g.machines);
-  out.set(l.states, named(g.states, g.state_names));
-  out.set(l.transitions, g.transitions);
-  out.set(l.conditions, g.conditions);
-  out.set(l.layers, g.layers);
-  out.set(l.masks, g.masks);
-  out.set(l.parts, parts);
   return out;
 }
 
