@@ -30,6 +30,7 @@ AnimatorPieces lay_out(const GraphBinding& b, const AnimatorOptions& options, Me
   made.nodes = memory.take<NodeStep>(b.graph.nodes.size);
   made.links = memory.take<LinkStep>(b.link_count);
   made.weights = memory.take<float>(b.link_count);
+  made.group = memory.take<PhaseClip>(b.link_count);
   made.means = memory.take<float>(b.graph.parameters.size);
   made.events = memory.take<AnimatorEvent>(options.events);
   if (options.poses) {
@@ -143,7 +144,7 @@ Status step_once(const GraphStep& step, RigidMotion& root) {
 Status step_in_cuts(const GraphStep& step, RigidMotion& root) {
   constexpr int kMostCuts = 16;
   AnimatorScratch& s = step.s;
-  s.is_fading = false;
+  s.has_changed = false;
   double left_s = step.dt_s;
   for (int cuts = 0;; ++cuts) {
     std::memcpy(s.part_begun.data, step.state.data, step.b.state_bytes);
@@ -179,8 +180,7 @@ BadCall check_animator(const Animator& a) {
 bool is_state(const GraphBinding& b, Span<const std::byte> snapshot) {
   const Span<std::byte> state(const_cast<std::byte*>(snapshot.data), snapshot.size);  // it is only read
   const AnimatorHead& head = head_of(state);
-  if (head.graph != b.hash || !is_finite(head.age_s) || !is_finite(head.inertia_began_s) ||
-      !within(head.inertia_s, 0, 1e6f) || head.chance == 0)
+  if (head.graph != b.hash || !is_finite(head.age_s) || !within(head.inertia_s, 0, 1e6f) || head.chance == 0)
     return false;
   for (std::uint32_t i = 0; i < b.graph.parameters.size; ++i) {
     const ParameterState& own = parameters_of(state)[i];
@@ -277,15 +277,14 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
   s.event_count = s.left_out = 0;
   RigidMotion root;
   Status status = Status::ok;
-  const AnimatorHead& head = step.head();
-  bool is_cut = head.is_touched != 0 || head.is_changing != 0 || head.is_updated == 0;
-  if (!is_cut) {
+  bool in_parts = step.head().is_changing != 0 || numbers_change(step);
+  if (!in_parts) {
     std::memcpy(s.begun.data, animator.state.data, b.state_bytes);
     status = step_in_cuts(step, root);
-    is_cut = s.is_fading;
-    if (is_cut) std::memcpy(animator.state.data, s.begun.data, b.state_bytes);
+    in_parts = s.has_changed;
+    if (in_parts) std::memcpy(animator.state.data, s.begun.data, b.state_bytes);
   }
-  if (is_cut && status == Status::ok) {
+  if (in_parts && status == Status::ok) {
     s.event_count = s.left_out = 0;
     root = {};
     const double parts = parts_of(step.dt_s);
@@ -294,7 +293,6 @@ Status update_animator(Animator& animator, float dt_s, AnimatorStep& out) {
   }
   if (status != Status::ok) return status;
   drop_brief_triggers(step);
-  step.head().is_touched = 0;
   AnimatorStep made{{}, {s.events.data, s.event_count}, s.left_out};
   if (!rounded_step(root, made.root)) return Status::bad_data;
   out = made;

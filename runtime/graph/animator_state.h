@@ -12,16 +12,14 @@ namespace marrow {
 struct AnimatorHead {
   std::uint64_t graph;  // GraphBinding::hash
   double age_s;
-  double inertia_began_s;       // when the last inertial fade began, by the age
-  float inertia_s;              // how long it takes
+  float inertia_s;              // how long the last inertial fade takes
   std::uint32_t inertia_count;  // of those so far; 0: none
   std::uint32_t chance;         // xorshift32
   std::uint8_t is_updated;      // 0 before the first update
-  std::uint8_t is_touched;      // the game has set something else since the last one
-  std::uint8_t is_changing;     // weights were on their way when it ended
-  std::uint8_t reserved;
+  std::uint8_t is_changing;     // weights were on their way when the last one ended
+  std::uint8_t reserved[2];
 };
-static_assert(sizeof(AnimatorHead) == 40);
+static_assert(sizeof(AnimatorHead) == 32);
 
 // Behind it, one a parameter.
 struct ParameterState {
@@ -95,13 +93,14 @@ struct AnimatorScratch {
   Span<std::byte> begun = {}, part_begun = {};  // the state at the begin of an update, and of a part of it
   Span<NodeStep> nodes = {};
   Span<LinkStep> links = {};
-  Span<float> weights = {};  // a link
-  Span<float> means = {};    // of a number over the step
+  Span<float> weights = {};    // a link
+  Span<PhaseClip> group = {};  // of a space in step
+  Span<float> means = {};      // of a number over the step
   Span<AnimatorEvent> events = {};
   std::uint32_t event_count = 0, left_out = 0;
   double cut_s = -1;         // where a step must be cut, as a transition falls due then; below 0: nowhere
-  bool is_fading = false;    // a machine showed several states in the update
-  bool is_changing = false;  // weights are on their way when the step ends
+  bool has_changed = false;  // weights changed in the update, but for those by numbers
+  bool is_changing = false;  // they are on their way when the step ends
   // Of poses.
   Span<ShownSkeleton> skeletons = {};
   double shown_at_s[2] = {};        // by the animator's age

@@ -34,6 +34,8 @@ struct GraphStep {
   void reach(std::uint32_t node, const Reach& r) const;
 };
 
+// Whether a number is so far from what it is set to that weights change.
+bool numbers_change(const GraphStep& step);
 // The parameters' values at the end of a step, and their means over it.
 void step_parameters(const GraphStep& step);
 // At the end of one: triggers whose time is over are set no more. At the end of an update those that do not wait.
@@ -58,7 +60,7 @@ Playback playback_of(const GraphStep& step, std::uint32_t node, const Entry* ent
 bool find_place(const GraphStep& step, std::uint32_t node, const Entry* entered, Phase& out);
 
 // A clip of a space whose clips go by one phase, shift_s before `phase`, by the space's weights.
-Status move_back(const GraphBinding& b, const GraphSpace& space, const float* weights, float shift_s, Phase& phase);
+Status move_back(const GraphStep& step, const GraphSpace& space, const float* weights, float shift_s, Phase& phase);
 
 // Keeps what a step of a clip met, of animations that are heard.
 Status hear(const GraphStep& step, const Animation& animation, const Playback& was, const Playback& now, bool first,

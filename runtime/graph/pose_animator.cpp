@@ -176,7 +176,7 @@ class GraphPoser {
     Phase phase{step_.own<SpaceState>(visit.node).share, step_.own<SpaceState>(visit.node).segment, 0};
     const bool in_step = (space.flags & kSpaceInStep) != 0;
     if (in_step && shift_s_ > 0 &&
-        move_back(step_.b, space, weights, static_cast<float>(shift_s_) * rate, phase) != Status::ok)
+        move_back(step_, space, weights, static_cast<float>(shift_s_) * rate, phase) != Status::ok)
       return Status::bad_data;
     for (std::uint32_t i = 0; i < space.point_count && visit.count < kMaxFading; ++i) {
       if (!(weights[i] > 0)) continue;

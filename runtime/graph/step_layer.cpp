@@ -25,7 +25,7 @@ float ramp_on(float ramp, float target, float fade_s, double length_s, float& me
   }
   const double moving_s = length_s < whole_s ? length_s : whole_s;
   const double end = whole_s > 0 ? from + (to - from) * (moving_s / whole_s) : to;
-  const double moving = end != from ? (smooth_sum(end) - smooth_sum(from)) / (end - from) : smooth_sum(end) * 0;
+  const double moving = end != from ? (smooth_sum(end) - smooth_sum(from)) / (end - from) : 0.0;
   const double still = static_cast<double>(smooth(target)) * (length_s - moving_s);
   mean = static_cast<float>((moving * moving_s + still) / length_s);
   return static_cast<float>(end);
@@ -49,8 +49,9 @@ void step_layer(const GraphStep& step, std::uint32_t node) {
   if (goes_by_flag) {
     const float target = step.parameter(layer.by).target;
     if (n.entry.begins || !(layer.fade_s > 0)) own.ramp = target;
+    if (own.ramp != target) step.s.has_changed = true;
     own.ramp = ramp_on(own.ramp, target, layer.fade_s, step.dt_s, mean);
-    if (own.ramp != target) step.s.is_changing = true;
+    if (own.ramp != target && n.is_kept) step.s.is_changing = true;
   }
   const float end = weight_of(step, layer, own);
   if (!goes_by_flag) mean = layer.by == kNoIndex ? end : clamped(step.s.means[layer.by]);

@@ -25,7 +25,7 @@ class MachineStep {
   void go() {
     if (n_.entry.begins) begin();
     if (n_.is_heard) decide();
-    if (own_.count > 1) step_.s.is_fading = true;
+    if (own_.count > 1) step_.s.has_changed = true;
     weigh();
     show();
   }
@@ -147,7 +147,6 @@ class MachineStep {
     AnimatorHead& head = step_.head();
     ++head.inertia_count;
     head.inertia_s = fade_s;
-    head.inertia_began_s = head.age_s;
   }
 
   // The chain's weights become shares beside a new state. A current one without weight is dropped; of too
@@ -221,10 +220,16 @@ class MachineStep {
   void weigh() {
     for (std::uint32_t i = 0; i < m_.state_count; ++i) links_[i] = {};
     shown_ = own_.count;
+    if (shown_ == 1) {
+      own_.in_state_s += step_.dt_s;
+      own_.fade_s = 0;
+      links_[own_.chain[0]] = {1, 1};
+      return;
+    }
     float weights[kMaxFading];
     weigh_chain(own_, weights);
     const auto fade_s = static_cast<double>(own_.fade_s);
-    if (shown_ > 1 && step_.dt_s > 0) {
+    if (step_.dt_s > 0) {
       const double from = own_.in_state_s / fade_s, length = step_.dt_s / fade_s;
       weights[0] = static_cast<float>((fade_sum(from + length) - fade_sum(from)) / length);
       for (std::uint32_t i = 1; i < shown_; ++i) weights[i] = own_.shares[i - 1] * (1.0f - weights[0]);
@@ -233,7 +238,7 @@ class MachineStep {
     own_.in_state_s += step_.dt_s;
     if (!(own_.in_state_s < fade_s)) own_.count = 1;
     if (own_.count == 1) own_.fade_s = 0;
-    if (own_.count > 1) step_.s.is_changing = true;
+    if (own_.count > 1 && n_.is_kept) step_.s.is_changing = true;
     weigh_chain(own_, weights);
     for (std::uint32_t i = 0; i < own_.count; ++i) links_[own_.chain[i]].end += weights[i];
   }

@@ -26,8 +26,19 @@ Decay decay_over(double half_lives) {
 
 }  // namespace
 
+bool numbers_change(const GraphStep& step) {
+  constexpr float kFarOff = 0x1p-6f;  // of its range
+  if (step.head().is_updated == 0) return false;
+  for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
+    const GraphParameter& p = step.g.parameters[i];
+    if (p.kind != ParameterKind::number || !(p.seconds > 0)) continue;
+    const float off = step.parameter(i).value - step.parameter(i).target;
+    if ((off < 0 ? -off : off) > kFarOff * (p.most - p.least)) return true;
+  }
+  return false;
+}
+
 void step_parameters(const GraphStep& step) {
-  constexpr float kOnItsWay = 0x1p-10f;  // of a number's range
   for (std::uint32_t i = 0; i < step.g.parameters.size; ++i) {
     const GraphParameter& p = step.g.parameters[i];
     if (p.kind != ParameterKind::number) continue;
@@ -38,8 +49,6 @@ void step_parameters(const GraphStep& step) {
     if (p.seconds > 0 && step.head().is_updated != 0 && off != 0)
       left = step.dt_s > 0 ? decay_over(step.dt_s / static_cast<double>(p.seconds)) : Decay{1, 1};
     own.value = static_cast<float>(target + off * left.rest);
-    const float still = own.target < own.value ? own.value - own.target : own.target - own.value;
-    if (still > kOnItsWay * (p.most - p.least)) step.s.is_changing = true;
     step.s.means[i] = static_cast<float>(target + off * left.mean);
   }
 }
@@ -51,7 +60,6 @@ void end_triggers(const GraphStep& step) {
     if (p.kind != ParameterKind::trigger || own.target == 0 || !(p.seconds > 0)) continue;
     own.value -= static_cast<float>(step.dt_s);
     if (!(own.value > 0)) own = {};
-    if (own.target != 0) step.s.is_changing = true;
   }
 }
 
@@ -72,10 +80,7 @@ BadCall check_parameter(const Animator& a, std::uint32_t parameter, ParameterKin
 }
 
 Status set(Animator& animator, std::uint32_t parameter, float value) {
-  float& target = parameters_of(animator.state)[parameter].target;
-  if (target == value) return Status::ok;
-  target = value;
-  head_of(animator.state).is_touched = 1;
+  parameters_of(animator.state)[parameter].target = value;
   return Status::ok;
 }
 
@@ -96,7 +101,6 @@ Status set_flag(Animator& animator, std::uint32_t parameter, bool value) {
 Status fire(Animator& animator, std::uint32_t parameter) {
   MARROW_REQUIRE_GOOD(check_parameter(animator, parameter, ParameterKind::trigger));
   parameters_of(animator.state)[parameter] = {1.0f, animator.binding->graph.parameters[parameter].seconds};
-  head_of(animator.state).is_touched = 1;
   return Status::ok;
 }
 

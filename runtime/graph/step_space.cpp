@@ -8,17 +8,13 @@ namespace {
 constexpr std::uint32_t kMostInSpace = 64;
 
 // The clips of a space in step, with these weights.
-struct StepGroup {
-  PhaseClip clips[kMostInSpace];
-  Span<const PhaseClip> all;
-
-  StepGroup(const GraphBinding& b, const GraphSpace& space, const float* weights) : all(clips, space.point_count) {
-    for (std::uint32_t i = 0; i < space.point_count; ++i) {
-      const std::uint32_t node = b.graph.points[space.first_point + i].node;
-      clips[i] = {&b.clips[b.graph.nodes[node].record].motion, weights[i]};
-    }
+Span<const PhaseClip> group_of(const GraphStep& step, const GraphSpace& space, const float* weights) {
+  for (std::uint32_t i = 0; i < space.point_count; ++i) {
+    const std::uint32_t node = step.g.points[space.first_point + i].node;
+    step.s.group[i] = {&step.b.clips[step.g.nodes[node].record].motion, weights[i]};
   }
-};
+  return {step.s.group.data, space.point_count};
+}
 
 const Animation& clip_of(const GraphBinding& b, const GraphSpace& space, std::uint32_t point) {
   return b.clips[b.graph.nodes[b.graph.points[space.first_point + point].node].record];
@@ -36,9 +32,9 @@ bool enter(const GraphBinding& b, const GraphSpace& space, const Entry& entry, S
   return true;
 }
 
-std::uint32_t loudest(const PhaseClip* clips, std::uint32_t count) {
+std::uint32_t loudest(Span<const PhaseClip> clips) {
   std::uint32_t best = 0;
-  for (std::uint32_t i = 1; i < count; ++i)
+  for (std::uint32_t i = 1; i < clips.size; ++i)
     if (clips[i].weight > clips[best].weight) best = i;
   return best;
 }
@@ -72,13 +68,13 @@ Status step_together(const GraphStep& step, const GraphSpace& space, float rate,
   if (n.entry.begins && !enter(step.b, space, n.entry, own)) return Status::bad_data;
   float means[kMostInSpace];
   for (std::uint32_t i = 0; i < space.point_count; ++i) means[i] = links[i].mean;
-  const StepGroup group(step.b, space, means);
+  const Span<const PhaseClip> group = group_of(step, space, means);
   const Phase before{own.share, own.segment, 0};
   Phase after = before;
-  if (advance_phase(group.all, static_cast<float>(step.dt_s * static_cast<double>(rate)), after) != Status::ok)
+  if (advance_phase(group, static_cast<float>(step.dt_s * static_cast<double>(rate)), after) != Status::ok)
     return Status::bad_data;
   if (n.is_heard) {
-    const Status status = hear_in_step(step, space, n, loudest(group.clips, space.point_count), before, after);
+    const Status status = hear_in_step(step, space, n, loudest(group), before, after);
     if (status != Status::ok) return status;
   }
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
@@ -114,16 +110,17 @@ Status step_space(const GraphStep& step, std::uint32_t node) {
   const GraphSpace& space = step.g.spaces[step.g.nodes[node].record];
   NodeStep& n = step.step(node);
   LinkStep* const links = step.links(node);
-  float means[2] = {}, ends[2] = {}, rate = 1, end_rate = 1;
+  float means[2] = {}, ends[2] = {}, rate = 1;
   for (int i = 0; i < 2; ++i) {
     if (space.by[i] == kNoIndex) continue;
     means[i] = step.s.means[space.by[i]];
     ends[i] = step.parameter(space.by[i]).value;
   }
   float weights[kMostInSpace];
-  Status status = weigh_points(step.b, space, ends, weights, end_rate);
+  Status status = weigh_points(step.b, space, ends, weights, rate);
   for (std::uint32_t i = 0; i < space.point_count && status == Status::ok; ++i) links[i].end = weights[i];
-  if (status == Status::ok) status = weigh_points(step.b, space, means, weights, rate);
+  const bool stays = means[0] == ends[0] && means[1] == ends[1];
+  if (status == Status::ok && !stays) status = weigh_points(step.b, space, means, weights, rate);
   if (status != Status::ok) return Status::bad_data;
   for (std::uint32_t i = 0; i < space.point_count; ++i) links[i].mean = weights[i];
   if ((space.flags & kSpaceInStep) != 0) return step_together(step, space, rate, n, step.own<SpaceState>(node), links);
@@ -137,10 +134,9 @@ Status step_space(const GraphStep& step, std::uint32_t node) {
   return Status::ok;
 }
 
-Status move_back(const GraphBinding& b, const GraphSpace& space, const float* weights, float shift_s, Phase& phase) {
+Status move_back(const GraphStep& step, const GraphSpace& space, const float* weights, float shift_s, Phase& phase) {
   if (shift_s == 0) return Status::ok;
-  const StepGroup group(b, space, weights);
-  return advance_phase(group.all, -shift_s, phase) == Status::ok ? Status::ok : Status::bad_data;
+  return advance_phase(group_of(step, space, weights), -shift_s, phase) == Status::ok ? Status::ok : Status::bad_data;
 }
 
 bool find_place(const GraphStep& step, std::uint32_t node, const Entry* entered, Phase& out) {

@@ -1,4 +1,4 @@
-// RigidMotion motions in double precision: products, powers, and the screws that are their logarithms. For what adds up
+// Rigid motions in double precision: products, powers, and the screws that are their logarithms. For what adds up
 // over many steps.
 #pragma once
 
@@ -95,6 +95,7 @@ inline double half_angle_over_sine(double sine, double cosine) {
 // The motion of a screw of at most half a turn.
 [[gnu::noinline]] inline RigidMotion motion_of(const Screw& s) {
   const double square = dot(s.turn, s.turn) * 0.25;
+  if (square == 0) return {{}, s.way};
   const SincCos half = sinc_cos_of_root(square);
   const double k = square < kNoTurn ? 1.0 / 6 : (1.0 - half.sinc * half.cos) / (4.0 * square);
   return {quaternion(s.turn * (0.5 * half.sinc), half.cos), helix(s.turn, s.way, 0.5 * half.sinc * half.sinc, k)};

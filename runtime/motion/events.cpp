@@ -68,6 +68,22 @@ bool begins_later(const LineStep& step, PlayMode mode, double duration_s) {
   return mode == PlayMode::ping_pong && turns_at_once ? !later : later;
 }
 
+// Most steps go forwards within a round, and meet nothing.
+bool stays_in_round(const LineStep& step) {
+  return step.from.round == step.to.round && !step.from.returning && !step.to.returning && step.forward;
+}
+std::size_t events_in_round(const ClipMotion& motion, const LineStep& step, Span<EventHit> out) {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < motion.events.size; ++i) {
+    const auto time_s = static_cast<double>(motion.events[i].time_s);
+    if (time_s > step.to.time_s) break;
+    if (!(time_s > step.from.time_s)) continue;
+    if (found < out.size) out[found] = {static_cast<std::uint32_t>(i), 1};
+    ++found;
+  }
+  return found;
+}
+
 }  // namespace
 
 Status events_between(const ClipMotion& motion, const Playback& before, const Playback& after, bool first,
@@ -75,9 +91,12 @@ Status events_between(const ClipMotion& motion, const Playback& before, const Pl
   MARROW_REQUIRE(holds(motion.events));
   MARROW_REQUIRE(holds(out));
   MARROW_REQUIRE_GOOD(check_step(motion, before, after));
-  const EventSearch search{motion, line_step(before, after, motion.duration_s), before.mode, first,
-                           count_at_end(motion, before.mode)};
-  const LineStep& step = search.step;
+  const LineStep step = line_step(before, after, motion.duration_s);
+  if (!first && stays_in_round(step)) {
+    met = events_in_round(motion, step, out);
+    return Status::ok;
+  }
+  const EventSearch search{motion, step, before.mode, first, count_at_end(motion, before.mode)};
   const bool later = begins_later(step, before.mode, static_cast<double>(motion.duration_s));
   const std::size_t count = motion.events.size;
   std::size_t found = 0;

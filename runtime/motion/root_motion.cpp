@@ -11,6 +11,19 @@ namespace {
 
 constexpr float kMostStepWeight = 1e6f;
 
+bool turns(const RootKey& key) {
+  return key.rotation[0] != 0 || key.rotation[1] != 0 || key.rotation[2] != 0;
+}
+
+// Most clips go straight on, which costs little.
+bool turns(const RigidMotion& m) {
+  return m.rotation.x != 0 || m.rotation.y != 0 || m.rotation.z != 0;
+}
+
+Vector<double> place_between(const RootKey& a, const RootKey& b, double share) {
+  return vector_of_doubles(a.translation) * (1.0 - share) + vector_of_doubles(b.translation) * share;
+}
+
 // M(t).
 RigidMotion root_at(Span<const RootKey> keys, double time_s) {
   if (keys.empty()) return {};
@@ -22,9 +35,10 @@ RigidMotion root_at(Span<const RootKey> keys, double time_s) {
   const RootKey &a = keys[low], &b = keys[high < keys.size ? high : low];
   const double from_s = static_cast<double>(a.time_s), span_s = static_cast<double>(b.time_s) - from_s;
   const double u = from_s < time_s && span_s > 0 ? (time_s - from_s) / span_s : 0.0, v = 1.0 - u;
+  if (!turns(a) && !turns(b)) return {{}, place_between(a, b, u)};
   const RigidMotion one = stored_rigid(a.rotation, a.translation), other = stored_rigid(b.rotation, b.translation);
   const double turn = dot(one.rotation, other.rotation) < 0 ? -u : u;
-  return {unit_rotation(one.rotation * v + other.rotation * turn), one.translation * v + other.translation * u};
+  return {unit_rotation(one.rotation * v + other.rotation * turn), place_between(a, b, u)};
 }
 
 RigidMotion motion_of(const RigidStep& step) {
@@ -38,9 +52,11 @@ RigidMotion motion_between(const ClipMotion& motion, const Playback& before, con
   const LineStep line = line_step(before, after, motion.duration_s);
   // On its way back, ping_pong takes back what it went.
   const std::int64_t rounds = before.mode == PlayMode::loop ? line.to.round - line.from.round : 0;
-  RigidMotion moved = inverse(root_at(motion.root, line.from.time_s));
+  const RigidMotion from = root_at(motion.root, line.from.time_s), to = root_at(motion.root, line.to.time_s);
+  if (rounds == 0 && !turns(from) && !turns(to)) return {{}, to.translation - from.translation};
+  RigidMotion moved = inverse(from);
   if (rounds != 0) moved = moved * power(root_at(motion.root, static_cast<double>(motion.duration_s)), rounds);
-  return moved * root_at(motion.root, line.to.time_s);
+  return moved * to;
 }
 
 // Rounded to floats; false if it is not finite.
@@ -82,7 +98,8 @@ Status root_step(const ClipMotion& motion, const Playback& before, const Playbac
 
 bool root_screw(const ClipMotion& motion, const Playback& before, const Playback& after, Screw& out) {
   if (check_step(motion, before, after)) return false;
-  out = screw_of(motion_between(motion, before, after));
+  const RigidMotion moved = motion_between(motion, before, after);
+  out = turns(moved) ? screw_of(moved) : Screw{{}, moved.translation};
   RigidStep unused;
   return rounded({{}, out.way}, unused);
 }

@@ -15,14 +15,10 @@ Animator::Animator(Graph made, std::uint32_t seed, double least_loudness)
 
 void Animator::set_number(const std::string& name, double value) {
   const std::size_t p = graph_.parameter(name);
-  const double to = std::clamp(value, graph_.parameters[p].least, graph_.parameters[p].most);
-  if (to != values_[p].target) was_set_ = true;
-  values_[p].target = to;
+  values_[p].target = std::clamp(value, graph_.parameters[p].least, graph_.parameters[p].most);
 }
 void Animator::set_flag(const std::string& name, bool value) {
-  Value& v = values_[graph_.parameter(name)];
-  if ((v.target != 0) != value) was_set_ = true;
-  v.target = value ? 1 : 0;
+  values_[graph_.parameter(name)].target = value ? 1 : 0;
 }
 void Animator::fire(const std::string& name) {
   const std::size_t p = graph_.parameter(name);
@@ -59,13 +55,12 @@ bool Animator::shows_several() const {
   return false;
 }
 bool Animator::weights_change() const {
-  if (first_ || was_set_ || shows_several()) return true;
+  if (shows_several()) return true;
   for (std::size_t p = 0; p < values_.size(); ++p) {
     const Parameter& parameter = graph_.parameters[p];
     const Value& v = values_[p];
-    if (parameter.kind == ParameterKind::trigger && v.is_set) return true;
-    if (parameter.kind == ParameterKind::number &&
-        std::abs(v.value - v.target) > (parameter.most - parameter.least) / 1024)
+    if (parameter.kind == ParameterKind::number && parameter.seconds > 0 &&
+        std::abs(v.value - v.target) > (parameter.most - parameter.least) / 64)
       return true;
   }
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
@@ -94,7 +89,7 @@ void Animator::update(double dt_s) {
   }
   if (in_parts)
     for (int i = 0; i < count; ++i) step(dt_s / count);
-  first_ = was_set_ = false;
+  first_ = false;
   for (std::size_t p = 0; p < values_.size(); ++p)
     if (graph_.parameters[p].kind == ParameterKind::trigger && graph_.parameters[p].seconds == 0) {
       values_[p].is_set = false;
@@ -292,6 +287,7 @@ void Animator::go_layer(int node, Run& run) {
       run.mean = std::clamp(values_[p].mean, 0.0, 1.0);
     } else {
       const double to = values_[p].target, r0 = state.ramp, way = std::abs(to - r0);
+      if (n.fade_s > 0 && r0 != to) several_ = true;
       const double can = n.fade_s > 0 ? length / n.fade_s : 1e300;
       const double r1 = can >= way ? to : r0 + (to > r0 ? can : -can);
       if (length > 0 && n.fade_s > 0) {

@@ -229,7 +229,7 @@ class Animator {
   std::uint32_t chance_;
   double inertia_s_ = 0;
   double dt_s_ = 0, cut_s_ = -1;
-  bool first_ = true, was_set_ = false, several_ = false;
+  bool first_ = true, several_ = false;
   std::vector<Run> runs_;
 };
 
