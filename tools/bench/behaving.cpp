@@ -1,10 +1,12 @@
 // The rows graph/…: an animator of thirty nodes, updated and posed once an iteration, at steps of 1/60 s; and the same
-// poses by layers that a game fills by hand.
+// poses by layers that a game fills by hand; and a frame of a crowd.
 #include "bench/workload.h"
 #include "common/check_status.h"
 #include "cook/cook.h"
 #include "cook/gltf/read.h"
+#include "marrow/blend_space.h"
 #include "marrow/owned.h"
+#include "marrow/phase.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {
@@ -152,16 +154,29 @@ class PosedByGraph : public Behaving {
   }
 };
 
-// The layers of the same pose.
+// The same pose, bit for bit, of layers that are timed as the graph's nodes are.
 class PosedByHand : public PosedByGraph {
  public:
   PosedByHand() {
-    const auto times = [&](const char* name) { return find_animation(file_.animations, name); };
+    const auto clip = [&](const char* name) { return find_animation(file_.animations, name); };
+    const Animation *const idle = clip("idle"), *const walk = clip("walk"), *const reach = clip("reach");
+    const float at[] = {0, 1};
+    float weights[2];
+    check(line_weights(at, 0.6f, weights));
+    const PhaseClip in_step[] = {{&idle->motion, weights[0]}, {&walk->motion, weights[1]}};
+    Phase phase;
+    Playback idles, walks, reaches;
+    for (int i = 0; i < 600; ++i) {
+      check(advance_phase(in_step, 1.0f / 60, phase));
+      check(advance(reaches, reach->duration_s, 1.0f / 60));
+    }
+    check(follow_phase(idle->motion, phase, phase, idles, idles));
+    check(follow_phase(walk->motion, phase, phase, walks, walks));
     mask_.resize(4 * character_.skeletons[0].pose.skeleton.soa_size());
     check(mask_below(character_.skeletons[0].pose.skeleton, joint_of(file_.roles(0), Role::chest), 1, mask_));
-    layers_[0] = {times("idle"), 1.0f, 0.4f};
-    layers_[1] = {times("walk"), 0.5f, 0.6f};
-    layers_[2] = {times("reach"), 0.7f, 1, mask_};
+    layers_[0] = {idle, clip_time(idles), weights[0]};
+    layers_[1] = {walk, clip_time(walks), weights[1]};
+    layers_[2] = {reach, clip_time(reaches), 1, mask_};
   }
   void run(std::uint64_t iterations) override {
     for (std::uint64_t i = 0; i < iterations; ++i) check(sample_character(character_, layers_));
@@ -172,6 +187,50 @@ class PosedByHand : public PosedByGraph {
   AnimationLayer layers_[3];
 };
 
+// A frame of a thousand characters of thirty nodes, in all weathers: each changes its mind every two seconds and
+// strikes every five. All are updated; a hundred are posed each frame, two hundred every second one, three hundred
+// every fourth, the rest every eighth. One character's memory serves all poses.
+class Crowd : public Behaving {
+ public:
+  static constexpr std::uint32_t kCount = 1000;
+
+  Crowd() : Behaving(kThirtyNodes), memory_(kCount), crowd_(kCount) {
+    const std::size_t bytes = animator_bytes(animator_.bound, {.poses = false});
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+      memory_[i] = OwnedBlock(bytes);
+      check(make_animator(animator_.bound, {.poses = false, .seed = i + 1}, memory_[i].span(), crowd_[i]));
+    }
+    speed_ = find_parameter(animator_.bound, "speed");
+    strike_ = find_parameter(animator_.bound, "strike");
+  }
+  std::uint32_t items() const override { return kCount; }
+  void run(std::uint64_t iterations) override {
+    for (std::uint64_t i = 0; i < iterations; ++i, ++frame_)
+      for (std::uint32_t who = 0; who < kCount; ++who) go(who, frame_ + 7 * who);
+  }
+  std::uint64_t hash_output(std::uint64_t state) const override {
+    for (const Animator& a : crowd_) state = hash_of(a.state, state);
+    return state;
+  }
+
+ private:
+  static std::uint64_t period_of(std::uint32_t who) { return who < 100 ? 1 : who < 300 ? 2 : who < 600 ? 4 : 8; }
+
+  void go(std::uint32_t who, std::uint64_t moment) {
+    Animator& a = crowd_[who];
+    if (moment % 120 == 0) check(set_number(a, speed_, float(moment / 120 % 4)));
+    if (moment % 300 == 0) check(fire(a, strike_));
+    AnimatorStep step;
+    check(update_animator(a, 1.0f / 60, step));
+    if (moment % period_of(who) == 0) check(pose_character(character_, a));
+  }
+
+  std::vector<OwnedBlock> memory_;
+  std::vector<Animator> crowd_;
+  std::uint32_t speed_ = 0, strike_ = 0;
+  std::uint64_t frame_ = 0;
+};
+
 }  // namespace
 
 RowGroup behaving_rows() {
@@ -180,7 +239,8 @@ RowGroup behaving_rows() {
   row("graph/update", [](Models&) { return std::make_unique<Updated>(); });
   row("graph/pose", [](Models&) { return std::make_unique<PosedByGraph>(); });
   row("graph/by_hand", [](Models&) { return std::make_unique<PosedByHand>(); });
-  group.names = "graph/{update,pose,by_hand}\n";
+  row("graph/crowd", [](Models&) { return std::make_unique<Crowd>(); });
+  group.names = "graph/{update,pose,by_hand,crowd}\n";
   return group;
 }
 
