@@ -930,6 +930,12 @@ mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* laye
   return code(marrow::overlay(of<Skeleton>(skeleton), of<BlendLayer>(layer), span<SoaTransform>(pose, pose_count)));
 }
 
+mrw_status mrw_overlay_in_model_space(const mrw_skeleton* skeleton, const mrw_blend_layer* layer,
+    mrw_soa_transform* pose, size_t pose_count, mrw_affine* scratch, size_t scratch_count) {
+  MRW_NEEDS(leads_to<Skeleton>(skeleton) && leads_to<BlendLayer>(layer) && is_list<SoaTransform>(pose, pose_count) && is_list<Affine>(scratch, scratch_count), MRW_BAD_ARGUMENT);
+  return code(marrow::overlay_in_model_space(of<Skeleton>(skeleton), of<BlendLayer>(layer), span<SoaTransform>(pose, pose_count), span<Affine>(scratch, scratch_count)));
+}
+
 mrw_status mrw_mask_below(const mrw_skeleton* skeleton, uint32_t joint, uint32_t falloff, float* mask,
     size_t mask_count) {
   MRW_NEEDS(leads_to<Skeleton>(skeleton) && is_list<float>(mask, mask_count), MRW_BAD_ARGUMENT);

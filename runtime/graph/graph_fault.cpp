@@ -175,7 +175,8 @@ class GraphRules {
     expect(l.mask == kNoIndex || l.mask < g_.masks.size, &l, "no such mask");
     expect(l.by == kNoIndex || is_kind(l.by, ParameterKind::number) || is_kind(l.by, ParameterKind::flag), &l,
            "a layer goes by a number or a flag");
-    expect(within(l.weight, 0, 1) && is_graph_time(l.fade_s) && l.flags <= 1, &l, "a weight from 0 to 1, and a time");
+    expect(within(l.weight, 0, 1) && is_graph_time(l.fade_s) && l.flags <= kLayerInModelSpace, &l,
+           "a weight from 0 to 1, and a time");
   }
 
   const Graph& g_;

@@ -288,7 +288,10 @@ class GraphPoser {
       mask = {step_.b.masks.data + layer.mask * joints + first_joint_, 4 * skeleton().soa_size()};
     }
     Status status = Status::ok;
-    if ((layer.flags & kLayerIsAdditive) == 0) {
+    if ((layer.flags & kLayerInModelSpace) != 0) {
+      status = overlay_in_model_space(skeleton(), {at(over.pose), over.weight, mask}, written(made),
+                                      own().pose.model_from_joint);
+    } else if ((layer.flags & kLayerIsAdditive) == 0) {
       status = overlay(skeleton(), {at(over.pose), over.weight, mask}, written(made));
     } else {
       const Span<AdditiveTransform> change(c_.change.data, skeleton().soa_size());

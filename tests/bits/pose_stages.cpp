@@ -150,6 +150,9 @@ void hash_blends(StageHashes& out) {
   must(overlay(p.skeleton, {p.pose[2], 0.75f, p.masks(2)}, p.out));
   must(add(p.skeleton, {change, 0.5f, p.masks(3)}, p.out));
   blended = hash_of(change, hash_of(p.out, blended));
+  std::vector<Affine> scratch(67);
+  must(overlay_in_model_space(p.skeleton, {p.pose[4], 0.75f, p.masks(4)}, p.out, scratch));
+  blended = hash_of(p.out, blended);
 
   std::vector<InertialOffset> memory(p.groups());
   Inertia inertia;

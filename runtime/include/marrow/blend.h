@@ -46,6 +46,17 @@ MARROW_API Status blend(const Skeleton& skeleton, Span<const BlendLayer> layers,
 // Errors: bad_argument if a span is too short, or the weight is not in 0 … 1.
 MARROW_API Status overlay(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose);
 
+// The same with rotations in model space, so that a gun stays level while the hips below it sway: each joint's rotation
+// in model space goes from the pose's to the layer's by w. Where w is 0 it stays, whatever the joints above do.
+// Translations and scales are those of overlay(). The rotation of a joint in model space is here the product of those
+// from its root down to it; scales have no part in it.
+//
+// scratch: at least skeleton.joint_count; what it holds is lost. Pose::model_from_joint serves before local_to_model().
+// Errors: bad_argument if a span is too short, the weight is not in 0 … 1. Cost: that of
+// overlay(), and about 150 operations a joint.
+MARROW_API Status overlay_in_model_space(const Skeleton& skeleton, const BlendLayer& layer, Span<SoaTransform> pose,
+                                         Span<Affine> scratch);
+
 // Masks a joint and all that hangs on it, for layers that move a part of the body. Each of these joints gets its new
 // value or keeps the one in the mask, whichever is greater; all other joints keep theirs. So several calls can build
 // one mask: begin with zeros. falloff: over how many joints the mask grows. 0: `joint` has 1. 2: `joint` has 1/3, its

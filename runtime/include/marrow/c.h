@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0xb655e4a6u
+#define MRW_ABI 0x15a6d43bu
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -2090,6 +2090,17 @@ mrw_status mrw_blend(const mrw_skeleton* skeleton, const mrw_blend_layer* layers
 // Errors: MRW_BAD_ARGUMENT if a list is too short, or the weight is not in 0 … 1.
 mrw_status mrw_overlay(const mrw_skeleton* skeleton, const mrw_blend_layer* layer, mrw_soa_transform* pose,
     size_t pose_count) MRW_NODISCARD;
+
+// The same with rotations in model space, so that a gun stays level while the hips below it sway: each joint's rotation
+// in model space goes from the pose's to the layer's by w. Where w is 0 it stays, whatever the joints above do.
+// Translations and scales are those of mrw_overlay(). The rotation of a joint in model space is here the product of
+// those from its root down to it; scales have no part in it.
+//
+// scratch: at least skeleton.joint_count; what it holds is lost. mrw_pose.model_from_joint serves before
+// mrw_local_to_model(). Errors: MRW_BAD_ARGUMENT if a list is too short, the weight is not in 0 … 1. Cost: that of
+// mrw_overlay(), and about 150 operations a joint.
+mrw_status mrw_overlay_in_model_space(const mrw_skeleton* skeleton, const mrw_blend_layer* layer,
+    mrw_soa_transform* pose, size_t pose_count, mrw_affine* scratch, size_t scratch_count) MRW_NODISCARD;
 
 // Masks a joint and all that hangs on it, for layers that move a part of the body. Each of these joints gets its new
 // value or keeps the one in the mask, whichever is greater; all other joints keep theirs. So several calls can build

@@ -135,6 +135,7 @@ struct GraphMachine {
 // Bits of GraphLayer::flags.
 enum LayerFlags : std::uint32_t {
   kLayerIsAdditive = 1,
+  kLayerInModelSpace = 2,  // as overlay_in_model_space()
 };
 // Lays a pose over another.
 struct GraphLayer {

@@ -140,7 +140,7 @@ class GraphRig : public GraphFile {
     GraphMisfit misfit;
     EXPECT_EQ(bind_graph(file, graph, file, {&animations, 1}, memory.span(), binding, &misfit), Status::ok)
         << misfit.rule << " " << misfit.name;
-    EXPECT_EQ(make_owned(file, {.layers = 16, .skin = false}, character), Status::ok);
+    EXPECT_EQ(make_owned(file, {.layers = kMaxGraphPoses, .skin = false}, character), Status::ok);
     make(animator, animator_memory);
   }
   void make(Animator& out, OwnedBlock& block) {

@@ -173,6 +173,7 @@ const std::vector<Mistake> kMistakes = {
     {38, "mask = { role = 'chest', joint = 'x' }", "38:8", "a role or a joint"},
     {38, "mask = 'chest'", "38:8", "must be a list"},
     {38, "mask = []", "38:8", "no joints"},
+    {40, "space = 'modl'", "40:9", "did you mean \"model\"?"},
     {38, "mask = { role = 'chest', falloff = -1 }", "38:36", "from 0 to 65535"},
     {39, "weight = 'jump'", "39:10", "is a trigger"},
     {39, "weight = 'amred'", "39:10", "did you mean \"armed\"?"},

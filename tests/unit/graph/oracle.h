@@ -74,7 +74,7 @@ struct Node {
   std::vector<double> mask;  // one a bone; empty: all
   int by_parameter = -1;
   double weight = 1, fade_s = 0;
-  bool additive = false;
+  bool additive = false, in_model = false;
 };
 enum class ParameterKind { number, flag, trigger };
 struct Parameter {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unit/graph/graph_rig.h"
 #include "unit/graph/oracle.h"
 
 namespace marrow::test::oracle {
@@ -19,6 +20,25 @@ Pose mean(const std::vector<std::pair<Pose, double>>& poses) {
     out[b] = glm::normalize(sum);
   }
   return out;
+}
+
+// Rotations from the root down to each bone.
+Pose model_of(const Pose& local) {
+  Pose out = local;
+  for (std::size_t b = 0; b < out.size(); ++b)
+    if (kGraphBones[b].parent >= 0) out[b] = out[static_cast<std::size_t>(kGraphBones[b].parent)] * local[b];
+  return out;
+}
+Pose in_model(const Pose& base, const Pose& over, double weight, const std::vector<double>& mask) {
+  const Pose from = model_of(base), to = model_of(over);
+  Pose out = from, local = base;
+  for (std::size_t b = 0; b < out.size(); ++b) {
+    const double w = weight * (mask.empty() ? 1 : mask[b]);
+    out[b] = glm::normalize(from[b] * (1 - w) + towards(to[b], from[b]) * w);
+    const int parent = kGraphBones[b].parent;
+    local[b] = parent < 0 ? out[b] : glm::conjugate(out[static_cast<std::size_t>(parent)]) * out[b];
+  }
+  return local;
 }
 }  // namespace
 
@@ -65,6 +85,7 @@ Shown Animator::shown(int node, const std::function<Pose(std::size_t, double)>& 
   if (layer_weight(n, state) <= 0) return out;
   const Shown over = shown(n.pose, leaf, rest, reference);
   const double weight = layer_weight(n, state) * over.there;
+  if (n.in_model) return {in_model(out.pose, over.pose, weight, n.mask), out.there};
   for (std::size_t b = 0; b < out.pose.size(); ++b) {
     const double w = weight * (n.mask.empty() ? 1 : n.mask[b]);
     if (w <= 0) continue;

@@ -176,7 +176,8 @@ class Writer {
     const std::string name = fresh("n"), base = any(height - 1);
     std::string pose = chance_.is(0.3) && !calm_ ? machine(height - 1, true) : any(height - 1);
     if (chance_.is(0.15) && base[0] == 'n') pose = base;  // one node
-    node(name, "type = \"layer\"\nbase = " + named(base) + "\npose = " + named(pose) + "\n" + mask() + weight());
+    node(name, "type = \"layer\"\nbase = " + named(base) + "\npose = " + named(pose) + "\n" + mask() + weight() +
+                   (chance_.is(0.3) ? "space = \"model\"\n" : ""));
     return name;
   }
   std::string additive(int height) {

@@ -233,6 +233,7 @@ class Reader {
     node.pose = pose(text(t.get("pose")), false);
     mask(t, node);
     node.fade_s = number(t.get("fade"), 0);
+    node.in_model = t.contains("space") && text(t.get("space")) == "model";
     if (const toml::node* w = t.get("weight")) {
       if (w->is_string())
         node.by_parameter = static_cast<int>(graph_.parameter(text(w)));

@@ -168,6 +168,13 @@ std::vector<MisuseRow> rows_of_poses() {
          const Span<SoaTransform> out = m.out(stage().pose);
          m.returned(overlay(skeleton_of(m), layer, out));
        }},
+      {"overlay_in_model_space",
+       [](Misuse& m) {
+         const std::vector<float> mask(stage().pose.size() * 4, 0.5f);
+         const BlendLayer layer{m.in(stage().other), m.number(0.5f), m.in(mask, Length::exact_or_none)};
+         const Span<SoaTransform> out = m.out(stage().pose);
+         m.returned(overlay_in_model_space(skeleton_of(m), layer, out, m.out<Affine>(stage().skeleton.joint_count)));
+       }},
       {"mask_below",
        [](Misuse& m) {
          const Span<float> mask = m.out<float>(stage().pose.size() * 4);

@@ -379,6 +379,7 @@ class GraphBuilder {
     l.weight = text.weight;
     if (text.type != NodeType::one_shot) l.fade_s = text.fade_s;
     l.flags = text.type == NodeType::add ? std::uint32_t{kLayerIsAdditive} : 0;
+    if (text.in_model_space) l.flags = kLayerInModelSpace;
     if (text.weight_by) {
       l.by = parameter(*text.weight_by);
       if (out_.parameters[l.by].kind == ParameterKind::trigger)

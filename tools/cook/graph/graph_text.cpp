@@ -194,7 +194,7 @@ class GraphReader {
         read_machine(table, out);
         break;
       case NodeType::layer:
-        read_layer(table, {"type", "base", "pose", "mask", "weight", "fade"}, out);
+        read_layer(table, {"type", "base", "pose", "mask", "weight", "fade", "space"}, out);
         break;
       case NodeType::add:
         read_layer(table, {"type", "base", "pose", "mask", "weight", "fade"}, out);
@@ -302,6 +302,8 @@ class GraphReader {
     out.pose = name(read_.needed(table, "a layer", "pose"), "pose");
     out.mask = mask(table);
     out.fade_s = seconds(table, "fade");
+    if (const toml::node* const space = table.get("space"))
+      out.in_model_space = word(*space, "space", {"joint", "model"}) == 1;
     const toml::node* const weight = table.get("weight");
     if (weight == nullptr) return;
     if (weight->is_string())

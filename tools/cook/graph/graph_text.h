@@ -78,6 +78,7 @@ struct NodeText {
   std::vector<MaskPartText> mask;
   std::optional<NameText> weight_by;
   float weight = 1, fade_s = 0;
+  bool in_model_space = false;
   std::vector<ConditionText> when;  // of one_shot
   float fade_in_s = 0, fade_out_s = 0;
   bool is_inertial = false;
