@@ -85,8 +85,8 @@ test_once() {
 
 # What reads others' bytes, and what is cooked and played of it.
 sanitized_in_ci() {
-  timed "build asan" build asan --target marrow_hostile marrow_runtime_tests marrow_ik_tests marrow_cook_tests marrow_retarget_tests marrow_road_tests
-  timed "run asan" run asan -R '^(runtime|format|misuse|gl.misuse|input|ik|cook|cook.1|retarget|road|fuzz[.].*)$'
+  timed "build asan" build asan --target marrow_hostile marrow_runtime_tests marrow_ik_tests marrow_cook_tests marrow_retarget_tests marrow_road_tests marrow_graph_tests
+  timed "run asan" run asan -R '^(runtime|format|misuse|gl.misuse|input|ik|cook|cook.1|retarget|road|graph|fuzz[.].*)$'
 }
 
 timed packages tools/install.sh tools/packages/build.txt tools/packages/test.txt
