@@ -96,7 +96,7 @@ KITS = {
     "godot": Kit(
         "Godot 3 and 4", "tools/check/godot.sh MARROW",
         LIBRARIES + NEWT + "tools/check/godot.sh tools/packages/godot.txt platform/godot tests/platform/godot "
-        "docs/platforms/godot.md LICENSE", "build/godot"),
+        "tests/examples/stages/animator.anim.toml docs/platforms/godot.md LICENSE", "build/godot"),
     "sdl": Kit(
         "SDL 2: a game", "tools/check/sdl.sh MARROW",
         LIBRARIES + NEWT + "tools/check/sdl.sh tools/packages/sdl.txt platform/sdl tests/platform/sdl "
@@ -105,7 +105,7 @@ KITS = {
         "Unity and Unreal", "tools/check/unity.sh MARROW",
         LIBRARIES + NEWT + "tools/check/unity.sh tools/unity.sh tools/unity tools/c_api tools/packages/unity.txt "
         "platform/unity platform/unreal tests/platform/unity tests/platform/unreal tests/c/surfaceless.h docs/platforms/unity.md "
-        "docs/platforms/unreal.md "
+        "docs/platforms/unreal.md tests/examples/stages/animator.anim.toml "
         "LICENSE THIRD_PARTY.md", "build/unity build/unreal"),
 }
 

@@ -87,8 +87,9 @@ compile -target:library "$references" "-out:$work/Marrow.Unity.dll" "$package"/R
 compile -target:library -define:UNITY_IOS "$references" "-out:$work/UnityIos.dll" "$package"/Runtime/Unity/*.cs
 references="$references,$work/Marrow.Unity.dll"
 compile -target:library "$references" "-out:$work/Marrow.Editor.dll" "$package"/Editor/*.cs
-compile "$references,$work/Marrow.Editor.dll" "-out:$work/Player.exe" "$tests/Player.cs"
+compile "$references,$work/Marrow.Editor.dll" "-out:$work/Player.exe" "$tests"/Player{,Graph}.cs
 compile "-r:$binding" "-out:$work/Core.exe" "$tests/Core.cs"
+compile "-r:$binding" "-out:$work/Graphs.exe" "$tests/Graphs.cs"
 for source in "$package"/Samples~/*/*.cs; do
   compile -target:library "$references" "-out:$work/Sample.dll" "$source"
 done
@@ -105,6 +106,12 @@ export LD_LIBRARY_PATH="$plugins"
 python3 "$tests/corner.py" "$work/corner.gltf"
 "$marrow" cook "$work/corner.gltf" --mesh-codec none --clip-codec raw -o "$work/corner.mrw" >/dev/null
 "$marrow" cook "$here/tools/sample/newt.glb" --clips-only --skeleton "$newt" -o "$work/pack.mrw" >/dev/null
+graph=(--root '*=ground' --graph "$here/tests/examples/stages/animator.anim.toml")
+"$marrow" cook "$here/tools/sample/newt.glb" "${graph[@]}" -o "$work/behaving.mrw" >/dev/null
+"$marrow" cook "$here/tools/sample/newt.glb" --clips-only --skeleton "$newt" "${graph[@]}" -o "$work/graph_pack.mrw" \
+  >/dev/null
+"$marrow" cook "$work/corner.gltf" --mesh-codec none --clip-codec raw --root '*=full' --event turn=mark@0.25:7 \
+  --graph "$tests/corner.anim.toml" -o "$work/corner_graph.mrw" >/dev/null
 quietly gcc -std=c99 -pedantic -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/poses.c" -o "$work/poses" \
   -L"$plugins" -lmarrow_c
 for file in "$newt" "$work/newt_none.mrw"; do
@@ -113,6 +120,11 @@ for file in "$newt" "$work/newt_none.mrw"; do
   [ "$got" = "$wanted" ] || fail "C# says $got of $file, and C $wanted"
   echo "poses and vertices of $(basename "$file"): $got, as C"
 done
+wanted=$("$work/poses" "$work/behaving.mrw" graph)
+got=$(run "$work/Graphs.exe" poses "$work/behaving.mrw") || true
+[ "$got" = "$wanted" ] || fail "C# says $got of a graph, and C $wanted"
+echo "a graph's poses, steps and events: $got, as C"
+run "$work/Graphs.exe" tests "$work"/{behaving,corner_graph,graph_pack,newt_none}.mrw || fail "graphs"
 run "$work/Core.exe" hand "$work/corner.mrw" || fail "numbers by hand"
 run "$work/Core.exe" tests "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" | sed "s|$work/||" ||
   fail "the part without UnityEngine"
@@ -129,7 +141,8 @@ LD_LIBRARY_PATH="$work/foreign" says 2 "has no mrw_abi" mono "$work/Core.exe" sa
 LD_LIBRARY_PATH="$work/plain" says 2 "MARROW_DRACO" mono "$work/Core.exe" says "$newt"
 
 # With stand-ins of UnityEngine, and the render event with a stand-in of Unity.
-run "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" || fail "the player"
+run "$work/Player.exe" "$newt" "$work/corner.mrw" "$work/pack.mrw" "$work" \
+  "$work"/{behaving,corner_graph,graph_pack}.mrw || fail "the player"
 quietly gcc -std=c11 -D_GNU_SOURCE -Wall -Wextra -Werror -I"$here/runtime/include" "$tests/engine.c" -o "$work/engine" \
   -L"$plugins" -lmarrow_c -lEGL -lGLESv2 -lm -lpthread -ldl
 "$marrow" cook "$here/tools/sample/newt.glb" --eigenskin 4 --effort fast --mesh-codec none -o "$work/newt_morphs.mrw" \

@@ -1,5 +1,5 @@
 // Runs the package's UnityEngine part over stand-ins of its types, and a real library.
-// usage: Player.exe NEWT.mrw CORNER.mrw PACK.mrw FOLDER
+// usage: Player.exe NEWT.mrw CORNER.mrw PACK.mrw FOLDER BEHAVING.mrw CORNER_GRAPH.mrw GRAPH_PACK.mrw
 using System;
 using System.IO;
 using System.Reflection;
@@ -11,7 +11,7 @@ using UnityEditor.AssetImporters;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-public static class Player {
+public static partial class Player {
     static void Expect(bool condition, string what) {
         if (!condition) throw new Exception("does not hold: " + what);
     }
@@ -292,6 +292,7 @@ public static class Player {
         Pack(newt, pack);
         MoreWays(args[0]);
         Expect(UnityEngine.Object.Alive == alive, "objects left: " + (UnityEngine.Object.Alive - alive));
+        GraphTests(newt, args[4], args[5], args[6]);
         BadFiles(newt, args[3]);
         Expect(Counted.Open == 0, "native arrays left: " + Counted.Open);
         Console.WriteLine("player: mirrored right, no allocation a frame, nothing left behind");

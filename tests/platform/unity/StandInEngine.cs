@@ -74,6 +74,8 @@ public class MeshRenderer : Component { public Material sharedMaterial; }
 public sealed class Transform : Component {
     public Vector3 localPosition, localScale = new Vector3(1, 1, 1);
     public Quaternion localRotation = new Quaternion(0, 0, 0, 1);
+    public Vector3 position { get { return TransformPoint(new Vector3()); } }
+    public Quaternion rotation { get { return localRotation; } set { localRotation = value; } }  // without a parent
     public Transform parent { get; private set; }
     internal readonly List<Transform> children = new List<Transform>();
     public int childCount { get { return children.Count; } }
@@ -83,7 +85,7 @@ public sealed class Transform : Component {
         if (to != null) to.children.Add(this);
     }
     public Vector3 TransformPoint(Vector3 p) {
-        p = localPosition + localRotation * Vector3.Scaled(localScale, p);
+        p = localPosition + localRotation * Vector3.Scale(localScale, p);
         return parent == null ? p : parent.TransformPoint(p);
     }
     public Matrix4x4 localToWorldMatrix { get { return Matrix4x4.identity; } }
@@ -205,6 +207,16 @@ public static class Debug {
     public static readonly List<string> Said = new List<string>();
     public static void LogError(object message, Object about) { Said.Add("error: " + message); }
     public static void LogWarning(object message, Object about) { Said.Add("warning: " + message); }
+}
+
+}
+
+namespace UnityEngine.Events {
+
+public class UnityEvent<A, B, C> {
+    Action<A, B, C> listeners;
+    public void AddListener(Action<A, B, C> listener) { listeners += listener; }
+    public void Invoke(A a, B b, C c) { if (listeners != null) listeners(a, b, c); }
 }
 
 }

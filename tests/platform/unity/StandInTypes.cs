@@ -8,7 +8,8 @@ namespace UnityEngine {
 public struct Vector3 {
     public float x, y, z;
     public Vector3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
-    public static Vector3 Scaled(Vector3 a, Vector3 b) { return new Vector3(a.x * b.x, a.y * b.y, a.z * b.z); }
+    public float magnitude { get { return (float)Math.Sqrt(Dot(this, this)); } }
+    public static Vector3 Scale(Vector3 a, Vector3 b) { return new Vector3(a.x * b.x, a.y * b.y, a.z * b.z); }
     public static Vector3 operator +(Vector3 a, Vector3 b) { return new Vector3(a.x + b.x, a.y + b.y, a.z + b.z); }
     public static Vector3 operator -(Vector3 a, Vector3 b) { return new Vector3(a.x - b.x, a.y - b.y, a.z - b.z); }
     public static Vector3 operator *(float s, Vector3 a) { return new Vector3(s * a.x, s * a.y, s * a.z); }
@@ -24,7 +25,10 @@ public struct Vector4 {
     public Vector4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
 }
 
-public static class Mathf { public static float Sin(float x) { return (float)Math.Sin(x); } }
+public static class Mathf {
+    public static float Sin(float x) { return (float)Math.Sin(x); }
+    public static float Clamp(float x, float least, float most) { return Math.Min(Math.Max(x, least), most); }
+}
 
 public struct Quaternion {
     public float x, y, z, w;
@@ -32,6 +36,17 @@ public struct Quaternion {
     public static Quaternion AngleAxis(float degrees, Vector3 axis) {
         float half = degrees * (float)Math.PI / 360, s = (float)Math.Sin(half);
         return new Quaternion(s * axis.x, s * axis.y, s * axis.z, (float)Math.Cos(half));
+    }
+    public Quaternion normalized {
+        get {
+            float s = 1 / (float)Math.Sqrt(x * x + y * y + z * z + w * w);
+            return new Quaternion(s * x, s * y, s * z, s * w);
+        }
+    }
+    // For what is compiled and not run.
+    public static Quaternion LookRotation(Vector3 forward) { throw new NotImplementedException(); }
+    public static Quaternion RotateTowards(Quaternion from, Quaternion to, float most) {
+        throw new NotImplementedException();
     }
     public static Quaternion operator *(Quaternion a, Quaternion b) {
         return new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,

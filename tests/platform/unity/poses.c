@@ -1,8 +1,10 @@
 // What the Unity package's safe C# must make of a file, in C99: thirty frames of walk, from the tenth on blended with
-// idle, as a hash of poses and skinned vertices. Core.cs does the same.
+// idle, as a hash of poses and skinned vertices. Core.cs does the same. Or, with a second argument, of a file with
+// tests/examples/stages/animator.anim.toml two seconds of it, and one that is played again: Graphs.cs.
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <marrow/c.h>
 
@@ -72,6 +74,55 @@ static void add_frame(mrw_character* character, float* positions, float* normals
   }
 }
 
+static void add_step(mrw_animator* animator, mrw_character* character, float* floats, size_t most) {
+  mrw_animator_step step;
+  size_t i;
+  mrw_animator_step_init(&step);
+  TRY(mrw_update_animator(animator, 1.0f / 60, &step));
+  add(step.root.translation, 3);
+  add(step.root.rotation, 4);
+  for (i = 0; i < step.event_count; ++i) {
+    add(&step.events[i].id, 1);
+    add(&step.events[i].number, 1);
+    add(&step.events[i].time_s, 1);
+  }
+  TRY(mrw_pose_animated(character, animator, NULL, 0));
+  TRY(mrw_finish_character(character));
+  add_frame(character, floats, floats + 3 * most);
+}
+
+static void play_graph(const mrw_file* file, const mrw_animations* animations) {
+  mrw_graph graph;
+  mrw_graph_binding binding;
+  mrw_animator animator;
+  mrw_character character;
+  mrw_character_options options;
+  uint8_t saved[1024];
+  size_t size, i, most = 0;
+  float* floats;
+  TRY(mrw_file_graph(file, 0, &graph, NULL));
+  size = mrw_graph_binding_bytes(&graph, file);
+  TRY(mrw_bind_graph(file, &graph, file, animations, 1, block_of(size), size, &binding, NULL));
+  size = mrw_animator_bytes(&binding, NULL);
+  TRY(mrw_make_animator(&binding, NULL, block_of(size), size, &animator));
+  mrw_character_options_init(&options);
+  options.layers = graph.nodes[0].poses > 2 ? graph.nodes[0].poses : 2;
+  size = mrw_character_bytes(file, &options);
+  TRY(mrw_make_character(file, &options, block_of(size), size, &character));
+  for (i = 0; i < character.mesh_count; ++i)
+    if (character.meshes[i].mesh.geometry.slot_count > most) most = character.meshes[i].mesh.geometry.slot_count;
+  floats = block_of(24 * most);
+  TRY(mrw_set_number(&animator, mrw_find_parameter(&binding, "speed"), 0.3f));
+  for (i = 0; i < 120; ++i) {
+    if (i == 60) memcpy(saved, animator.state, animator.state_bytes);
+    if (i == 60) TRY(mrw_set_number(&animator, mrw_find_parameter(&binding, "speed"), 0));
+    if (i == 60) TRY(mrw_fire_trigger(&animator, mrw_find_parameter(&binding, "reach")));
+    add_step(&animator, &character, floats, most);
+  }
+  TRY(mrw_restore_animator(&animator, saved, animator.state_bytes));
+  for (i = 0; i < 60; ++i) add_step(&animator, &character, floats, most);
+}
+
 int main(int argc, char** argv) {
   const mrw_bytes bytes = read_file(argc > 1 ? argv[1] : "newt.mrw");
   mrw_file file;
@@ -84,6 +135,11 @@ int main(int argc, char** argv) {
   TRY(mrw_load(bytes.data, bytes.size, &file, NULL));
   size = mrw_animations_bytes(&file, &file);
   TRY(mrw_make_animations(&file, &file, block_of(size), size, &animations));
+  if (argc > 2) {
+    play_graph(&file, &animations);
+    printf("%08x\n", (unsigned)hash);
+    return 0;
+  }
   size = mrw_character_bytes(&file, NULL);
   TRY(mrw_make_character(&file, NULL, block_of(size), size, &character));
   for (i = 0; i < 2; ++i) mrw_animation_layer_init(&layers[i]);

@@ -5,7 +5,9 @@ namespace MarrowAnimation {
 
 /// <summary>What a character is made with.</summary>
 public struct MarrowCharacterOptions {
-    /// <summary>Clips that are blended at once, at most; 0 counts as 2.</summary>
+    /// <summary>
+    /// Clips that are blended at once, at most; 0 counts as 2. A graph needs MarrowGraph.Poses of them.
+    /// </summary>
     public int Layers;
     /// <summary>Level of detail; 0 is the finest.</summary>
     public int Level;
@@ -50,7 +52,8 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         wanted.skin = (byte)(options.PosesAlone ? 0 : 1);
         wanted.animation_space = (byte)(options.AnimationSpace ? 1 : 0);
         ulong bytes = (ulong)Marrow.CharacterBytes(file.Native, &wanted);
-        ulong head = Rounded(sizeof(Character)), tail = Rounded(most * sizeof(AnimationLayer));
+        ulong head = NativeBlock.Rounded(sizeof(Character));
+        ulong tail = NativeBlock.Rounded(most * sizeof(AnimationLayer));
         if (bytes == 0) throw new MarrowException(name + ": is too large for a character");
         memory = new NativeBlock(head + tail + bytes);
         this.file = file.Keep();
@@ -70,8 +73,6 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         }
     }
 
-    static ulong Rounded(int bytes) { return ((ulong)bytes + 15) / 16 * 16; }
-
     /// <summary>For calls of MarrowRuntime.Marrow. Its palettes are for `Space`; the rest is as cooked.</summary>
     public Character* Native {
         get {
@@ -80,9 +81,12 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         }
     }
 
-    AnimationLayer* Layers { get { return (AnimationLayer*)(memory.First + Rounded(sizeof(Character))); } }
+    AnimationLayer* Layers { get { return (AnimationLayer*)(memory.First + NativeBlock.Rounded(sizeof(Character))); } }
 
     public MarrowSpace Space { get { return options.Space; } }
+
+    /// <summary>Clips that are blended at once, at most.</summary>
+    public int LayerCount { get { return most; } }
     public int SkeletonCount { get { return joints.Length; } }
     public int MeshCount { get { return meshes.Length; } }
     public MarrowMesh Mesh(int index) { return meshes[index]; }
@@ -103,6 +107,20 @@ public sealed unsafe partial class MarrowCharacter : IDisposable {
         }
         for (int i = 0; i < count; ++i) SetLayer(i, layers[i].Clip, layers[i].Time, layers[i].Weight);
         MustPose(Marrow.PoseCharacter(character, Layers, new UIntPtr((uint)count)), count > 0 ? layers[0].Clip : null);
+    }
+
+    /// <summary>By what an animator is in, from its first Update() on.</summary>
+    public void Pose(MarrowAnimator animator) {
+        if (animator == null) throw new ArgumentNullException("animator");
+        MarrowGraph graph = animator.Graph;
+        Status status = Marrow.PoseAnimated(Native, animator.Native, null, UIntPtr.Zero);
+        if (status == Status.Ok) return;
+        string what = graph.File != file ? ": it is for the characters of another file, or the same opened twice"
+            : graph.Poses > most ? ": it holds " + graph.Poses + " poses, and there is room for " + most +
+                ": see MarrowCharacterOptions.Layers"
+            : status == Status.BadArgument ? ": its animator was never updated: Update() comes before"
+            : ": " + Marrow.Text(Marrow.StatusText(status));
+        throw new MarrowException(name + ": cannot be posed by the graph \"" + graph.Name + "\"" + what, status);
     }
 
     void SetLayer(int index, MarrowClip clip, float seconds, float weight) {

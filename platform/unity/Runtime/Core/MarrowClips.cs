@@ -36,6 +36,7 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
     readonly MarrowClip[] all;
     readonly string source;
     readonly MarrowFile file, pack;  // the same, of a file's own clips
+    readonly Animations animations;
     NativeBlock memory;
 
     internal MarrowClips(MarrowFile file, MarrowFile pack) {
@@ -48,14 +49,15 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
             file.Keep();
             pack.Keep();
         }
-        Animations animations;
-        Status status = Marrow.MakeAnimations(file.Native, pack.Native, memory.First, bytes, &animations);
+        Animations made;
+        Status status = Marrow.MakeAnimations(file.Native, pack.Native, memory.First, bytes, &made);
         if (status == Status.Mismatch) {
             Dispose();
             throw new MarrowException(pack.Name + ": its clips are for another skeleton than those of " + file.Name +
                 ": cook them with --clips-only --skeleton and that character", status);
         }
         MarrowException.Must(status, pack.Name);
+        animations = made;
         all = new MarrowClip[(int)animations.all_count];
         for (uint i = 0; i < all.Length; ++i) {
             Clip clip;
@@ -89,6 +91,12 @@ public sealed unsafe class MarrowClips : IDisposable, IReadOnlyList<MarrowClip> 
     IEnumerator IEnumerable.GetEnumerator() { return all.GetEnumerator(); }
 
     internal bool IsFor(MarrowFile file) { return file == this.file; }
+
+    internal Animations NativeFor(MarrowFile file) {
+        MustBeOpen();
+        if (IsFor(file)) return animations;
+        throw new MarrowException(source + ": its clips were opened for other characters than those of " + file.Name);
+    }
 
     internal void MustBeOpen() {
         if (memory == null) throw new ObjectDisposedException(source);

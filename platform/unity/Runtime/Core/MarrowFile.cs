@@ -13,6 +13,7 @@ public sealed unsafe class MarrowFile : IDisposable {
     NativeBlock block;  // the file's bytes
     NativeBlock handle;  // what the runtime knows of them
     MarrowClips clips;
+    MarrowGraph[] graphs;
     int users = 1;
     bool disposed;
 
@@ -107,6 +108,51 @@ public sealed unsafe class MarrowFile : IDisposable {
         return new MarrowClips(this, pack);
     }
 
+    /// <summary>Graphs of behaviour, which `marrow cook --graph` put into it.</summary>
+    public int GraphCount { get { return (int)Marrow.FileGraphCount(Native); } }
+
+    public string GraphName(int index) {
+        MarrowRuntime.Graph graph;
+        DataError error = DataError.New();
+        if (index < 0 || index >= GraphCount) throw new ArgumentOutOfRangeException("index");
+        error.status = Marrow.FileGraph(Native, (uint)index, &graph, &error);
+        if (error.status != Status.Ok) throw MarrowException.Of(Name, error);
+        return Marrow.Text(graph.name);
+    }
+
+    /// <summary>
+    /// The graph of a name, or of none the first, with this file's clips; made when first asked for. The exception of
+    /// one that there is not lists those that there are.
+    /// </summary>
+    public MarrowGraph Graph(string name = "") {
+        int index = FindGraph(name);
+        if (graphs == null) graphs = new MarrowGraph[GraphCount];
+        return graphs[index] ??
+            (graphs[index] = new MarrowGraph(this, this, (uint)index, new[] {Clips}, true));
+    }
+
+    /// <summary>
+    /// A graph of this file or of a graph pack, for the characters of this file. Its clips are looked for among this
+    /// file's own, then in packs, as ClipsOf() gave them, which outlive it.
+    /// </summary>
+    public MarrowGraph GraphOf(MarrowFile source, string name, params MarrowClips[] packs) {
+        if (source == null) throw new ArgumentNullException("source");
+        MarrowClips[] all = new MarrowClips[1 + packs.Length];
+        all[0] = Clips;
+        packs.CopyTo(all, 1);
+        return new MarrowGraph(this, source, (uint)source.FindGraph(name), all, false);
+    }
+
+    int FindGraph(string name) {
+        string[] names = new string[GraphCount];
+        for (int i = 0; i < names.Length; ++i) {
+            names[i] = GraphName(i);
+            if (name.Length == 0 || names[i] == name) return i;
+        }
+        throw new MarrowException(Name + ": there is no graph" + (name.Length == 0 ? "" : " \"" + name + "\"") + ": " +
+            (names.Length == 0 ? "cook it with --graph" : "it has " + string.Join(", ", names)));
+    }
+
     /// <summary>
     /// A box, in metres, that a mesh stays in while any clip of the file plays: x, y, z of its least and largest
     /// corner, of space `space`. False if the file has none.
@@ -146,9 +192,12 @@ public sealed unsafe class MarrowFile : IDisposable {
 
     internal void LetGo() {
         if (Interlocked.Decrement(ref users) > 0) return;
+        foreach (MarrowGraph graph in graphs ?? new MarrowGraph[0])
+            if (graph != null) graph.Dispose();
         if (clips != null) clips.Dispose();
         if (block != null) block.Dispose();
         if (handle != null) handle.Dispose();
+        graphs = null;
         clips = null;
         block = handle = null;
     }

@@ -16,6 +16,9 @@ internal sealed unsafe class NativeBlock : IDisposable {
 
     ~NativeBlock() { Free(); }
 
+    /// <summary>Up to the next boundary of 16 bytes.</summary>
+    internal static ulong Rounded(int bytes) { return ((ulong)bytes + 15) / 16 * 16; }
+
     internal byte* First { get { return (byte*)first; } }
 
     public void Dispose() {

@@ -4,13 +4,14 @@ using UnityEngine;
 namespace MarrowAnimation {
 
 /// <summary>
-/// Plays clips of a .mrw file: skins its meshes below this object, and poses Transforms of its joints if asked to.
-/// Nothing of a frame allocates.
+/// Plays a graph of behaviour of a .mrw file, or its clips: skins its meshes below this object, and poses Transforms of
+/// its joints if asked to. Nothing of a frame allocates.
 /// </summary>
 [ExecuteAlways, DisallowMultipleComponent, DefaultExecutionOrder(-50), AddComponentMenu("Marrow/Marrow Player")]
-public sealed class MarrowPlayer : MonoBehaviour {
+public sealed partial class MarrowPlayer : MonoBehaviour {
     [SerializeField, Tooltip("A .mrw file of the project")] MarrowAsset asset;
-    [SerializeField, Tooltip("Its name in the file; empty: the first")] string clip = "";
+    [SerializeField, Tooltip("A graph's name in the file; empty: the first, if Clip is empty, too")] string graph = "";
+    [SerializeField, Tooltip("Without a graph: its name in the file; empty: the first")] string clip = "";
     [SerializeField] MarrowPlayMode mode = MarrowPlayMode.Loop;
     [SerializeField, Tooltip("Seconds of the clip a second; below 0: backwards")] float speed = 1;
     [SerializeField, Tooltip("Show the file's meshes, skinned by the CPU")] bool skinsMeshes = true;
@@ -85,9 +86,15 @@ public sealed class MarrowPlayer : MonoBehaviour {
     /// file when he likes. Throws a MarrowException.
     /// </summary>
     public void Open(MarrowFile file) {
+        bool hasGraph = graph.Length > 0 || (clip.Length == 0 && file.GraphCount > 0);
+        Open(file, hasGraph ? file.Graph(graph) : null);
+    }
+
+    void Open(MarrowFile file, MarrowGraph played) {
         MarrowCharacterOptions options = new MarrowCharacterOptions();
         options.Space = MarrowSpace.Unity;
         options.PosesAlone = !skinsMeshes;
+        if (played != null) options.Layers = Math.Max(2, played.Poses);
         // Before the old one goes, and maybe the file with it.
         MarrowCharacter next = new MarrowCharacter(file, options);
         Close();
@@ -100,7 +107,8 @@ public sealed class MarrowPlayer : MonoBehaviour {
                     skins[i] = new MarrowSkin(character, i, file, transform, MaterialOf(i));
             }
             if (posesJoints || rig != null) joints = new MarrowRig(character, rig != null ? rig : transform);
-            if (clip.Length > 0) Play(clip, 0);
+            if (played != null) Begin(played);
+            else if (clip.Length > 0) Play(clip, 0);
             else if (file.Clips.Count > 0) Play(file.Clips[0], 0);
             Show();
         } catch {
@@ -119,6 +127,7 @@ public sealed class MarrowPlayer : MonoBehaviour {
             if (skin != null) skin.Destroy();
         skins = new MarrowSkin[0];
         if (joints != null) joints.Destroy();
+        LeaveGraph();
         if (character != null) character.Dispose();
         joints = null;
         character = null;
@@ -134,8 +143,9 @@ public sealed class MarrowPlayer : MonoBehaviour {
         Play(file.Clips[clip], fadeSeconds);
     }
 
-    /// <summary>From its start. fadeSeconds: how long the clip before fades out.</summary>
+    /// <summary>From its start. fadeSeconds: how long the clip before fades out; a graph ends at once.</summary>
     public void Play(MarrowClip clip, float fadeSeconds = 0.2f) {
+        LeaveGraph();
         before = fadeSeconds > 0 ? now : null;
         atBefore = at;
         fade = fadeLeft = fadeSeconds;
@@ -161,6 +171,10 @@ public sealed class MarrowPlayer : MonoBehaviour {
     /// <summary>Moves on and shows. LateUpdate does it, unless PlaysByItself is false: then a game does.</summary>
     public void Advance(float seconds) {
         if (character == null) return;
+        if (animator != null) {
+            Behave(seconds);
+            return;
+        }
         if (now != null) at.Advance(now, seconds);
         if (before != null) {
             atBefore.Advance(before, seconds);
@@ -171,6 +185,16 @@ public sealed class MarrowPlayer : MonoBehaviour {
     }
 
     void Show() {
+        if (hasBegun) character.Pose(animator);
+        else PoseClips();  // of none the rest pose
+        if (Posed != null) Posed(this);
+        if (joints != null) joints.Show(character);
+        if (skins.Length == 0) return;
+        character.Finish();
+        for (int i = 0; i < skins.Length; ++i) skins[i].Show(character);
+    }
+
+    void PoseClips() {
         int count = 0;
         if (now != null) {
             layers[count].Clip = now;
@@ -183,11 +207,6 @@ public sealed class MarrowPlayer : MonoBehaviour {
             layers[count++].Weight = fadeLeft / fade;
         }
         character.Pose(layers, count);
-        if (Posed != null) Posed(this);
-        if (joints != null) joints.Show(character);
-        if (skins.Length == 0) return;
-        character.Finish();
-        for (int i = 0; i < skins.Length; ++i) skins[i].Show(character);
     }
 
     /// <summary>Destroys what the player made, in play mode and outside it.</summary>
