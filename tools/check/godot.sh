@@ -26,10 +26,11 @@ quietly() {  # COMMAND ...: what it says is shown if it fails
 }
 has godot3-server chromium node || "$MARROW/tools/install.sh" "$MARROW/tools/packages/godot.txt" || true
 
-# The first block of code of a language in the page.
-block() {  # LANGUAGE
-  awk -v fence="\`\`\`$1" 'inside && $0 == "```" { exit } inside { print } $0 == fence { inside = 1 }' \
-    "$MARROW/docs/platforms/godot.md" | grep . || fail "docs/platforms/godot.md has no $1"
+# A block of code of a language in the page, the first or another.
+block() {  # LANGUAGE [WHICH]
+  awk -v fence="\`\`\`$1" -v which="${2:-1}" '
+    inside && $0 == "```" { exit } inside { print } $0 == fence && ++count == which { inside = 1 }
+  ' "$MARROW/docs/platforms/godot.md" | grep . || fail "docs/platforms/godot.md has no $1 ${2:-}"
 }
 
 # The page's commands, for both Godots, and what the tests need, all in one build.
@@ -59,6 +60,7 @@ cook() { quietly "$marrow" cook "$@"; }
 cook "$newt" -o "$files/newt.mrw"
 cook "$newt" --mesh-codec meshopt -o "$files/bad/meshopt.mrw"
 cook "$newt" --clips-only --skeleton "$files/newt.mrw" -o "$files/bad/pack.mrw"
+cook "$newt" --root '*=ground' --graph "$MARROW/tests/examples/stages/animator.anim.toml" -o "$files/behaving.mrw"
 for how in turned parted; do python3 "$tests/variant.py" "$newt" "$work/$how.glb" $how; done
 cook "$work/turned.glb" -o "$files/turned.mrw"
 cook "$work/parted.glb" -o "$files/bad/parted.mrw"
@@ -71,11 +73,16 @@ change version 4 '\x77'
 : >"$files/bad/empty.mrw"
 head -c 50000 "$files/newt.mrw" >"$files/bad/short.mrw"
 cp "$MARROW/LICENSE" "$files/bad/text.mrw"
-quietly "$build/reference" "$files/newt.mrw" "$files/expected"
+quietly "$build/reference" "$files/newt.mrw" "$files/expected" "$files/behaving.mrw"
 quietly "$build/reference" "$files/turned.mrw" "$files/turned"
 same() {  # WHO POSES.bin EXPECTED
   cmp "$2" "$files/$3/poses.bin" || fail "$1: other poses than the C program's"
   echo "$1: poses $(sha256sum "$2" | head -c 16), the same as the C program's"
+}
+same_graph() {  # WHO GRAPH: .bin and .txt
+  diff "$2.txt" "$files/expected/graph.txt" || fail "$1: other events or states of a graph than the C program's"
+  cmp "$2.bin" "$files/expected/graph.bin" || fail "$1: other steps or poses of a graph than the C program's"
+  echo "$1: a graph's steps, events and poses $(sha256sum "$2.bin" | head -c 16), the same as the C program's"
 }
 refused() {  # WHO LOG: a message a bad file, with its name and what to do
   while read -r name words; do
@@ -96,15 +103,24 @@ END
 
 # Godot 4's library in the mock; then one that was built with headers of another release.
 mock() {  # WHICH [BAD.mrw ...]
-  "$build/mock_host" "$build/libmarrow_godot_$1.so" "$files/newt.mrw" "$work/mock.bin" "$work/lists.json" "${@:2}"
+  mkdir -p "$work/mock"
+  "$build/mock_host" "$build/libmarrow_godot_$1.so" "$files"/{newt,behaving}.mrw "$work/mock" "${@:2}"
 }
 mock sanitized "$files"/bad/*.mrw >"$work/mock.txt" 2>&1 || { cat "$work/mock.txt" >&2; fail "the mock of Godot 4 fails"; }
-same "Godot 4, a mock" "$work/mock.bin" expected
+same "Godot 4, a mock" "$work/mock/poses.bin" expected
+same_graph "Godot 4, a mock" "$work/mock/graph"
 refused "Godot 4, a mock" "$work/mock.txt"
-cp "$work/lists.json" "$files/lists.json"
+cp "$work/mock/lists.json" "$files/lists.json"
 mock other >"$work/other.txt" 2>&1 && fail "a library of another release plays"
 grep -q 'newt.mrw: libmarrow_c is of another release.*build both' "$work/other.txt" ||
   { cat "$work/other.txt" >&2; fail "a library of another release is not told"; }
+
+# The page's scripts; the second plays the graph.
+name_docs() {  # GAME
+  mv "$1/docs1.gd" "$1/docs.gd"
+  sed 's/hero.mrw/behaving.mrw/' "$1/docs2.gd" >"$1/docs_graph.gd"
+  rm "$1/docs2.gd"
+}
 
 # What games get beside the addon.
 fill() { cp -r "$files"/* "${@:2}" "$1"; }  # GAME [FILE ...]
@@ -113,14 +129,19 @@ if has godot3-server; then
   fill "$game" "$tests"/3/{project.godot,check.gd}
   library=$(echo "$game"/addons/marrow/bin/*)
   cp "$build/libmarrow_godot_lacking.so" "$library"  # so that a codec is missing
-  block gdscript | sed 's/extends Node3D/extends Spatial/; s/:=/=/' >"$game/docs.gd"
+  for which in 1 2; do
+    block gdscript $which | sed 's/extends Node3D/extends Spatial/; s/:=/=/
+      s/hero.motion_event.connect(\(.*\))/hero.connect("motion_event", self, "\1")/' >"$game/docs$which.gd"
+  done
+  name_docs "$game"
   run_godot3() {  # LOG
     HOME=$work/home LC_ALL=C.UTF-8 timeout 60 godot3-server --path "$game" -s check.gd >"$1" 2>&1 ||
       { cat "$1" >&2; fail "Godot 3 fails"; }
   }
   run_godot3 "$work/godot3.txt"
-  grep -E ' bones within |us a call' "$work/godot3.txt" | sed 's/^/Godot 3: /'
+  grep -E ' bones within |us a call|^a graph' "$work/godot3.txt" | sed 's/^/Godot 3: /'
   same "Godot 3" "$game/expected/godot.bin" expected
+  same_graph "Godot 3" "$game/expected/godot_graph"
   same "Godot 3, turned" "$game/turned/godot.bin" turned
   refused "Godot 3" "$work/godot3.txt"
   rm "$game"/addons/marrow/bin/*
@@ -149,12 +170,13 @@ if has chromium node npm && fetch_godot4; then
   grep -v ^class_name "$game/addons/marrow/marrow_file.gd" >"$game/original.gd"
   sed -i 's/ClassDB.class_exists(&"MarrowNative")/true/
     s/ClassDB.instantiate(&"MarrowNative")/preload("res:\/\/recorded.gd").new()/' "$game/addons/marrow/marrow_file.gd"
-  block gdscript >"$game/docs.gd"
+  for which in 1 2; do block gdscript $which >"$game/docs$which.gd"; done
+  name_docs "$game"
   python3 "$tests/4/pack.py" "$game" "$work/game4.pck"
   node "$tests/4/run.mjs" "$work/npm" "$work/game4.pck" "$work/picture.png" >"$work/godot4.txt" 2>&1 ||
     { cat "$work/godot4.txt" >&2; fail "Godot 4 fails"; }
   grep -q 'addons/marrow/bin has no library' "$work/godot4.txt" || fail "Godot 4: a library that is not there is not told"
-  grep -E '^Godot Engine| bones within |^drawn in ' "$work/godot4.txt" | sed 's/^/Godot 4: /'
+  grep -E '^Godot Engine| bones within |^a graph|^drawn in ' "$work/godot4.txt" | sed 's/^/Godot 4: /'
 else
   skip "Godot 4: there is no chromium, node or npm, or $godot4 cannot be had"
 fi

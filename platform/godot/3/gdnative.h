@@ -49,7 +49,10 @@ struct Core {
 
 // Places in Core::functions.
 enum Place : int {
+  kPoolBytesNew = 155,
+  kPoolBytesResize = 164,
   kPoolBytesRead = 165,
+  kPoolBytesWrite = 166,
   kPoolBytesSize = 169,
   kPoolBytesDestroy = 170,
   kPoolIntsNew = 171,
@@ -65,6 +68,8 @@ enum Place : int {
   kPoolTextsDestroy = 218,
   kPoolBytesReadPointer = 268,
   kPoolBytesReadDestroy = 270,
+  kPoolBytesWritePointer = 296,
+  kPoolBytesWriteDestroy = 298,
   kPoolIntsWritePointer = 300,
   kPoolIntsWriteDestroy = 302,
   kPoolRealsWritePointer = 304,
@@ -75,6 +80,7 @@ enum Place : int {
   kVariantNewInt = 512,
   kVariantNewReal = 513,
   kVariantNewText = 514,
+  kVariantNewBytes = 530,
   kVariantNewInts = 531,
   kVariantNewReals = 532,
   kVariantNewTexts = 533,

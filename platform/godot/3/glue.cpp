@@ -96,19 +96,21 @@ bool read(const Variant* from, Kind kind, Value& out, Bytes& bytes) {
 struct PoolPlaces {
   Place make, resize, write, pointer, end, to_variant, destroy;
 };
+constexpr PoolPlaces kBytes{kPoolBytesNew,          kPoolBytesResize, kPoolBytesWrite,  kPoolBytesWritePointer,
+                            kPoolBytesWriteDestroy, kVariantNewBytes, kPoolBytesDestroy};
 constexpr PoolPlaces kInts{kPoolIntsNew,          kPoolIntsResize, kPoolIntsWrite,  kPoolIntsWritePointer,
                            kPoolIntsWriteDestroy, kVariantNewInts, kPoolIntsDestroy};
 constexpr PoolPlaces kReals32{kPoolRealsNew,          kPoolRealsResize, kPoolRealsWrite,  kPoolRealsWritePointer,
                               kPoolRealsWriteDestroy, kVariantNewReals, kPoolRealsDestroy};
 
 template <typename Number>
-void write_pool(const std::vector<Number>& from, const PoolPlaces& places, Variant& out) {
+void write_pool(const Number* from, std::size_t count, const PoolPlaces& places, Variant& out) {
   Pool pool;
   call<void>(places.make, &pool);
-  call<void>(places.resize, &pool, int(from.size()));
+  call<void>(places.resize, &pool, int(count));
   Access* const access = call<Access*>(places.write, &pool);
   Number* const to = call<Number*>(places.pointer, static_cast<const Access*>(access));
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = from[i];
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
   call<void>(places.end, access);
   call<void>(places.to_variant, &out, static_cast<const Pool*>(&pool));
   call<void>(places.destroy, &pool);
@@ -138,11 +140,14 @@ Variant write(const Value& from, Kind kind) {
     case Kind::real:
       call<void>(kVariantNewReal, &out, from.real);
       break;
+    case Kind::bytes:
+      write_pool(from.bytes, from.byte_count, kBytes, out);
+      break;
     case Kind::ints:
-      write_pool(from.ints, kInts, out);
+      write_pool(from.ints.data(), from.ints.size(), kInts, out);
       break;
     case Kind::reals:
-      write_pool(from.reals, kReals32, out);
+      write_pool(from.reals.data(), from.reals.size(), kReals32, out);
       break;
     case Kind::texts:
       write_texts(from.texts, out);

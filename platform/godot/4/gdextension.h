@@ -91,6 +91,7 @@ struct Api {
   void (*string_new_with_utf8_chars)(void* to, const char* text);
   std::int64_t (*string_to_utf8_chars)(const void* string, char* to, std::int64_t most);
   const std::uint8_t* (*packed_byte_array_operator_index_const)(const void* array, std::int64_t index);
+  std::uint8_t* (*packed_byte_array_operator_index)(void* array, std::int64_t index);
   std::int32_t* (*packed_int32_array_operator_index)(void* array, std::int64_t index);
   float* (*packed_float32_array_operator_index)(void* array, std::int64_t index);
   void* (*packed_string_array_operator_index)(void* array, std::int64_t index);

@@ -131,6 +131,8 @@ void write(const Value& from, Kind kind, void* out) {
   if (kind == Kind::whole) *static_cast<std::int64_t*>(out) = from.whole;
   if (kind == Kind::real) *static_cast<double*>(out) = from.real;
   if (kind == Kind::text) api.string_new_with_utf8_chars(out, from.text.c_str());
+  if (kind == Kind::bytes && resize(type, out, from.byte_count) > 0)
+    std::memcpy(api.packed_byte_array_operator_index(out, 0), from.bytes, from.byte_count);
   if (kind == Kind::ints && resize(type, out, from.ints.size()) > 0)
     std::copy(from.ints.begin(), from.ints.end(), api.packed_int32_array_operator_index(out, 0));
   if (kind == Kind::reals && resize(type, out, from.reals.size()) > 0)
@@ -313,13 +315,14 @@ MARROW_GODOT_EXPORT std::uint8_t marrow_godot_init(GetFunction get, void* its_li
       MARROW_FIND(get_variant_to_type_constructor) && MARROW_FIND(variant_get_ptr_constructor) &&
       MARROW_FIND(variant_get_ptr_destructor) && MARROW_FIND(variant_get_ptr_builtin_method) &&
       MARROW_FIND(string_new_with_utf8_chars) && MARROW_FIND(string_to_utf8_chars) &&
-      MARROW_FIND(packed_byte_array_operator_index_const) && MARROW_FIND(packed_int32_array_operator_index) &&
-      MARROW_FIND(packed_float32_array_operator_index) && MARROW_FIND(packed_string_array_operator_index) &&
-      MARROW_FIND(classdb_get_class_tag) && MARROW_FIND(classdb_get_method_bind) &&
-      MARROW_FIND(classdb_construct_object) && MARROW_FIND(classdb_register_extension_class) &&
-      MARROW_FIND(classdb_register_extension_class_method) && MARROW_FIND(classdb_register_extension_class_property) &&
-      MARROW_FIND(classdb_unregister_extension_class) && MARROW_FIND(object_set_instance) &&
-      MARROW_FIND(object_cast_to) && MARROW_FIND(object_method_bind_ptrcall) && MARROW_FIND(print_error);
+      MARROW_FIND(packed_byte_array_operator_index_const) && MARROW_FIND(packed_byte_array_operator_index) &&
+      MARROW_FIND(packed_int32_array_operator_index) && MARROW_FIND(packed_float32_array_operator_index) &&
+      MARROW_FIND(packed_string_array_operator_index) && MARROW_FIND(classdb_get_class_tag) &&
+      MARROW_FIND(classdb_get_method_bind) && MARROW_FIND(classdb_construct_object) &&
+      MARROW_FIND(classdb_register_extension_class) && MARROW_FIND(classdb_register_extension_class_method) &&
+      MARROW_FIND(classdb_register_extension_class_property) && MARROW_FIND(classdb_unregister_extension_class) &&
+      MARROW_FIND(object_set_instance) && MARROW_FIND(object_cast_to) && MARROW_FIND(object_method_bind_ptrcall) &&
+      MARROW_FIND(print_error);
 #undef MARROW_FIND
   *out = {2, nullptr, initialize, deinitialize};
   return all ? 1 : 0;

@@ -112,21 +112,31 @@ bool Cooked::choose(std::int64_t skeleton) {
   if (skeleton < 0 || skeleton >= there)
     return fail("has no skeleton " + std::to_string(skeleton) + ": choose one of 0 … " + std::to_string(there - 1));
   chosen_ = std::uint32_t(skeleton);
-  mrw_character_options options;
-  mrw_character_options_init(&options);
-  options.layers = 2;
-  options.skin = false;
-  options.animation_space = false;
-  if (!character_block_.make(mrw_character_bytes(&file_.file, &options))) return fail("there is no memory to pose it");
-  const mrw_status status =
-      mrw_make_character(&file_.file, &options, character_block_.data(), character_block_.size(), &character_);
-  if (status != MRW_OK) return fail(mrw_status_text(status));
+  if (!make_room(2)) return false;
   skeleton_ = character_.skeletons[chosen_].pose.skeleton;
   if (!place() || !take_clips(file_)) return false;
   for (std::uint32_t i = 0; i < mrw_file_mesh_count(&file_.file); ++i) {
     mrw_mesh mesh;
     if (mrw_file_mesh(&file_.file, i, 0, &mesh) == MRW_OK && mesh.skeleton == chosen_) meshes_.push_back(mesh);
   }
+  return true;
+}
+
+// A character that blends so many layers, at least.
+bool Cooked::make_room(std::uint32_t layers) {
+  if (character_.skeletons != nullptr && character_.options.layers >= layers) return true;
+  mrw_character_options options;
+  mrw_character_options_init(&options);
+  options.layers = layers;
+  options.skin = false;
+  options.animation_space = false;
+  Block block;
+  if (!block.make(mrw_character_bytes(&file_.file, &options))) return fail("there is no memory to pose it");
+  mrw_character made;
+  const mrw_status status = mrw_make_character(&file_.file, &options, block.data(), block.size(), &made);
+  if (status != MRW_OK) return fail(mrw_status_text(status));
+  character_ = made;
+  character_block_ = std::move(block);
   return true;
 }
 
@@ -152,7 +162,7 @@ bool Cooked::place() {
 
 // Those clips of a part that move the skeleton.
 bool Cooked::take_clips(Part& from) {
-  mrw_animations animations{};
+  mrw_animations& animations = from.clips;
   if (!from.animations.make(mrw_animations_bytes(&file_.file, &from.file)))
     return fail_of(from, "there is no memory to play it");
   const mrw_status status =
@@ -237,6 +247,10 @@ const float* Cooked::pose(std::int64_t clip, double time_s, std::int64_t other, 
   if (count == 2 && !layer(other, other_s, 1 - share, layers[1])) return nullptr;
   const mrw_status status = mrw_sample_character(&character_, layers, count);
   if (status != MRW_OK) return fail(mrw_status_text(status)), nullptr;
+  return take_pose();
+}
+
+const float* Cooked::take_pose() {
   const mrw_soa_transform* const local = character_.skeletons[chosen_].pose.local;
   for (std::size_t j = 0; j < bone_count(); ++j) read_joint(local, j, &pose_[kReals * j]);
   return pose_.data();

@@ -54,6 +54,28 @@ class Cooked {
   // What stands above all roots, three rows of four: the transform of the skeleton's node.
   const std::vector<float>& above() const { return above_; }
 
+  // Graphs of behaviour: the file's, then those of packs.
+  std::vector<std::string> graphs() const;
+  // What plays the graph of a name, or of none the first, by clips that are there now: a number, for the functions
+  // below, which refuse others. -1: error() says why. As long as the file is open, or until it is let go.
+  std::int64_t make_animator(const std::string& graph);
+  bool free_animator(std::int64_t animator);
+  std::vector<std::string> parameters(std::int64_t animator);
+  // -1: none, and error() lists those that there are.
+  std::int64_t find_parameter(std::int64_t animator, const std::string& name);
+  // A number, or a flag: 0 or not.
+  bool set_parameter(std::int64_t animator, std::int64_t parameter, double value);
+  bool fire(std::int64_t animator, std::int64_t parameter);
+  // Moves on. The root's step, as a rotation x y z w and a translation, then the number and the time of each event.
+  // Empty: error() says why.
+  std::vector<float> update(std::int64_t animator, double dt_s);
+  std::vector<std::string> events(std::int64_t animator);  // names of those of the last update
+  const float* pose_graph(std::int64_t animator);          // as pose()
+  // The name of the state that a machine is in; empty if it is not shown, or error() says why.
+  std::string state_of(std::int64_t animator, const std::string& machine, double* seconds);
+  mrw_bytes state(std::int64_t animator);  // what it is in, until the next call; empty: error() says why
+  bool restore(std::int64_t animator, const void* bytes, std::size_t size);
+
   // kReals a bone: `clip` at `time_s`, and of `other`, unless it is -1, all but `share`. Null: error() says why.
   const float* pose(std::int64_t clip, double time_s, std::int64_t other, double other_s, double share);
   std::size_t bone_count() const { return rests_.size() / kReals; }
@@ -71,6 +93,19 @@ class Cooked {
     std::string name;
     Block block, animations;
     mrw_file file{};
+    mrw_animations clips{};
+  };
+  // A graph with the clips that were there.
+  struct Bound {
+    Block block;
+    mrw_graph_binding binding{};
+    std::size_t packs = 0;  // that were there
+  };
+  struct Played {
+    std::shared_ptr<Bound> bound;
+    Block block;
+    mrw_animator animator{};
+    mrw_animator_step step{};
   };
 
   bool read(const void* bytes, std::size_t size, const std::string& name, Part& out);
@@ -79,12 +114,19 @@ class Cooked {
   bool take_clips(Part& from);
   bool fail_of(const Part& part, const std::string& what);
   bool layer(std::int64_t clip, double time_s, double weight, mrw_animation_layer& out);
+  bool make_room(std::uint32_t layers);
+  const float* take_pose();
+  const Part* find_graph(const std::string& name, mrw_graph& out);
+  std::shared_ptr<Bound> bind(const Part& source, const mrw_graph& graph);
+  Played* played(std::int64_t animator);
 
   std::string name_, error_;
   Part file_;
   std::vector<std::unique_ptr<Part>> packs_;
   Block character_block_;
   mrw_character character_{};
+  std::vector<std::shared_ptr<Bound>> bound_;
+  std::vector<std::unique_ptr<Played>> animators_;  // null: let go
   mrw_skeleton skeleton_{};
   std::uint32_t chosen_ = 0;
   std::vector<const mrw_animation*> clips_;

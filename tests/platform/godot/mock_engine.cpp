@@ -129,6 +129,8 @@ FromValue variant_maker(int type) {
       return to_variant<kFloat>;
     case kString:
       return to_variant<kString>;
+    case kPackedBytes:
+      return to_variant<kPackedBytes>;
     case kPackedInts:
       return to_variant<kPackedInts>;
     case kPackedFloats:
@@ -181,6 +183,7 @@ void size_of_bytes(void* self, const void* const*, void* result, int count) {
 BuiltIn built_in(int type, const void* name, std::int64_t hash) {
   if (text_in(name) == "size" && hash == 3173160232 && type == kPackedBytes) return size_of_bytes;
   if (text_in(name) != "resize" || hash != 848867239) stop("there is no method " + text_in(name));
+  if (type == kPackedBytes) return resize<kPackedBytes>;
   if (type == kPackedInts) return resize<kPackedInts>;
   if (type == kPackedFloats) return resize<kPackedFloats>;
   return resize<kPackedStrings>;
@@ -312,6 +315,7 @@ gdextension::Function get_function(const char* name) {
        erase(+[](const void* self, std::int64_t index) -> const std::uint8_t* {
          return element<std::uint8_t>(const_cast<void*>(self), index);
        })},
+      {"packed_byte_array_operator_index", erase(element<std::uint8_t>)},
       {"packed_int32_array_operator_index", erase(element<std::int32_t>)},
       {"packed_float32_array_operator_index", erase(element<float>)},
       {"packed_string_array_operator_index",
@@ -417,6 +421,9 @@ std::vector<std::string> Variant::texts() const {
   const Array& array = array_in(inside);
   for (std::size_t i = 0; i < array.size(); i += sizeof(void*)) out.push_back(text_in(array.data() + i));
   return out;
+}
+std::vector<std::uint8_t> Variant::bytes() const {
+  return array_in(inside);
 }
 std::vector<float> Variant::reals() const {
   std::vector<float> out(array_in(inside).size() / 4);

@@ -34,6 +34,7 @@ struct Variant {
   double real() const;
   std::string text() const;
   std::vector<std::string> texts() const;
+  std::vector<std::uint8_t> bytes() const;
   std::vector<float> reals() const;
   std::vector<std::int32_t> ints() const;
 };

@@ -1,8 +1,10 @@
 // Loads Marrow's library for Godot 4 as Godot would, calls all that it registers in both of Godot's ways, and unloads
-// it. usage: mock_host LIBRARY FILE.mrw POSES.bin LISTS.json [BAD.mrw ...] POSES.bin: what the skeleton was told, to be
-// compared. LISTS.json: what the methods returned, for recorded.gd.
+// it. usage: mock_host LIBRARY FILE.mrw BEHAVING.mrw OUT_FOLDER [BAD.mrw ...]
+// OUT_FOLDER: poses.bin, graph.bin and graph.txt as reference.c has them, of what the skeleton was told and the methods
+// returned; lists.json, what else they returned, for recorded.gd.
 #include <dlfcn.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -94,6 +96,93 @@ void play(Script native, Object& skeleton, const std::string& name) {
   must((middle - first) * (middle - second) < 0, "a fade lies between its clips");
 }
 
+// A graph, as reference.c plays it.
+void play_graph(Script native, Object& skeleton, const std::string& folder) {
+  std::ofstream numbers(folder + "/graph.bin", std::ios::binary), words(folder + "/graph.txt");
+  const auto put = [&numbers](const std::vector<float>& reals) {
+    numbers.write(reinterpret_cast<const char*>(reals.data()), std::streamsize(4 * reals.size()));
+  };
+  const Variant on(&skeleton), body("body"), delta(1.0 / 60);
+  must(native.call("graphs").texts() == std::vector<std::string>{"animator"}, "there is a graph");
+  const Variant other = native.call("make_animator", Variant("")),
+                it = native.call("make_animator", Variant("animator"));
+  must(other.whole() == 0 && it.whole() == 1, "each has its own number");
+  must(native.call("parameters", it).texts() == std::vector<std::string>{"speed", "reach"}, "parameters have names");
+  const Variant speed = native.call("find_parameter", it, Variant("speed")),
+                reach = native.call_typed("find_parameter", it, Variant("reach"));
+  must(native.call("state_of", it, body).text().empty(), "nothing is shown at first");
+  must(native.call("set_parameter", it, speed, Variant(0.3)).truth(), "speed is set");
+  std::vector<std::uint8_t> saved;
+  std::string before;
+  for (int frame = 0; frame < 300; ++frame) {
+    if (frame == 120) {
+      saved = native.call_typed("get_state", it).bytes();
+      must(saved.size() > 100 && saved == native.call("get_state", it).bytes(), "it has a state");
+      must(native.call("set_parameter", it, speed, Variant(0)).truth(), "speed is set to a whole number");
+      must(native.call_typed("fire", it, reach).truth(), "reach is fired");
+    }
+    if (frame == 240) must(native.call("set_state", it, Variant(saved)).truth(), "it is taken back");
+    const std::vector<float> step =
+        frame % 2 == 0 ? native.call("update", it, delta).reals() : native.call_typed("update", it, delta).reals();
+    const std::vector<std::string> events = native.call("events", it).texts();
+    must(step.size() == 7 + 2 * events.size(), "a step has its events");
+    put(step);
+    for (const std::string& event : events) words << frame << ' ' << event << '\n';
+    must(native.call("pose_graph", on, it).truth(), "it is posed");
+    must(native.call_typed("sample_graph", it).reals() == skeleton.pose, "sample_graph() is what pose_graph() sets");
+    put(skeleton.pose);
+    const std::string state = native.call("state_of", it, body).text();
+    if (state != before) words << frame << " is in " << state << '\n';
+    before = state;
+  }
+  must(std::abs(native.call("state_time", it, body).real() - 3) < 1e-3, "and is in it for 3 s");
+  must(native.call("free_animator", it).truth() && !native.call("free_animator", it).truth(), "it is let go");
+  native.says("there is no animator 1");
+  must(native.call("make_animator", Variant("")).whole() == 1, "a number is given again");
+}
+
+void refuse_graph(Script native, Object& skeleton) {
+  const Variant it = native.call("make_animator", Variant("")), on(&skeleton), none(-1),
+                saved(std::vector<std::uint8_t>(9));
+  must(native.call("make_animator", Variant("animatr")).whole() == -1, "another graph");
+  native.says("behaving.mrw: there is no graph \"animatr\": it has animator");
+  must(native.call("find_parameter", it, Variant("sped")).whole() == -1, "another parameter");
+  native.says("has no parameter \"sped\": it has speed, reach");
+  const Variant speed(0), reach(1), second(1.0);
+  must(!native.call("fire", it, speed).truth(), "a number is fired");
+  native.says("\"speed\" is no trigger: set_parameter()");
+  must(!native.call("set_parameter", it, reach, second).truth(), "a trigger is set");
+  native.says("\"reach\" is a trigger: fire()");
+  must(!native.call("set_parameter", it, speed, Variant(std::nan(""))).truth(), "speed is no number");
+  native.says("no number");
+  for (const Variant* wrong : {&none, &it}) {  // it: 2, as there are two parameters
+    must(!native.call("set_parameter", it, *wrong, second).truth(), "a parameter that is not there");
+    native.says("has no parameter");
+    must(!native.call("fire", it, *wrong).truth(), "nor is it fired");
+  }
+  must(!native.call("pose_graph", on, it).truth(), "it is posed before its first update");
+  native.says("first update()");
+  must(native.call("update", it, Variant(-1.0)).reals().empty(), "time goes back");
+  native.says("not below 0");
+  must(!native.call("set_state", it, saved).truth(), "other bytes are a state");
+  native.says("no state of the graph");
+  must(native.call("state_of", it, Variant("move")).text().empty(), "a space is no machine");
+  native.says("has no machine \"move\": it has body");
+  native.call("update", it, second);
+  must(!native.call("pose_graph", Variant(), it).truth(), "null is posed");
+  native.says("is no skeleton of 44 bones");
+  for (const char* method : {"parameters", "events", "get_state", "sample_graph"}) {
+    const Variant nothing = native.call(method, none);
+    must(nothing.texts().empty(), std::string(method) + " of none");
+    native.says("there is no animator -1");
+  }
+  must(native.call("update", none, second).reals().empty() && !native.call("set_state", none, saved).truth() &&
+           !native.call("fire", none, reach).truth() &&
+           native.call("find_parameter", none, Variant("a")).whole() == -1 &&
+           native.call("state_of", none, Variant("body")).text().empty(),
+       "none is played");
+}
+
 void look_at_lists(Script native) {
   const std::size_t bones = native.call("bones").texts().size();
   const std::vector<std::int32_t> parents = native.call_typed("parents").ints();
@@ -163,7 +252,7 @@ std::string to_json(const std::vector<std::string>& texts) {
   return out + "]";
 }
 
-void record(Script native, const char* name) {
+void record(Script native, const std::string& name) {
   std::ofstream out(name);
   out << "{\"clips\":" << to_json(native.call("clips").texts())
       << ",\n\"bones\":" << to_json(native.call("bones").texts())
@@ -186,7 +275,25 @@ void record(Script native, const char* name) {
   out << "}\n";
 }
 
-Object* run(const char* file, const char* poses, const char* lists, int bad_count, char** bad) {
+// The file with a graph; then another is opened in its place, and has none.
+void run_graph(const char* file, const char* other, const std::string& folder) {
+  Object* const object = engine().make("MarrowNative");
+  Object skeleton{"Skeleton3D", nullptr, std::vector<float>(440)};
+  Script native{object};
+  must(native.call("make_animator", Variant("")).whole() == -1 && native.call("graphs").texts().empty(),
+       "nothing is open");
+  native.says("nothing is open");
+  must(native.call("open", Variant(read_file(file)), Variant("behaving.mrw"), Variant(0)).truth(), "it opens");
+  play_graph(native, skeleton, folder);
+  refuse_graph(native, skeleton);
+  must(native.call("open", Variant(read_file(other)), Variant("newt.mrw"), Variant(0)).truth(), "and another");
+  must(native.call("update", Variant(0), Variant(1.0)).reals().empty(), "what played went with its file");
+  must(native.call("make_animator", Variant("")).whole() == -1, "it has no graph");
+  native.says("newt.mrw: there is no graph: cook it with --graph");
+  engine().free(object);
+}
+
+Object* run(const char* file, const std::string& folder, int bad_count, char** bad) {
   Object* const object = engine().make("MarrowNative");
   Object skeleton{"Skeleton3D", nullptr, std::vector<float>(440)};
   Script native{object};
@@ -210,8 +317,8 @@ Object* run(const char* file, const char* poses, const char* lists, int bad_coun
   }
   native.says("");
   look_at_lists(native);
-  play(native, skeleton, poses);
-  record(native, lists);
+  play(native, skeleton, folder + "/poses.bin");
+  record(native, folder + "/lists.json");
   for (int i = 0; i < bad_count; ++i) {  // of which clip packs are good for this
     const bool good = native.call("add_clips", Variant(read_file(bad[i])), Variant("other.mrw")).truth();
     must(good == (file_name(bad[i]) == "pack.mrw"), file_name(bad[i]) + " is taken for what it is not");
@@ -253,7 +360,8 @@ int main(int argc, char** argv) {
   for (int level = 0; level < 4; ++level) levels.initialize(levels.userdata, level);
   must(engine().classes.size() == 1 && engine().classes.at("MarrowNative").parent == "RefCounted", "a class is there");
   std::printf("MarrowNative: %d methods\n", int(engine().classes.at("MarrowNative").methods.size()));
-  engine().free(run(argv[2], argv[3], argv[4], argc - 5, argv + 5));
+  engine().free(run(argv[2], argv[4], argc - 5, argv + 5));
+  if (failures == 0) run_graph(argv[3], argv[2], argv[4]);
   must(engine().errors.empty(), "nothing is told as an error");
   for (int level = 3; level >= 0; --level) levels.deinitialize(levels.userdata, level);
   must(engine().classes.empty(), "no class stays");

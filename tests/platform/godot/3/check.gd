@@ -5,6 +5,7 @@ extends SceneTree
 const STEPS := 30
 
 var failures := 0
+var heard := []  # of motion_event: name, number, time
 
 
 func must(good: bool, what: String) -> void:
@@ -26,7 +27,14 @@ func _initialize() -> void:
 		play_on(cooked)
 		add_clips(cooked)
 		refuse(cooked)
+	behave()
 	bad_files()
+	var walking: Node = load("res://docs_graph.gd").new()
+	get_root().add_child(walking)
+	for i in 120:
+		walking._process(1.0 / 60)
+		walking.hero.advance(1.0 / 60)
+	must(abs(walking.hero.translation.z - 0.6) < 1e-3 and walking.steps > 1, "the page's other example walks")
 	var example: Node = load("res://docs.gd").new()  # as docs/platforms/godot.md has it
 	get_root().add_child(example)
 	must(example.get_child_count() == 1 and example.get_child(0).skeleton != null, "the page's example plays")
@@ -137,6 +145,83 @@ func play_on(cooked: MarrowFile) -> void:
 	must(not player.play("wolk"), "a clip that is not there is refused")
 	must(player.clip == "reach", "and the clip before stays")
 	player.free()
+
+
+# A graph, as reference.c plays it: 0.3 m/s for 2 s, then it reaches, then it is taken back and goes on.
+func behave() -> void:
+	var player := MarrowPlayer.new()
+	player.file = load("res://behaving.mrw")
+	player.apply_root_motion = true
+	player.playing = false
+	must(player.connect("motion_event", self, "hear") == OK, "motion_event is a signal")
+	get_root().add_child(player)
+	must(not player.playing and Array(player.graphs()) == ["animator"], "the first graph plays")
+	must(Array(player.parameters()) == ["speed", "reach"], "parameters: %s" % player.parameters())
+	var numbers := File.new()
+	var words := File.new()
+	must(numbers.open("res://expected/godot_graph.bin", File.WRITE) == OK, "godot_graph.bin can be written")
+	must(words.open("res://expected/godot_graph.txt", File.WRITE) == OK, "godot_graph.txt can be written")
+	must(player.set_parameter("speed", 0.3), "speed is set")
+	var state := ""
+	var saved := PoolByteArray()
+	for frame in 300:
+		if frame == 120:
+			must(abs(player.translation.z - 0.6) < 1e-3, "2 s at 0.3 m/s are %s m" % player.translation.z)
+			saved = player.get_state()
+			must(player.set_parameter("speed", 0) and player.fire("reach"), "it is asked to reach")
+		if frame == 240:
+			must(player.set_state(saved) and player.state_of("body") == "moves", "it is taken back")
+		heard.clear()
+		player.advance(1.0 / 60)
+		var turn: Quat = player.get_root_motion_rotation()
+		var way: Vector3 = player.get_root_motion_position()
+		for real in [turn.x, turn.y, turn.z, turn.w, way.x, way.y, way.z]:
+			numbers.store_float(real)
+		for event in heard:
+			numbers.store_float(event[1])
+			numbers.store_float(event[2])
+			words.store_line("%d %s" % [frame, event[0]])
+		for real in player._native.sample_graph(player._animator):
+			numbers.store_float(real)
+		if player.state_of("body") != state:
+			state = player.state_of("body")
+			words.store_line("%d is in %s" % [frame, state])
+	must(abs(player.state_time("body") - 3) < 1e-3, "it moves for 3 s: %s" % player.state_time("body"))
+	numbers.close()
+	words.close()
+	print("a graph: the way of 2 s and of 1 s at 0.3 m/s is %.4f m" % player.translation.z)
+	behave_otherwise(player, saved)
+	player.free()
+
+
+func hear(name: String, number: float, time: float) -> void:
+	heard.append([name, number, time])
+
+
+func behave_otherwise(player: MarrowPlayer, saved: PoolByteArray) -> void:
+	must(not player.set_parameter("sped", 1.0) and not player.fire("speed"), "a parameter that is not there")
+	must(player.state_of("move") == "" and not player.set_state(PoolByteArray([1, 2])), "a space is no machine")
+	must(not player.play_graph("animatr") and player.state_of("body") == "moves", "the graph before stays")
+	var other := MarrowPlayer.new()  # looks along the scene's x axis, twice as large
+	other.file = player.file
+	other.apply_root_motion = true
+	other.transform = Transform(Basis(Vector3(0, PI / 2, 0)).scaled(Vector3(2, 2, 2)), Vector3(5, 1, 0))
+	get_root().add_child(other)
+	must(other._animator != player._animator, "each has its own")
+	must(other.set_state(saved) and other.set_parameter("speed", 0.3), "of another player of the graph")
+	var before := player.get_state()
+	for i in 60:
+		other.advance(1.0 / 60)
+	must(other.translation.distance_to(Vector3(5.6, 1, 0)) < 2e-3, "it came to %s" % other.translation)
+	must(other.scale.is_equal_approx(Vector3(2, 2, 2)), "it stays as large: %s" % other.scale)
+	must(player.get_state() == before, "and moves no other")
+	must(other.play("walk") and other._animator == -1 and other.get_state().size() == 0, "a clip ends the graph")
+	must(not other.set_parameter("speed", 1.0) and other.state_of("body") == "", "then nothing is set")
+	must(other.get_root_motion_position() == Vector3(), "nor moved")
+	must(other.play_graph(), "and a graph ends the clip")
+	var number: int = other._animator
+	other.free()
+	must(player._native.update(number, 0.1).size() == 0, "who is freed lets go of what played")
 
 
 # The pack has the newt's own clips, each of which then plays as the one that it is.

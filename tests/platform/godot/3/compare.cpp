@@ -7,6 +7,9 @@
   static_assert(offsetof(gdnative::Core, functions) + gdnative::ours * sizeof(gdnative::Function) == \
                     offsetof(godot_gdnative_core_api_struct, godot_##name),                          \
                 #name)
+PLACE(kPoolBytesNew, pool_byte_array_new);
+PLACE(kPoolBytesResize, pool_byte_array_resize);
+PLACE(kPoolBytesWrite, pool_byte_array_write);
 PLACE(kPoolBytesRead, pool_byte_array_read);
 PLACE(kPoolBytesSize, pool_byte_array_size);
 PLACE(kPoolBytesDestroy, pool_byte_array_destroy);
@@ -23,6 +26,8 @@ PLACE(kPoolTextsAppend, pool_string_array_append);
 PLACE(kPoolTextsDestroy, pool_string_array_destroy);
 PLACE(kPoolBytesReadPointer, pool_byte_array_read_access_ptr);
 PLACE(kPoolBytesReadDestroy, pool_byte_array_read_access_destroy);
+PLACE(kPoolBytesWritePointer, pool_byte_array_write_access_ptr);
+PLACE(kPoolBytesWriteDestroy, pool_byte_array_write_access_destroy);
 PLACE(kPoolIntsWritePointer, pool_int_array_write_access_ptr);
 PLACE(kPoolIntsWriteDestroy, pool_int_array_write_access_destroy);
 PLACE(kPoolRealsWritePointer, pool_real_array_write_access_ptr);
@@ -33,6 +38,7 @@ PLACE(kVariantNewBool, variant_new_bool);
 PLACE(kVariantNewInt, variant_new_int);
 PLACE(kVariantNewReal, variant_new_real);
 PLACE(kVariantNewText, variant_new_string);
+PLACE(kVariantNewBytes, variant_new_pool_byte_array);
 PLACE(kVariantNewInts, variant_new_pool_int_array);
 PLACE(kVariantNewReals, variant_new_pool_real_array);
 PLACE(kVariantNewTexts, variant_new_pool_string_array);

@@ -33,6 +33,7 @@ FUNCTION(variant_get_ptr_destructor, VariantGetPtrDestructor);
 FUNCTION(variant_get_ptr_builtin_method, VariantGetPtrBuiltinMethod);
 FUNCTION(string_new_with_utf8_chars, StringNewWithUtf8Chars);
 FUNCTION(string_to_utf8_chars, StringToUtf8Chars);
+FUNCTION(packed_byte_array_operator_index, PackedByteArrayOperatorIndex);
 FUNCTION(packed_byte_array_operator_index_const, PackedByteArrayOperatorIndexConst);
 FUNCTION(packed_int32_array_operator_index, PackedInt32ArrayOperatorIndex);
 FUNCTION(packed_float32_array_operator_index, PackedFloat32ArrayOperatorIndex);

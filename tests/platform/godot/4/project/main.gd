@@ -22,8 +22,15 @@ func _ready() -> void:
 		play_on(cooked)
 		must(cooked.add_clips("res://bad/pack.mrw") and not cooked.add_clips("res://bad/short.mrw") and
 				not cooked.add_clips("res://bad/missing.mrw"), "clips are added")
+		behave()
 		await take_picture(cooked)
 	must(load("res://original.gd").new().native() == null, "without the library nothing opens")
+	var walking: Node = load("res://docs_graph.gd").new()
+	add_child(walking)
+	for i in 120:
+		walking._process(1.0 / 60)
+		walking.hero.advance(1.0 / 60)
+	must(absf(walking.hero.position.z - 0.6) < 1e-3 and walking.steps > 1, "the page's other example walks")
 	var example: Node = load("res://docs.gd").new()  # as docs/platforms/godot.md has it
 	add_child(example)
 	must(example.get_child_count() == 1 and example.get_child(0).skeleton != null, "the page's example plays")
@@ -109,6 +116,52 @@ func play_on(cooked: MarrowFile) -> void:
 	must(player.play("reach") and player.playing, "and plays again")
 	must(not player.play("wolk"), "a clip that is not there is refused")
 	must(player.clip == "reach", "and the clip before stays")
+	player.free()
+
+
+# A graph, as reference.c plays it: 0.3 m/s for 2 s, then it reaches, then it is taken back and goes on.
+func behave() -> void:
+	var player := MarrowPlayer.new()
+	player.file = load("res://behaving.mrw")
+	player.apply_root_motion = true
+	player.playing = false
+	player.rotation.y = PI / 2  # looks along the scene's x axis, twice as large
+	player.scale = Vector3(2, 2, 2)
+	var heard := PackedStringArray()
+	player.motion_event.connect(func(name: String, _number: float, time: float) -> void:
+		must(time >= 0, "it has a time")
+		heard.append(name))
+	add_child(player)
+	must(not player.playing and player.graphs() == PackedStringArray(["animator"]), "the first graph plays")
+	must(player.parameters() == PackedStringArray(["speed", "reach"]), "parameters: %s" % player.parameters())
+	must(player.state_of("body") == "", "nothing is shown at first")
+	must(player.set_parameter("speed", 0.3), "speed is set")
+	var saved := PackedByteArray()
+	var lines := PackedStringArray()
+	var state := ""
+	for frame in 300:
+		if frame == 120:
+			must(player.position.distance_to(Vector3(1.2, 0, 0)) < 2e-3, "2 s at twice 0.3 m/s: %s" % player.position)
+			must(player.get_root_motion_position().distance_to(Vector3(0, 0, 0.005)) < 1e-4, "of a frame in its own axes")
+			must(player.get_root_motion_rotation().is_equal_approx(Quaternion()), "and turns by nothing")
+			saved = player.get_state()
+			must(player.set_parameter("speed", 0) and player.fire(&"reach"), "it is asked to reach")
+		if frame == 240:
+			must(player.set_state(saved), "it is taken back")
+		heard.clear()
+		player.advance(1.0 / 60)
+		for name in heard:
+			lines.append("%d %s" % [frame, name])
+		if player.state_of("body") != state:
+			state = player.state_of("body")
+			lines.append("%d is in %s" % [frame, state])
+	must("\n".join(lines) + "\n" == FileAccess.get_file_as_string("res://expected/graph.txt"), "events and states: %s" % lines)
+	must(player.scale.is_equal_approx(Vector3(2, 2, 2)), "it stays as large: %s" % player.scale)
+	must(not player.set_parameter("sped", 1.0) and not player.play_graph("animatr"), "what is not there")
+	must(not player.set_state(PackedByteArray([1, 2])) and player.state_of("body") == "moves", "nor another state")
+	must(player.play("walk") and player.get_state().is_empty() and not player.fire("reach"), "a clip ends the graph")
+	must(player.get_root_motion_position() == Vector3(), "nothing is moved")
+	print("a graph: %d events and states, %.4f m" % [lines.size(), player.position.x])
 	player.free()
 
 
