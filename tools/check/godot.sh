@@ -84,6 +84,9 @@ same_graph() {  # WHO GRAPH: .bin and .txt
   cmp "$2.bin" "$files/expected/graph.bin" || fail "$1: other steps or poses of a graph than the C program's"
   echo "$1: a graph's steps, events and poses $(sha256sum "$2.bin" | head -c 16), the same as the C program's"
 }
+unbroken() {  # WHICH LOG: a script that breaks off checks nothing after that
+  if grep 'SCRIPT ERROR' "$2" >&2; then fail "Godot $1: a script breaks off"; fi
+}
 refused() {  # WHO LOG: a message a bad file, with its name and what to do
   while read -r name words; do
     grep -q "$name.mrw: .*$words" "$2" || { cat "$2" >&2; fail "$1: says nothing of $name.mrw: $words"; }
@@ -137,6 +140,7 @@ if has godot3-server; then
   run_godot3() {  # LOG
     HOME=$work/home LC_ALL=C.UTF-8 timeout 60 godot3-server --path "$game" -s check.gd >"$1" 2>&1 ||
       { cat "$1" >&2; fail "Godot 3 fails"; }
+    unbroken 3 "$1"
   }
   run_godot3 "$work/godot3.txt"
   grep -E ' bones within |us a call|^a graph' "$work/godot3.txt" | sed 's/^/Godot 3: /'
@@ -175,6 +179,7 @@ if has chromium node npm && fetch_godot4; then
   python3 "$tests/4/pack.py" "$game" "$work/game4.pck"
   node "$tests/4/run.mjs" "$work/npm" "$work/game4.pck" "$work/picture.png" >"$work/godot4.txt" 2>&1 ||
     { cat "$work/godot4.txt" >&2; fail "Godot 4 fails"; }
+  unbroken 4 "$work/godot4.txt"
   grep -q 'addons/marrow/bin has no library' "$work/godot4.txt" || fail "Godot 4: a library that is not there is not told"
   grep -E '^Godot Engine| bones within |^a graph|^drawn in ' "$work/godot4.txt" | sed 's/^/Godot 4: /'
 else

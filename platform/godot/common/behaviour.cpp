@@ -114,6 +114,18 @@ std::vector<std::string> Cooked::parameters(std::int64_t animator) {
   return out;
 }
 
+std::vector<float> Cooked::parameter_reals(std::int64_t animator) {
+  std::vector<float> out;
+  const Played* const p = played(animator);
+  if (p == nullptr) return out;
+  const mrw_graph& graph = p->bound->binding.graph;
+  for (std::size_t i = 0; i < graph.parameter_count; ++i) {
+    const mrw_graph_parameter& each = graph.parameters[i];
+    out.insert(out.end(), {float(each.kind), each.initial, each.least, each.most});
+  }
+  return out;
+}
+
 std::int64_t Cooked::find_parameter(std::int64_t animator, const std::string& name) {
   const Played* const p = played(animator);
   if (p == nullptr) return -1;

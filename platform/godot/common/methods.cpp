@@ -82,6 +82,9 @@ void free_animator(Cooked& cooked, const Engine&, Arguments in, Value& out) {
 void parameters(Cooked& cooked, const Engine&, Arguments in, Value& out) {
   out.texts = cooked.parameters(in[0].whole);
 }
+void parameter_reals(Cooked& cooked, const Engine&, Arguments in, Value& out) {
+  out.reals = cooked.parameter_reals(in[0].whole);
+}
 void find_parameter(Cooked& cooked, const Engine&, Arguments in, Value& out) {
   out.whole = cooked.find_parameter(in[0].whole, in[1].text);
 }
@@ -145,6 +148,7 @@ constexpr Method kMethods[] = {
     {"make_animator", Kind::whole, 1, {{"graph", Kind::text}}, make_animator},
     {"free_animator", Kind::truth, 1, {kAnimator}, free_animator},
     {"parameters", Kind::texts, 1, {kAnimator}, parameters},
+    {"parameter_reals", Kind::reals, 1, {kAnimator}, parameter_reals},
     {"find_parameter", Kind::whole, 2, {kAnimator, kName}, find_parameter},
     {"set_parameter", Kind::truth, 3, {kAnimator, kParameter, {"value", Kind::real}}, set_parameter},
     {"fire", Kind::truth, 2, {kAnimator, kParameter}, fire},

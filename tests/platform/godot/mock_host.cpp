@@ -108,6 +108,8 @@ void play_graph(Script native, Object& skeleton, const std::string& folder) {
                 it = native.call("make_animator", Variant("animator"));
   must(other.whole() == 0 && it.whole() == 1, "each has its own number");
   must(native.call("parameters", it).texts() == std::vector<std::string>{"speed", "reach"}, "parameters have names");
+  must(native.call_typed("parameter_reals", it).reals() == std::vector<float>{0, 0, 0, 1, 2, 0, 0, 0},
+       "a number from 0 to 1, and a trigger");
   const Variant speed = native.call("find_parameter", it, Variant("speed")),
                 reach = native.call_typed("find_parameter", it, Variant("reach"));
   must(native.call("state_of", it, body).text().empty(), "nothing is shown at first");
@@ -171,7 +173,7 @@ void refuse_graph(Script native, Object& skeleton) {
   native.call("update", it, second);
   must(!native.call("pose_graph", Variant(), it).truth(), "null is posed");
   native.says("is no skeleton of 44 bones");
-  for (const char* method : {"parameters", "events", "get_state", "sample_graph"}) {
+  for (const char* method : {"parameters", "parameter_reals", "events", "get_state", "sample_graph"}) {
     const Variant nothing = native.call(method, none);
     must(nothing.texts().empty(), std::string(method) + " of none");
     native.says("there is no animator -1");

@@ -189,6 +189,8 @@ public sealed class Material : Object {
     public void SetFloat(string name, float value) {}
 }
 
+public sealed class CharacterController : Component { public void Move(Vector3 motion) {} }
+
 public sealed class Camera : Behaviour {
     public static Camera current;
     public Matrix4x4 projectionMatrix = Matrix4x4.identity, worldToCameraMatrix = Matrix4x4.identity;

@@ -194,6 +194,26 @@ func behave() -> void:
 	player.free()
 
 
+# Parameters as properties: an AnimationTree has them so.
+func set_as_properties(player: MarrowPlayer) -> void:
+	var listed := {}
+	for property in player.get_property_list():
+		if property.name.begins_with("parameters/"):
+			listed[property.name] = property
+	must(listed.keys() == ["parameters/speed", "parameters/reach"], "properties: %s" % [listed.keys()])
+	must(listed["parameters/speed"].hint_string == "0,1,0.001", "a range: %s" % listed["parameters/speed"].hint_string)
+	must(listed["parameters/reach"].type == TYPE_BOOL, "a trigger is a truth")
+	must(player.get("parameters/speed") == 0.0 and player.get("parameters/sped") == null, "speed reads as it was set")
+	player.set("parameters/speed", 0.05)
+	must(is_equal_approx(player.get("parameters/speed"), 0.05), "and is set")
+	player.set("parameters/reach", false)
+	player.advance(0.1)
+	must(player.state_of("body") == "moves", "nothing is fired")
+	player.set("parameters/reach", true)
+	player.advance(0.1)
+	must(player.state_of("body") == "reaches" and not player.get("parameters/reach"), "it is fired")
+
+
 func hear(name: String, number: float, time: float) -> void:
 	heard.append([name, number, time])
 
@@ -218,7 +238,9 @@ func behave_otherwise(player: MarrowPlayer, saved: PoolByteArray) -> void:
 	must(other.play("walk") and other._animator == -1 and other.get_state().size() == 0, "a clip ends the graph")
 	must(not other.set_parameter("speed", 1.0) and other.state_of("body") == "", "then nothing is set")
 	must(other.get_root_motion_position() == Vector3(), "nor moved")
+	must(other.get("parameters/speed") == null, "then there are no parameters")
 	must(other.play_graph(), "and a graph ends the clip")
+	set_as_properties(other)
 	var number: int = other._animator
 	other.free()
 	must(player._native.update(number, 0.1).size() == 0, "who is freed lets go of what played")

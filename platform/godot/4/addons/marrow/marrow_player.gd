@@ -27,6 +27,7 @@ var _fade := 0.0
 var _fade_left := 0.0
 var _animator := -1  # what plays a graph
 var _parameters := {}  # by their names
+var _values := {}  # what they were set to, likewise
 var _root_position := Vector3()
 var _root_rotation := Quaternion()
 
@@ -115,19 +116,66 @@ func play_graph(graph_name: String = "") -> bool:
 	_clip = -1
 	_other = -1
 	playing = true
+	var reals: PackedFloat32Array = _native.parameter_reals(made)
+	for parameter in parameters():
+		_values[parameter] = reals[4 * _values.size() + 1]
+	notify_property_list_changed()
 	return true
 
 
 ## Of the graph: a number, which is clamped to its range, or a flag.
 func set_parameter(parameter: StringName, value: Variant) -> bool:
 	var found := _parameter(parameter)
-	return found >= 0 and _must(_native.set_parameter(_animator, found, float(value)))
+	if found < 0 or not _must(_native.set_parameter(_animator, found, float(value))):
+		return false
+	_values[String(parameter)] = float(value)
+	return true
 
 
 ## A trigger of the graph, until a transition takes it or its time is over.
 func fire(trigger: StringName) -> bool:
 	var found := _parameter(trigger)
 	return found >= 0 and _must(_native.fire(_animator, found))
+
+
+# Parameters are properties, too, as an AnimationTree's are: parameters/speed, for the remote inspector and for tweens.
+# A trigger is fired when it is set, and reads false.
+func _get_property_list() -> Array[Dictionary]:
+	var out: Array[Dictionary] = []
+	if _animator < 0:
+		return out
+	var reals: PackedFloat32Array = _native.parameter_reals(_animator)
+	for parameter: String in _values:
+		var at := 4 * out.size()
+		var is_number := reals[at] == 0
+		out.append({
+			"name": "parameters/" + parameter,
+			"type": TYPE_FLOAT if is_number else TYPE_BOOL,
+			"hint": PROPERTY_HINT_RANGE if is_number else PROPERTY_HINT_NONE,
+			"hint_string": "%s,%s,0.001" % [reals[at + 2], reals[at + 3]] if is_number else "",
+			"usage": PROPERTY_USAGE_EDITOR,
+		})
+	return out
+
+
+func _get(property: StringName) -> Variant:
+	var parameter := String(property).trim_prefix("parameters/")
+	if _animator < 0 or parameter == property or not _values.has(parameter):
+		return null
+	return _values[parameter] if _kind(parameter) == 0 else _values[parameter] != 0.0
+
+
+func _set(property: StringName, value: Variant) -> bool:
+	var parameter := String(property).trim_prefix("parameters/")
+	if _animator < 0 or parameter == property or not _values.has(parameter):
+		return false
+	if _kind(parameter) != 2:
+		return set_parameter(parameter, value)
+	return value != true or fire(parameter)
+
+
+func _kind(parameter: String) -> int:
+	return int(_native.parameter_reals(_animator)[4 * _parameter(parameter)])
 
 
 ## The names of the graph's parameters.
@@ -245,6 +293,7 @@ func _leave_graph() -> void:
 		_native.free_animator(_animator)
 	_animator = -1
 	_parameters.clear()
+	_values.clear()
 	_root_position = Vector3()
 	_root_rotation = Quaternion()
 

@@ -146,6 +146,7 @@ func behave() -> void:
 			must(player.get_root_motion_rotation().is_equal_approx(Quaternion()), "and turns by nothing")
 			saved = player.get_state()
 			must(player.set_parameter("speed", 0) and player.fire(&"reach"), "it is asked to reach")
+			set_as_properties(player)
 		if frame == 240:
 			must(player.set_state(saved), "it is taken back")
 		heard.clear()
@@ -163,6 +164,22 @@ func behave() -> void:
 	must(player.get_root_motion_position() == Vector3(), "nothing is moved")
 	print("a graph: %d events and states, %.4f m" % [lines.size(), player.position.x])
 	player.free()
+
+
+# Parameters as properties: an AnimationTree has them so.
+func set_as_properties(player: MarrowPlayer) -> void:
+	var listed := {}
+	for property in player.get_property_list():
+		if property.name.begins_with("parameters/"):
+			listed[property.name] = property
+	must(listed.keys() == ["parameters/speed", "parameters/reach"], "properties: %s" % [listed.keys()])
+	must(listed["parameters/speed"].hint_string == "0.0,1.0,0.001", "a range: %s" % listed["parameters/speed"].hint_string)
+	must(listed["parameters/reach"].type == TYPE_BOOL, "a trigger is a truth")
+	must(player.get("parameters/speed") == 0.0 and player.get("parameters/sped") == null, "speed reads as it was set")
+	player.set("parameters/speed", 0.05)
+	must(is_equal_approx(player.get("parameters/speed"), 0.05), "and is set")
+	player.set("parameters/reach", true)
+	must(player.get("parameters/reach") == false, "a trigger reads false")
 
 
 # The newt at 0.4 s of its walk: where Godot draws must be where Marrow's skinned vertices are.

@@ -123,6 +123,10 @@ func parameters(_animator: int) -> PackedStringArray:
 	return PackedStringArray(["speed", "reach"])
 
 
+func parameter_reals(_animator: int) -> PackedFloat32Array:
+	return PackedFloat32Array([0, 0, 0, 1, 2, 0, 0, 0])
+
+
 func find_parameter(animator: int, name: String) -> int:
 	_error = "%s: there is no parameter \"%s\"" % [_name, name]
 	return parameters(animator).find(name)
