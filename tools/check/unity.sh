@@ -79,8 +79,8 @@ done
 # The package's assemblies, as its .asmdef files have them.
 binding="$work/Marrow.Core.dll"
 compile() { quietly mcs -unsafe -warnaserror "$@"; }  # CORE AND OTHERS BY -r ARGUMENTS
-compile -target:library "-out:$binding" "$package"/Runtime/Core/*.cs
-compile -target:library -define:UNITY_IOS "-out:$work/Ios.dll" "$package"/Runtime/Core/*.cs
+compile -target:library "-out:$binding" "$package"/Runtime/Core/{,Graphs/}*.cs
+compile -target:library -define:UNITY_IOS "-out:$work/Ios.dll" "$package"/Runtime/Core/{,Graphs/}*.cs
 quietly mcs -unsafe -target:library "-out:$work/UnityEngine.dll" "$tests"/StandIn*.cs
 references="-r:$binding,$work/UnityEngine.dll"
 compile -target:library "$references" "-out:$work/Marrow.Unity.dll" "$package"/Runtime/Unity/*.cs

@@ -65,7 +65,7 @@ std::shared_ptr<Cooked::Bound> Cooked::bind(const Part& source, const mrw_graph&
   const std::string wanted =
       misfit.rule == nullptr ? mrw_status_text(status) : std::string(misfit.rule) + ", \"" + misfit.name + "\"";
   fail("the graph \"" + std::string(graph.name) + "\" wants " + wanted +
-       ": cook them together, or add_clips() those of a pack before");
+       ": give it the clips that it was cooked for; add_clips() adds those of a pack");
   return nullptr;
 }
 

@@ -156,7 +156,8 @@ func behave() -> void:
 		if player.state_of("body") != state:
 			state = player.state_of("body")
 			lines.append("%d is in %s" % [frame, state])
-	must("\n".join(lines) + "\n" == FileAccess.get_file_as_string("res://expected/graph.txt"), "events and states: %s" % lines)
+	var expected := FileAccess.get_file_as_string("res://expected/graph.txt")
+	must("\n".join(lines) + "\n" == expected, "events and states: %s" % lines)
 	must(player.scale.is_equal_approx(Vector3(2, 2, 2)), "it stays as large: %s" % player.scale)
 	must(not player.set_parameter("sped", 1.0) and not player.play_graph("animatr"), "what is not there")
 	must(not player.set_state(PackedByteArray([1, 2])) and player.state_of("body") == "moves", "nor another state")

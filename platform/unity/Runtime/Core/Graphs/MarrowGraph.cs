@@ -78,7 +78,8 @@ public sealed unsafe class MarrowGraph : IDisposable {
         if (misfit.rule != null) wanted = Marrow.Text(misfit.rule) + ", \"" + Marrow.Text(misfit.name) + "\"";
         memory.Dispose();
         throw new MarrowException(source.Name + ": the graph \"" + Name + "\" does not fit " + file.Name +
-            ": it wants " + wanted + ": cook them together, or give a pack's clips by MarrowFile.GraphOf()", status);
+            ": it wants " + wanted + ": give it the clips that it was cooked for; MarrowFile.GraphOf() takes a pack's",
+                                  status);
     }
 
     string TextOf(uint name) { return Marrow.Text(Marrow.FileText(source.Native, name)); }
@@ -122,7 +123,7 @@ public sealed unsafe class MarrowGraph : IDisposable {
         foreach (MarrowClips each in clips) each.MustBeOpen();
     }
 
-    /// <summary>Whether it is of MarrowFile.Graph(): it plays the file's own clips alone, and goes with the file.</summary>
+    /// <summary>Whether it is of MarrowFile.Graph(): with the file's clips alone, and as long as the file.</summary>
     public bool IsOwn { get { return isOwn; } }
 
     /// <summary>Poses that a character holds to be posed by it: MarrowCharacterOptions.Layers, at least.</summary>

@@ -5,7 +5,7 @@ namespace MarrowAnimation {
 
 /// <summary>What an animator is made with. What is left at its default is the runtime's.</summary>
 public struct MarrowAnimatorOptions {
-    /// <summary>For a server, which never poses: it takes less memory. What is posed yet has no inertial fades.</summary>
+    /// <summary>For a server, which does not pose: less memory. What is posed yet has no inertial fades.</summary>
     public bool UpdatesAlone;
     /// <summary>Of one update, at most; 0 counts as 32.</summary>
     public int Events;
