@@ -59,8 +59,9 @@ mkdir -p "$files/bad" "$files/expected" "$files/turned"
 cook() { quietly "$marrow" cook "$@"; }
 cook "$newt" -o "$files/newt.mrw"
 cook "$newt" --mesh-codec meshopt -o "$files/bad/meshopt.mrw"
-cook "$newt" --clips-only --skeleton "$files/newt.mrw" -o "$files/bad/pack.mrw"
-cook "$newt" --root '*=ground' --graph "$MARROW/tests/examples/stages/animator.anim.toml" -o "$files/behaving.mrw"
+graph=(--graph "$MARROW/tests/examples/stages/animator.anim.toml")
+cook "$newt" --clips-only --skeleton "$files/newt.mrw" "${graph[@]}" -o "$files/bad/pack.mrw"
+cook "$newt" --root '*=ground' "${graph[@]}" -o "$files/behaving.mrw"
 for how in turned parted; do python3 "$tests/variant.py" "$newt" "$work/$how.glb" $how; done
 cook "$work/turned.glb" -o "$files/turned.mrw"
 cook "$work/parted.glb" -o "$files/bad/parted.mrw"

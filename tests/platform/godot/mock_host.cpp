@@ -329,6 +329,11 @@ Object* run(const char* file, const std::string& folder, int bad_count, char** b
   must(bad_count == 0 || native.call("clips").texts().size() == 8, "a pack's clips are there");
   must(native.call("duration", Variant(7)).real() == native.call("duration", Variant(3)).real(), "and play as long");
   refuse(native, skeleton);
+  if (bad_count == 0) return object;
+  const Variant played = native.call("make_animator", Variant("animator"));
+  must(played.whole() == 0 && native.call("update", played, Variant(0.5)).reals().size() >= 7 &&
+           native.call("pose_graph", Variant(&skeleton), played).truth(),
+       "a pack's graph is played");
   return object;
 }
 

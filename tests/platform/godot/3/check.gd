@@ -257,6 +257,13 @@ func add_clips(cooked: MarrowFile) -> void:
 	must(cooked.add_clips("res://bad/pack.mrw"), "clips are added")
 	var native = cooked.native()
 	must(Array(native.clips()) == ["idle", "walk", "twist", "reach", "idle", "walk", "twist", "reach"], "twice as many")
+	must(Array(native.graphs()) == ["animator"], "and a graph: %s" % native.graphs())
+	var player := MarrowPlayer.new()
+	player.file = cooked
+	get_root().add_child(player)
+	player.advance(0.5)
+	must(player.state_of("body") == "moves", "which plays")
+	player.free()
 	for clip in 4:
 		var poses := [native.sample(clip, 0.7, -1, 0.0, 1.0), native.sample(clip + 4, 0.7, -1, 0.0, 1.0)]
 		must(poses[0].size() == 440 and Array(poses[0]) == Array(poses[1]), "clip %d plays from a pack" % clip)
