@@ -1485,6 +1485,11 @@ mrw_status mrw_fire_trigger(mrw_animator* animator, uint32_t parameter) {
   return code(marrow::fire(to<Animator>(animator), parameter));
 }
 
+float mrw_value_of(const mrw_animator* animator, uint32_t parameter) {
+  MRW_NEEDS(leads_to<Animator>(animator), 0);
+  return marrow::value_of(of<Animator>(animator), parameter);
+}
+
 uint32_t mrw_state_of(const mrw_animator* animator, uint32_t node, float* seconds) {
   MRW_NEEDS(leads_to<Animator>(animator) && leads_to_if_any<float>(seconds), 0);
   return marrow::state_of(of<Animator>(animator), node, seconds);

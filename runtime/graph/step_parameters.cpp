@@ -104,4 +104,10 @@ Status fire(Animator& animator, std::uint32_t parameter) {
   return Status::ok;
 }
 
+float value_of(const Animator& animator, std::uint32_t parameter) {
+  const bool is_there = animator.binding != nullptr && animator.state.size >= animator.binding->state_bytes &&
+                        parameter < animator.binding->graph.parameters.size;
+  return is_there ? parameters_of(animator.state)[parameter].target : 0.0f;
+}
+
 }  // namespace marrow

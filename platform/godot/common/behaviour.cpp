@@ -121,7 +121,8 @@ std::vector<float> Cooked::parameter_reals(std::int64_t animator) {
   const mrw_graph& graph = p->bound->binding.graph;
   for (std::size_t i = 0; i < graph.parameter_count; ++i) {
     const mrw_graph_parameter& each = graph.parameters[i];
-    out.insert(out.end(), {float(each.kind), each.initial, each.least, each.most});
+    const float value = mrw_value_of(&p->animator, std::uint32_t(i));
+    out.insert(out.end(), {float(each.kind), value, each.least, each.most});
   }
   return out;
 }

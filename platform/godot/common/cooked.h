@@ -61,7 +61,7 @@ class Cooked {
   std::int64_t make_animator(const std::string& graph);
   bool free_animator(std::int64_t animator);
   std::vector<std::string> parameters(std::int64_t animator);
-  // Four a parameter: 0 a number, 1 a flag or 2 a trigger; where it begins; of a number the least and the most.
+  // Four a parameter: 0 a number, 1 a flag or 2 a trigger; what it is set to; of a number the least and the most.
   std::vector<float> parameter_reals(std::int64_t animator);
   // -1: none, and error() lists those that there are.
   std::int64_t find_parameter(std::int64_t animator, const std::string& name);

@@ -33,7 +33,7 @@ public sealed class MarrowPlayerEditor : UnityEditor.Editor {
             if (GUILayout.Button(parameter.Name)) animator.Fire(index);
             return;
         }
-        float last = animator.LastSet(index);
+        float last = animator.Value(index);
         if (parameter.Kind == MarrowParameterKind.Flag) {
             bool flag = EditorGUILayout.Toggle(parameter.Name, last != 0);
             if (flag != (last != 0)) animator.SetFlag(index, flag);

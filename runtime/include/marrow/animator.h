@@ -123,6 +123,9 @@ MARROW_API Status set_number(Animator& animator, std::uint32_t parameter, float 
 MARROW_API Status set_flag(Animator& animator, std::uint32_t parameter, bool value);
 MARROW_API Status fire(Animator& animator, std::uint32_t parameter);
 
+// What a parameter is set to: a flag to 0 or 1, a trigger to 1 while it waits. 0 if there is no such parameter.
+MARROW_API float value_of(const Animator& animator, std::uint32_t parameter);
+
 // What a machine is in: a state of that node, and for how long; kNoIndex if the node is no machine, or is not shown.
 MARROW_API std::uint32_t state_of(const Animator& animator, std::uint32_t node, float* seconds = nullptr);
 
@@ -147,8 +150,9 @@ struct GivenPose {
 // The character is of the binding's file, and holds as many layers as the graph's first node says it needs poses
 // (GraphNode::poses); with more, more of what is sampled is kept from frame to frame. given: for each
 // given node one a skeleton, in their order; where the list ends nodes are at rest.
-// Errors: bad_argument (a character of another file, or of too few layers; a given pose that is too short); bad_data
-// as update_animator(). Cost: sample_cached() of each clip that is shown, and blend(), overlay() and add() of them.
+// Errors: bad_argument (a character of another file, or of too few layers; a given pose that is too short; an animator
+// before its first update); bad_data as update_animator(). Cost: sample_cached() of each clip that is shown, and
+// blend(), overlay() and add() of them. Layers in model space write over Pose::model_from_joint.
 MARROW_API Status sample_character(Character& character, Animator& animator, Span<const GivenPose> given = {});
 // The same, then local_to_model(): ready for inverse kinematics, feet and springs.
 MARROW_API Status pose_character(Character& character, Animator& animator, Span<const GivenPose> given = {});

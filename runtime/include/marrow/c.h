@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x15a6d43bu
+#define MRW_ABI 0x9cf52026u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -3653,6 +3653,9 @@ mrw_status mrw_set_number(mrw_animator* animator, uint32_t parameter, float valu
 mrw_status mrw_set_flag(mrw_animator* animator, uint32_t parameter, bool value) MRW_NODISCARD;
 mrw_status mrw_fire_trigger(mrw_animator* animator, uint32_t parameter) MRW_NODISCARD;
 
+// What a parameter is set to: a flag to 0 or 1, a trigger to 1 while it waits. 0 if there is no such parameter.
+float mrw_value_of(const mrw_animator* animator, uint32_t parameter);
+
 // What a machine is in: a state of that node, and for how long; MRW_NO_INDEX if the node is no machine, or is not
 // shown.
 uint32_t mrw_state_of(const mrw_animator* animator, uint32_t node, float* seconds);
@@ -3673,9 +3676,10 @@ mrw_status mrw_restore_animator(mrw_animator* animator, const void* snapshot, si
 // The character is of the binding's file, and holds as many layers as the graph's first node says it needs poses
 // (mrw_graph_node.poses); with more, more of what is sampled is kept from frame to frame. given: for each
 // given node one a skeleton, in their order; where the list ends nodes are at rest.
-// Errors: MRW_BAD_ARGUMENT (a character of another file, or of too few layers; a given pose that is too short);
-// MRW_BAD_DATA as mrw_update_animator(). Cost: mrw_sample_cached() of each clip that is shown, and mrw_blend(),
-// mrw_overlay() and mrw_add() of them.
+// Errors: MRW_BAD_ARGUMENT (a character of another file, or of too few layers; a given pose that is too short; an
+// animator before its first update); MRW_BAD_DATA as mrw_update_animator(). Cost: mrw_sample_cached() of each clip that
+// is shown, and mrw_blend(), mrw_overlay() and mrw_add() of them. Layers in model space write over
+// mrw_pose.model_from_joint.
 mrw_status mrw_sample_animated(mrw_character* character, mrw_animator* animator, const mrw_given_pose* given,
     size_t given_count) MRW_NODISCARD;
 

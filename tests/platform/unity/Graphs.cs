@@ -157,14 +157,16 @@ public static unsafe class Graphs {
     // The trigger takes the machine to another state, which a snapshot takes back, in another animator, too.
     static void Reach(MarrowAnimator animator, MarrowAnimator other, int body) {
         byte[] saved = animator.Save();
+        float speed = animator.Value(animator.Graph.Parameter("speed"));
         animator.SetNumber("speed", 0);
         animator.Fire("reach");
         animator.Update(0.1f);
         Expect(animator.StateOf(body) == "reaches", "it reaches");
-        Expect(animator.LastSet(animator.Graph.Parameter("speed")) == 0, "what was set last");
+        Expect(animator.Value(animator.Graph.Parameter("speed")) == 0, "what was set last");
         animator.SetNumber("speed", 7);
-        Expect(animator.LastSet(animator.Graph.Parameter("speed")) == 1, "what was set last is in the range");
+        Expect(animator.Value(animator.Graph.Parameter("speed")) == 1, "what was set last is in the range");
         animator.Restore(saved);
+        Expect(animator.Value(animator.Graph.Parameter("speed")) == speed, "so is what was set");
         Expect(animator.StateOf("body") == "moves" && Same(animator.Save(), saved), "it is taken back");
         other.Update(3);
         other.Restore(saved);
@@ -219,7 +221,7 @@ public static unsafe class Graphs {
                 Near(x[2], -mirror * (1 - end), 1e-3, "the axis' z");
             }
             Expect(moved > 1, "the root has moved");
-            Expect(graph.ParameterAt(0).Initial == 1 && animator.LastSet(1) == 1, "initial values");
+            Expect(graph.ParameterAt(0).Initial == 1 && animator.Value(1) == 1, "initial values");
         }
     }
 

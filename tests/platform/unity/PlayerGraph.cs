@@ -120,7 +120,7 @@ public static partial class Player {
         Hand.Sets["lit"] = false;
         Hand.Sets["shut"] = true;
         inspector.OnInspectorGUI();
-        Expect(player.Animator.LastSet(0) == 2.5f && player.Animator.LastSet(1) == 0, "it is set");
+        Expect(player.Animator.Value(0) == 2.5f && player.Animator.Value(1) == 0, "it is set");
         Hand.Sets.Clear();
         Application.isPlaying = false;
         Hand.Shown.Clear();

@@ -147,6 +147,8 @@ TEST(Animator, TriggersWaitAndDie) {
   EXPECT_EQ(rig.state("body"), "stands");
   rig.fire("jump");  // from "stands" nothing takes it
   rig.step(0.1);
+  EXPECT_EQ(value_of(rig.animator, rig.parameter("stand")), 1.0f);
+  EXPECT_EQ(value_of(rig.animator, rig.parameter("jump")), 1.0f);
   rig.set_flag("stand", false);
   rig.step(0.04);  // back to "walks", and 0.1 s later the trigger is still there
   EXPECT_EQ(rig.state("body"), "jumps");
@@ -163,6 +165,8 @@ TEST(Animator, TriggersWaitAndDie) {
   rig.step(0.1);
   rig.fire("jump");
   rig.step(0.2);  // longer than it waits
+  EXPECT_EQ(value_of(rig.animator, rig.parameter("jump")), 0.0f);
+  EXPECT_EQ(value_of(rig.animator, 99), 0.0f);
   rig.set_flag("stand", false);
   rig.step(0.04);
   EXPECT_EQ(rig.state("body"), "walks");

@@ -102,6 +102,12 @@ std::vector<MisuseRow> rows_of_animators() {
          Animator a = animator_of(m, of);
          m.returned(fire(a, m.index(3)));
        }},
+      {"value_of",
+       [](Misuse& m) {
+         Behaving of;
+         (void)value_of(animator_of(m, of), m.index(3));
+         m.returned_ok();
+       }},
       {"state_of",
        [](Misuse& m) {
          Behaving of;

@@ -116,9 +116,7 @@ func play_graph(graph_name := "") -> bool:
 	_clip = -1
 	_other = -1
 	playing = true
-	var reals: PoolRealArray = _native.parameter_reals(made)
-	for parameter in parameters():
-		_values[parameter] = reals[4 * _values.size() + 1]
+	_read_parameters()
 	property_list_changed_notify()
 	return true
 
@@ -136,6 +134,13 @@ func set_parameter(parameter: String, value) -> bool:
 func fire(trigger: String) -> bool:
 	var found := _parameter(trigger)
 	return found >= 0 and _must(_native.fire(_animator, found))
+
+
+func _read_parameters() -> void:
+	var reals: PoolRealArray = _native.parameter_reals(_animator)
+	var names: Array = Array(parameters())
+	for i in names.size():
+		_values[names[i]] = reals[4 * i + 1]
 
 
 # Parameters are properties, too, as an AnimationTree's are: parameters/speed, for the remote inspector and for tweens.
@@ -210,6 +215,7 @@ func set_state(state: PoolByteArray) -> bool:
 		return false
 	if not _must(_native.set_state(_animator, state)):
 		return false
+	_read_parameters()
 	_native.pose_graph(skeleton, _animator)  # unless it is from before the first step, when there is nothing to show
 	return true
 

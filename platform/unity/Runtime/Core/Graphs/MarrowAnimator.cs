@@ -39,7 +39,6 @@ public struct MarrowMotionEvent {
 public sealed unsafe class MarrowAnimator : IDisposable {
     readonly MarrowGraph graph;
     readonly MarrowSpace space;
-    readonly float[] set;
     NativeBlock memory;  // the animator, its step, what it points into
 
     public MarrowAnimator(MarrowGraph graph, MarrowAnimatorOptions options = default(MarrowAnimatorOptions)) {
@@ -60,8 +59,6 @@ public sealed unsafe class MarrowAnimator : IDisposable {
                                             (Animator*)memory.First);
         if (status != Status.Ok) Dispose();
         MarrowException.Must(status, graph.Source);
-        set = new float[graph.ParameterCount];
-        for (int i = 0; i < set.Length; ++i) set[i] = graph.ParameterAt(i).Initial;
     }
 
     /// <summary>For calls of MarrowRuntime.Marrow. Its numbers are as cooked, in glTF's axes.</summary>
@@ -80,13 +77,10 @@ public sealed unsafe class MarrowAnimator : IDisposable {
     /// <summary>parameter: as MarrowGraph.Parameter() says. The value is clamped to the number's range.</summary>
     public void SetNumber(int parameter, float value) {
         MustSet(Marrow.SetNumber(Native, (uint)parameter, value), parameter, "number, and takes what is one");
-        MarrowParameter range = graph.ParameterAt(parameter);
-        set[parameter] = Math.Min(Math.Max(value, range.Least), range.Most);
     }
 
     public void SetFlag(int parameter, bool value) {
         MustSet(Marrow.SetFlag(Native, (uint)parameter, (byte)(value ? 1 : 0)), parameter, "flag");
-        set[parameter] = value ? 1 : 0;
     }
 
     /// <summary>Sets a trigger, until a transition takes it or its time is over.</summary>
@@ -96,8 +90,8 @@ public sealed unsafe class MarrowAnimator : IDisposable {
     public void SetFlag(string parameter, bool value) { SetFlag(graph.Parameter(parameter), value); }
     public void Fire(string parameter) { Fire(graph.Parameter(parameter)); }
 
-    /// <summary>What a number or a flag was set to last; Restore() does not change it.</summary>
-    public float LastSet(int parameter) { return set[parameter]; }
+    /// <summary>What a parameter is set to: a flag to 0 or 1, a trigger to 1 while it waits.</summary>
+    public float Value(int parameter) { return Marrow.ValueOf(Native, (uint)parameter); }
 
     void MustSet(Status status, int parameter, string kind) {
         if (status == Status.Ok) return;
