@@ -149,6 +149,11 @@ void mrw_rigid_step_init(mrw_rigid_step* out) {
   to<RigidStep>(out) = RigidStep{};
 }
 
+void mrw_root_place_init(mrw_root_place* out) {
+  MRW_NEEDS(leads_to<RootPlace>(out), );
+  to<RootPlace>(out) = RootPlace{};
+}
+
 void mrw_phase_init(mrw_phase* out) {
   MRW_NEEDS(leads_to<Phase>(out), );
   to<Phase>(out) = Phase{};
@@ -783,6 +788,18 @@ mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, 
 mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) {
   MRW_NEEDS(leads_to<Affine>(world_from_model) && leads_to<RigidStep>(step) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
   give<Affine>(out, marrow::move_root(of<Affine>(world_from_model), of<RigidStep>(step)));
+  return MRW_OK;
+}
+
+mrw_status mrw_move_place(const mrw_root_place* place, const mrw_rigid_step* step, mrw_root_place* out) {
+  MRW_NEEDS(leads_to<RootPlace>(place) && leads_to<RigidStep>(step) && leads_to<RootPlace>(out), MRW_BAD_ARGUMENT);
+  give<RootPlace>(out, marrow::move_root(of<RootPlace>(place), of<RigidStep>(step)));
+  return MRW_OK;
+}
+
+mrw_status mrw_world_from_model(const mrw_root_place* place, mrw_affine* out) {
+  MRW_NEEDS(leads_to<RootPlace>(place) && leads_to<Affine>(out), MRW_BAD_ARGUMENT);
+  give<Affine>(out, marrow::world_from_model(of<RootPlace>(place)));
   return MRW_OK;
 }
 

@@ -1,5 +1,7 @@
 // Spaces of a graph: weights of their points, and clips that go by one phase.
 #include "graph/graph_step.h"
+#include "math/finite.h"
+#include "motion/phase_step.h"
 #include "motion/root_screw.h"
 
 namespace marrow {
@@ -40,26 +42,24 @@ std::uint32_t loudest(Span<const PhaseClip> clips) {
 }
 
 // What a clip of the group met and how it moves, from one phase to another.
-Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t point, float weight, const Phase& before,
-              const Phase& after, NodeStep& n) {
-  const ClipMotion& of = clip_of(step.b, space, point).motion;
-  if (of.root.empty()) return Status::ok;
+Status follow(const GraphStep& step, const GraphSpace& space, std::uint32_t point, float weight, bool is_heard,
+              const Phase& before, const Phase& after, NodeStep& n) {
+  const Animation& animation = clip_of(step.b, space, point);
+  const ClipMotion& of = animation.motion;
+  is_heard = is_heard && !of.events.empty() && n.loudness >= step.s.options.least_loudness;
+  if (of.root.empty() && !is_heard) return Status::ok;
   Playback was, now;
+  follow_checked_phase(of, before, after, was, now);
+  if (is_heard) {
+    const Status status = hear(step, animation, was, now, n.entry.begins, n.loudness);
+    if (status != Status::ok) return status;
+  }
+  if (of.root.empty()) return Status::ok;
   Screw screw;
-  if (follow_phase(of, before, after, was, now) != Status::ok || !root_screw(of, was, now, screw))
-    return Status::bad_data;
+  if (!root_screw(of, was, now, screw)) return Status::bad_data;
   add(screw, static_cast<double>(weight), n.motion);
   n.moves = true;
   return Status::ok;
-}
-
-Status hear_in_step(const GraphStep& step, const GraphSpace& space, const NodeStep& n, std::uint32_t point,
-                    const Phase& before, const Phase& after) {
-  const Animation& animation = clip_of(step.b, space, point);
-  if (animation.motion.events.empty() || n.loudness < step.s.options.least_loudness) return Status::ok;
-  Playback was, now;
-  if (follow_phase(animation.motion, before, after, was, now) != Status::ok) return Status::bad_data;
-  return hear(step, animation, was, now, n.entry.begins, n.loudness);
 }
 
 // By the means of the links.
@@ -71,15 +71,13 @@ Status step_together(const GraphStep& step, const GraphSpace& space, float rate,
   const Span<const PhaseClip> group = group_of(step, space, means);
   const Phase before{own.share, own.segment, 0};
   Phase after = before;
-  if (advance_phase(group, static_cast<float>(step.dt_s * static_cast<double>(rate)), after) != Status::ok)
-    return Status::bad_data;
-  if (n.is_heard) {
-    const Status status = hear_in_step(step, space, n, loudest(group), before, after);
-    if (status != Status::ok) return status;
-  }
+  const auto length_s = static_cast<float>(step.dt_s * static_cast<double>(rate));
+  if (!is_finite(length_s)) return Status::bad_data;
+  advance_checked_phase(group, length_s, after);
+  const std::uint32_t heard = n.is_heard ? loudest(group) : kNoIndex;
   for (std::uint32_t i = 0; i < space.point_count; ++i) {
     if (means[i] == 0) continue;
-    const Status status = follow(step, space, i, means[i], before, after, n);
+    const Status status = follow(step, space, i, means[i], i == heard, before, after, n);
     if (status != Status::ok) return status;
   }
   own.share = after.share;

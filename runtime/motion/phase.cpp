@@ -3,6 +3,7 @@
 #include "core/check.h"
 #include "math/finite.h"
 #include "motion/motion_rules.h"
+#include "motion/phase_step.h"
 
 namespace marrow {
 namespace {
@@ -64,6 +65,12 @@ struct Group {
   std::uint32_t segments = 1;
   double weight = 0;
 
+  explicit Group(Span<const PhaseClip> of) : clips(of) {
+    for (const PhaseClip& clip : clips) {
+      weight += static_cast<double>(clip.weight);
+      segments = common_multiple(segments, Cycle(*clip.motion).count());
+    }
+  }
   double length(std::uint32_t segment) const {
     double sum = 0;
     for (const PhaseClip& clip : clips) {
@@ -74,17 +81,19 @@ struct Group {
   }
 };
 
-BadCall check_group(Span<const PhaseClip> clips, Group& group) {
+BadCall check_group(Span<const PhaseClip> clips) {
   MARROW_CHECK(!clips.empty() && holds(clips));
+  std::uint32_t segments = 1;
+  double weight = 0;
   for (const PhaseClip& clip : clips) {
     MARROW_CHECK(clip.motion != nullptr);
     if (const BadCall bad = check_marks(*clip.motion)) return bad;
     MARROW_CHECK(within(clip.weight, 0, 1e6f));
-    group.weight += static_cast<double>(clip.weight);
-    group.segments = common_multiple(group.segments, Cycle(*clip.motion).count());
-    MARROW_CHECK(group.segments <= kMaxMarks && "marks whose least common multiple is at most 64");
+    weight += static_cast<double>(clip.weight);
+    segments = common_multiple(segments, Cycle(*clip.motion).count());
+    MARROW_CHECK(segments <= kMaxMarks && "marks whose least common multiple is at most 64");
   }
-  MARROW_CHECK(group.weight > 0);
+  MARROW_CHECK(weight > 0);
   return {};
 }
 
@@ -127,10 +136,15 @@ Status phase_at(const ClipMotion& motion, float time_s, Phase& out) {
 }
 
 Status advance_phase(Span<const PhaseClip> clips, float dt_s, Phase& phase) {
-  Group group{clips};
-  MARROW_REQUIRE_GOOD(check_group(clips, group));
+  MARROW_REQUIRE_GOOD(check_group(clips));
   MARROW_REQUIRE(is_finite(dt_s));
   MARROW_REQUIRE(is_place(phase));
+  advance_checked_phase(clips, dt_s, phase);
+  return Status::ok;
+}
+
+void advance_checked_phase(Span<const PhaseClip> clips, float dt_s, Phase& phase) {
+  const Group group(clips);
   double round_s = 0;
   for (std::uint32_t i = 0; i < group.segments; ++i) round_s += group.length(i);
   Phase moved{phase.share, phase.segment % group.segments, 0};
@@ -149,19 +163,23 @@ Status advance_phase(Span<const PhaseClip> clips, float dt_s, Phase& phase) {
     moved.passed = static_cast<std::int32_t>(at_most(passed));
   }
   phase = moved;
-  return Status::ok;
 }
 
 Status follow_phase(const ClipMotion& motion, const Phase& before, const Phase& after, Playback& was, Playback& now) {
   MARROW_REQUIRE_GOOD(check_marks(motion));
   MARROW_REQUIRE(is_place(before));
   MARROW_REQUIRE(is_place(after));
+  follow_checked_phase(motion, before, after, was, now);
+  return Status::ok;
+}
+
+void follow_checked_phase(const ClipMotion& motion, const Phase& before, const Phase& after, Playback& was,
+                          Playback& now) {
   const Cycle cycle(motion);
   const ClipPlace start = place_in(cycle, before, before.segment, 0);
   const ClipPlace end = place_in(cycle, after, before.segment, after.passed);
   was = {.time_s = start.time_s};
   now = {.time_s = end.time_s, .turns = static_cast<std::int32_t>(at_most(end.round - start.round))};
-  return Status::ok;
 }
 
 }  // namespace marrow

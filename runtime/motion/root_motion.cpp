@@ -130,6 +130,28 @@ Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, 
   return Status::ok;
 }
 
+RootPlace move_root(const RootPlace& place, const RigidStep& step) {
+  const double *const q = place.rotation, *const p = place.translation;
+  const RigidMotion moved = RigidMotion{{q[0], q[1], q[2], q[3]}, {p[0], p[1], p[2]}} * motion_of(step);
+  const Quaternion<double>& r = moved.rotation;
+  return {{r.x, r.y, r.z, r.w}, {moved.translation.x, moved.translation.y, moved.translation.z}};
+}
+
+Affine world_from_model(const RootPlace& place) {
+  const double* const q = place.rotation;
+  const Quaternion<double> rotation = unit_rotation({q[0], q[1], q[2], q[3]});
+  Affine out;
+  for (int column = 0; column < 3; ++column) {
+    const double is_x = column == 0 ? 1 : 0, is_y = column == 1 ? 1 : 0, is_z = column == 2 ? 1 : 0;
+    const Vector<double> axis = turned(rotation, {is_x, is_y, is_z});
+    out.rows[0][column] = static_cast<float>(axis.x);
+    out.rows[1][column] = static_cast<float>(axis.y);
+    out.rows[2][column] = static_cast<float>(axis.z);
+    out.rows[column][3] = static_cast<float>(place.translation[column]);
+  }
+  return out;
+}
+
 Affine move_root(const Affine& world_from_model, const RigidStep& step) {
   const RigidMotion moved = motion_of(step);
   const Quaternion<double> back = conjugate(moved.rotation);

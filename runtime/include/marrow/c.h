@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 // A number that all rows of the description give: it changes with every struct, enum, constant and function.
-#define MRW_ABI 0x9cf52026u
+#define MRW_ABI 0x4177e301u
 // That of the library. A program compares it with its own MRW_ABI before it calls anything else.
 uint32_t mrw_abi(void);
 
@@ -1662,9 +1662,23 @@ mrw_status mrw_root_step(const mrw_clip_motion* motion, const mrw_playback* befo
 mrw_status mrw_blend_root_steps(const mrw_rigid_step* steps, size_t step_count, const float* weights,
     size_t weight_count, mrw_rigid_step* out) MRW_NODISCARD;
 
-// world_from_model after the step: world_from_model · step. Computed in double and rounded once. Where a game adds up
-// steps for hours, or far from the origin, it may want to keep places in double itself.
+// world_from_model after the step: world_from_model · step. Computed in double and rounded once, so a place some
+// hundred metres from the origin drifts by centimetres a minute: mrw_root_place does not.
 mrw_status mrw_move_root(const mrw_affine* world_from_model, const mrw_rigid_step* step, mrw_affine* out) MRW_NODISCARD;
+
+// Where a character stands in the world, in double precision: steps are added up for hours, and far from the origin.
+typedef struct mrw_root_place mrw_root_place;
+struct mrw_root_place {
+  double rotation[4];  // unit quaternion x, y, z, w
+  double translation[3];  // metres
+};
+void mrw_root_place_init(mrw_root_place* out);
+
+// The place after the step. rotation: of unit length again.
+mrw_status mrw_move_place(const mrw_root_place* place, const mrw_rigid_step* step, mrw_root_place* out) MRW_NODISCARD;
+
+// The place as a matrix, in floats. A game with a camera in double takes its place off before.
+mrw_status mrw_world_from_model(const mrw_root_place* place, mrw_affine* out) MRW_NODISCARD;
 
 // ---- Part phase -----------------------------------------------------------------------------------------------------
 // Phase: clips of different lengths go through their steps together, so that blended feet come down at one time.

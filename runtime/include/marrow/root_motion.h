@@ -44,8 +44,19 @@ MARROW_API Status root_step(const ClipMotion& motion, const Playback& before, co
 // nothing is written. Cost: some 200 operations in double precision a step of weight above 0.
 MARROW_API Status blend_root_steps(Span<const RigidStep> steps, Span<const float> weights, RigidStep& out);
 
-// world_from_model after the step: world_from_model · step. Computed in double and rounded once. Where a game adds up
-// steps for hours, or far from the origin, it may want to keep places in double itself.
+// world_from_model after the step: world_from_model · step. Computed in double and rounded once, so a place some
+// hundred metres from the origin drifts by centimetres a minute: RootPlace does not.
 MARROW_API Affine move_root(const Affine& world_from_model, const RigidStep& step);
+
+// Where a character stands in the world, in double precision: steps are added up for hours, and far from the origin.
+struct RootPlace {
+  double rotation[4] = {0, 0, 0, 1};  // unit quaternion x, y, z, w
+  double translation[3] = {0, 0, 0};  // metres
+};
+
+// The place after the step. rotation: of unit length again.
+MARROW_API RootPlace move_root(const RootPlace& place, const RigidStep& step);
+// The place as a matrix, in floats. A game with a camera in double takes its place off before.
+MARROW_API Affine world_from_model(const RootPlace& place);
 
 }  // namespace marrow

@@ -88,6 +88,14 @@ std::vector<MisuseRow> rows_of_motion() {
       {"move_root",
        [](Misuse& m) {
          (void)move_root({{{1, 0, 0, m.number(1)}, {0, m.number(1), 0, 0}, {0, 0, 1, 0}}}, step_of(m));
+         const double x = static_cast<double>(m.number(1));
+         (void)move_root(RootPlace{{0, x, 0, 1}, {x, 0, 0}}, step_of(m));
+         m.returned_ok();
+       }},
+      {"world_from_model",
+       [](Misuse& m) {
+         const double x = static_cast<double>(m.number(1));
+         (void)world_from_model({{0, x, 0, 1}, {x, 0, 0}});
          m.returned_ok();
        }},
       {"retarget_pose",
