@@ -207,12 +207,25 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   result.reads = std::move(scene.reads);
   const SourceFile source{scene.source, scene.source_bytes};
   BuiltScene built = build_scene(std::move(scene), options, notes);
-  built.graphs = read_graphs(options.graphs, built.clips, notes.reads, notes);
+  built.graphs = read_graphs(options.graphs, &built.clips, notes.reads, notes);
   WrittenFile written = write_scene(built, source.file);
   result.report = report_scene(source, built, written, notes.warnings);
   result.file = std::move(written.bytes);
   // A scene in memory has none.
   if (!result.reads.empty()) result.reads.insert(result.reads.end(), notes.reads.begin(), notes.reads.end());
+  return result;
+}
+
+CookResult cook_graphs(const CookOptions& options) {
+  Notes notes;
+  CookResult result;
+  BuiltScene built;
+  built.graphs = read_graphs(options.graphs, nullptr, result.reads, notes);
+  SourceFile source{options.graphs.front().file, 0};
+  for (const RawRead& read : result.reads) source.bytes += read.bytes;
+  WrittenFile written = write_scene(built, source.file);
+  result.report = report_scene(source, built, written, notes.warnings);
+  result.file = std::move(written.bytes);
   return result;
 }
 

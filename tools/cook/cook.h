@@ -22,6 +22,8 @@ struct CookResult {
 // Throws tools::Failure, located.
 CookResult cook_file(const std::string& path, const CookOptions& options);
 CookResult cook_scene(RawScene scene, const CookOptions& options);
+// A graph pack: the options' graphs alone, for characters of other files. At least one is asked for.
+CookResult cook_graphs(const CookOptions& options);
 
 // What a clip pack is for: a cooked file, or one that is cooked plainly. Throws as load_mrw() and cook_file().
 Character read_character(const std::string& path);

@@ -1,5 +1,6 @@
 #include "pose/evaluate.h"
 
+#include "math/affine.h"
 #include "pose/worn.h"
 
 namespace marrow::tools {
@@ -66,10 +67,10 @@ Play only(const File& file, const Play& play, std::uint32_t skeleton) {
   return out;
 }
 
-Character::Character(const File& file, AsNormals normals, std::uint32_t level)
+Character::Character(const File& file, AsNormals normals, std::uint32_t level, std::uint32_t layers)
     : shapes_(file), tangents_(file.mesh_count()) {
   if (normals == AsNormals::tangents) tangents_ = tangents_of(file, level);
-  const CharacterOptions options{.layers = kMostLayers, .level = level, .skin = true, .animation_space = true};
+  const CharacterOptions options{.layers = layers, .level = level, .skin = true, .animation_space = true};
   memory_ = AlignedBytes(character_bytes(file, options));
   check(make_character(file, options, memory_, body_));
   no_clips_.assign(file.skeleton_count(), kNoClip);
@@ -88,13 +89,30 @@ void Character::pose(std::span<const PlayLayer> layers) {
     all.push_back({layer.play.empty() ? &rest_ : &layer.play, layer.time_s, layer.weight});
   check(pose_character(body_, all));
   shapes_.write(all, body_);
-  for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i) change_(i, body_.skeletons[i].pose);
-  for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
-    if (!body_.meshes[i].weights.empty()) weigh_(i, body_.meshes[i].weights);
+  change_pose();
   check(finish_character(body_));
   for (const std::shared_ptr<Worn>& worn : worn_)
     worn->character->follow(worn->outfit, *this, layers.front().play.empty() ? Play{} : worn->play,
                             layers.front().time_s);
+}
+
+void Character::change_pose() {
+  for (std::uint32_t i = 0; i < body_.skeletons.size && change_; ++i) change_(i, body_.skeletons[i].pose);
+  for (std::uint32_t i = 0; i < body_.meshes.size && weigh_; ++i)
+    if (!body_.meshes[i].weights.empty()) weigh_(i, body_.meshes[i].weights);
+}
+
+void Character::pose(Animator& animator, const Affine& world_from_model, std::span<const AnimationLayer> shown) {
+  check(pose_character(body_, animator));
+  shapes_.write(shown, body_);
+  change_pose();
+  for (const CharacterSkeleton& skeleton : body_.skeletons)
+    for (Affine& joint : skeleton.pose.model_from_joint) {
+      const Affine model_from_joint = joint;
+      multiply(world_from_model, model_from_joint, joint);
+    }
+  check(finish_character(body_));
+  for (const std::shared_ptr<Worn>& worn : worn_) worn->character->follow(worn->outfit, *this, {}, 0);
 }
 
 void Character::follow(const Outfit& outfit, const Character& body, const Play& play, float time_s) {

@@ -83,8 +83,9 @@ struct Worn;
 // A marrow::Character with its memory, that throws. Spaces of example shapes weigh its morph targets.
 class Character {
  public:
-  // level: of detail, as in File::mesh.
-  explicit Character(const File& file, AsNormals normals = AsNormals::blended, std::uint32_t level = 0);
+  // level: of detail, as in File::mesh. layers: that poses hold at once, as an animator may need more.
+  explicit Character(const File& file, AsNormals normals = AsNormals::blended, std::uint32_t level = 0,
+                     std::uint32_t layers = kMostLayers);
   Character(const Character&) = delete;
   Character& operator=(const Character&) = delete;
 
@@ -108,6 +109,9 @@ class Character {
   // A blend of at most kMostLayers.
   void pose(std::span<const PlayLayer> layers);
   static constexpr std::uint32_t kMostLayers = 4;
+  // As an animator has it, standing in the world: set_change() sees poses in model space, and all that follows has
+  // joints in the world. shown: clips that it shows, for spaces of example shapes.
+  void pose(Animator& animator, const Affine& world_from_model, std::span<const AnimationLayer> shown);
   // As an outfit of `body`, in its pose; joints of its own and morph targets play.
   void follow(const Outfit& outfit, const Character& body, const Play& play, float time_s);
   // Deforms one mesh, morphed, in the pose of the last call to pose().
@@ -121,6 +125,7 @@ class Character {
   std::span<const Affine> palette(std::uint32_t mesh) const { return to_std(body_.meshes[mesh].palette); }
 
  private:
+  void change_pose();
   template <class T>
   static std::span<const T> to_std(Span<T> span) {
     return {span.data, span.size};

@@ -43,12 +43,12 @@ void warn_of_missing(const BuiltGraph& graph, const std::string& file, const std
 
 }  // namespace
 
-std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, const std::vector<BuiltClip>& clips,
+std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, const std::vector<BuiltClip>* clips,
                                     std::vector<RawRead>& reads, Notes& notes) {
   std::vector<BuiltGraph> out;
   for (const GraphRule& rule : rules) {
     out.push_back(read_graph(rule, reads, notes));
-    warn_of_missing(out.back(), rule.file, clips, notes);
+    if (clips != nullptr) warn_of_missing(out.back(), rule.file, *clips, notes);
   }
   return out;
 }

@@ -1,29 +1,10 @@
 #include "commands/view/files/source.h"
 
-#include <algorithm>
-#include <filesystem>
-
-#include "common/failure.h"
-#include "common/formats.h"
-#include "cook/cook.h"
-#include "cook/read_source.h"
-#include "options/settings.h"
+#include "cook/scene/cook_options.h"
+#include "cook/scene/raw.h"
 
 namespace marrow::tools {
 namespace {
-
-cook::CookOptions options_for(Source& source) {
-  const std::string folder = std::filesystem::path(source.path).parent_path().string();
-  source.settings = cook::find_settings(source.path, folder.empty() ? "." : folder).value_or("");
-  if (source.settings.empty()) return {};
-  std::vector<bool> used;
-  const cook::CookOptions options =
-      cook::to_options(cook::settings_for(cook::read_settings(source.settings), source.path, used));
-  if (options.clips_only)
-    throw Failure(Exit::usage, source.settings, "", "it makes a clip pack of " + source.path,
-                  "cook the character that the pack is for, and name the pack with --clips");
-  return options;
-}
 
 // Named as cooked meshes are.
 SkinJoints skin_joints(const cook::RawScene& scene) {
@@ -38,35 +19,18 @@ SkinJoints skin_joints(const cook::RawScene& scene) {
   return out;
 }
 
-void cook_in_memory(Source& source) {
-  const cook::CookOptions options = options_for(source);
-  cook::RawScene scene = cook::read_source(source.path, options);
-  // A skeleton that is made takes the place of skins.
-  if (options.auto_skeleton.empty()) source.skins = skin_joints(scene);
-  cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
-  AlignedBytes bytes(cooked.file.size());
-  std::ranges::copy(cooked.file, bytes.data());
-  source.loaded = load_mrw(source.path, std::move(bytes));
-  source.cooked_here = true;
-  source.warnings = cooked.report["warnings"].size();
-  for (const cook::RawRead& read : cooked.reads)
-    if (read.path != source.path) source.reads.push_back(read.path);
-  if (!source.settings.empty()) source.reads.push_back(source.settings);
-}
-
 }  // namespace
 
 Source open_source(const std::string& path, const std::string& images_from) {
   Source source;
   source.path = path;
-  source.reads = {path};
-  if (is_named_source(path)) {
-    cook_in_memory(source);
-    source.images = images_from.empty() ? places_beside(path) : places_of_cooked(path, images_from);
-  } else {
-    source.loaded = load_mrw(path);
-    source.images = places_of_cooked(path, images_from);
-  }
+  CookHere how;
+  // A skeleton that is made takes the place of skins.
+  how.look = [&](const cook::RawScene& scene, const cook::CookOptions& options) {
+    if (options.auto_skeleton.empty()) source.skins = skin_joints(scene);
+  };
+  static_cast<OpenedCharacter&>(source) = open_character(path, how);
+  source.images = source.cooked_here && images_from.empty() ? places_beside(path) : places_of_cooked(path, images_from);
   return source;
 }
 

@@ -1,0 +1,131 @@
+#include "behave/behaviour.h"
+
+#include "common/failure.h"
+#include "graph/animator_state.h"
+#include "math/affine.h"
+#include "pose/choose.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+namespace marrow::tools {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Animations>& animations) {
+  std::vector<std::string> out;
+  for (const Animations& of : animations)
+    for (const Animation& animation : of.all) out.emplace_back(animation.name);
+  return out;
+}
+
+}  // namespace
+
+Behaviour::Behaviour(const std::string& path, const File& file, const BehaviourArguments& arguments,
+                     const AnimatorOptions& options)
+    : Behaviour(path, file, find_graph(path, file, arguments.graph), arguments.clips, options) {}
+
+Behaviour::Behaviour(const std::string& path, const File& file, FoundGraph found, const std::vector<std::string>& packs,
+                     const AnimatorOptions& options)
+    : found_(std::move(found)), options_(options) {
+  expect_joints(path, file);
+  bind(path, file, packs);
+  memory_ = AlignedBytes(animator_bytes(binding_, options_));
+  restart();
+}
+
+void Behaviour::bind(const std::string& path, const File& file, std::span<const std::string> packs) {
+  const auto add = [&](const File& clips) {
+    animations_memory_.emplace_back(animations_bytes(file, clips));
+    check(make_animations(file, clips, animations_memory_.back(), animations_.emplace_back()));
+  };
+  add(file);
+  for (const std::string& pack : packs) {
+    packs_.push_back(load_mrw(pack));
+    plays_of_pack(pack, packs_.back().file, path, file);  // says what does not fit
+    add(packs_.back().file);
+  }
+  binding_memory_ = AlignedBytes(graph_binding_bytes(found_.graph, file));
+  GraphMisfit misfit;
+  const Status status = bind_graph(found_.file, found_.graph, file, {animations_.data(), animations_.size()},
+                                   binding_memory_, binding_, &misfit);
+  if (status != Status::mismatch) return check(status);
+  const std::string rule = std::string(misfit.rule), name = printable(misfit.name);
+  const bool is_clip = rule == "a clip of this name";
+  const std::string graph = "graph \"" + printable(found_.graph.name) + "\"";
+  throw Failure(Exit::usage, found_.path, "",
+                is_clip ? graph + " wants a clip \"" + name + "\", which " + path + " has not"
+                        : graph + " wants " + rule + ": " + name,
+                is_clip ? printable(suggestion(misfit.name, names_of(animations_))) : "it does not fit " + path);
+}
+
+void Behaviour::restart() {
+  check(make_animator(binding_, options_, memory_, animator_));
+  step_ = {};
+  world_from_model_ = kIdentity;
+  time_s_ = 0;
+}
+
+std::string Behaviour::parameter_name(std::uint32_t parameter) const {
+  return found_.file.text(graph().parameters[parameter].name);
+}
+
+std::string Behaviour::node_name(std::uint32_t node) const {
+  return found_.file.text(graph().nodes[node].name);
+}
+
+std::string Behaviour::state_name(std::uint32_t node, std::uint32_t state) const {
+  const GraphMachine& machine = graph().machines[graph().nodes[node].record];
+  return found_.file.text(graph().states[machine.first_state + state].name);
+}
+
+std::uint32_t Behaviour::parameter(const std::string& name) const {
+  const std::uint32_t found = find_parameter(binding_, name.c_str());
+  if (found < graph().parameters.size) return found;
+  std::vector<std::string> names;
+  for (std::uint32_t p = 0; p < graph().parameters.size; ++p) names.push_back(parameter_name(p));
+  throw Failure(Exit::usage, found_.path, "", "there is no parameter \"" + printable(name) + "\"",
+                names.empty() ? "the graph has none" : printable(suggestion(name, names)));
+}
+
+void Behaviour::set(std::uint32_t parameter, float value) {
+  switch (graph().parameters[parameter].kind) {
+    case ParameterKind::number:
+      return check(set_number(animator_, parameter, value));
+    case ParameterKind::flag:
+      return check(set_flag(animator_, parameter, value > 0.5f));
+    case ParameterKind::trigger:
+      return check(fire(animator_, parameter));
+  }
+}
+
+float Behaviour::value(std::uint32_t parameter) const {
+  const ParameterState& state = parameters_of(animator_.state)[parameter];
+  return graph().parameters[parameter].kind == ParameterKind::number ? state.value : state.target;
+}
+
+const AnimatorStep& Behaviour::update(float dt_s) {
+  check(update_animator(animator_, dt_s, step_));
+  world_from_model_ = move_root(world_from_model_, step_.root);
+  time_s_ += static_cast<double>(dt_s);
+  return step_;
+}
+
+void Behaviour::pose(Character& character) {
+  std::vector<AnimationLayer> layers;
+  for (const ShownNode& n : shown())
+    if (n.is_clip) layers.push_back({n.animation, n.time_s, n.weight});
+  character.pose(animator_, world_from_model_, layers);
+}
+
+std::vector<MachineNow> Behaviour::machines() const {
+  std::vector<MachineNow> out;
+  for (std::uint32_t n = 0; n < graph().nodes.size; ++n) {
+    if (graph().nodes[n].kind != GraphNodeKind::machine) continue;
+    MachineNow now{node_name(n), "", 0};
+    const std::uint32_t state = state_of(animator_, n, &now.seconds);
+    if (state != kNoIndex) now.state = state_name(n, state);
+    out.push_back(now);
+  }
+  return out;
+}
+
+}  // namespace marrow::tools
