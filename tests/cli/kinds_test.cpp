@@ -31,6 +31,7 @@ class Kinds : public ::testing::Test {
            0);
     expect({"cook", in("triangle.gltf"), "-o", in("scenery.mrw")}, 0);
     expect({"cook", in("rig.gltf"), "-o", in("rig.mrw")}, 0);
+    expect({"cook", "--graph", in_golden("graph.toml"), "-o", in("graphs.mrw")}, 0);
   }
   static void TearDownTestSuite() {
     delete folder_;
@@ -72,6 +73,7 @@ TEST_F(Kinds, DoWhatTheTableSays) {
       {"rig.mrw", "", no_mesh, no_pack, unfit},
       {"moves.mrw", pack, pack, "", "no skeleton: cook the outfit with --skeleton"},
       {"others.mrw", pack, pack, unfit, "no skeleton: cook the outfit with --skeleton"},
+      {"graphs.mrw", "", no_mesh, no_pack, "no skeleton: cook the outfit with --skeleton"},
   };
   const auto code = [](const char* why) { return *why == '\0' ? 0 : static_cast<int>(kInvalid); };
   for (const Row& row : rows) {

@@ -14,7 +14,12 @@ void add_cook(CLI::App& app, int& exit_code) {
   command->add_option("--depfile", a.depfile, "also write what outputs were made from, for ninja and make")
       ->type_name("FILE");
   add_cook_options(command, {}, a.given);
-  command->callback([&exit_code] { exit_code = run_cook(a); });
+  command->get_option("inputs")->required(false);
+  command->callback([&exit_code] {
+    // Graphs alone need no model.
+    if (a.inputs.empty() && !a.given.contains("graph")) throw CLI::RequiredError("inputs");
+    exit_code = a.inputs.empty() ? cook_graph_pack(a) : run_cook(a);
+  });
 }
 
 }  // namespace marrow::tools

@@ -13,6 +13,7 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/parallel.h"
+#include "cook/cook.h"
 #include "jobs/depfile.h"
 #include "terminal/progress.h"
 
@@ -127,6 +128,36 @@ int cook_batch(const CookArguments& a) {
 int run_cook(const CookArguments& arguments) {
   if (arguments.jobs > 0) set_thread_count(arguments.jobs);
   return is_batch(arguments.inputs, arguments.out) ? cook_batch(arguments) : cook_one(arguments);
+}
+
+int cook_graph_pack(const CookArguments& a) {
+  for (const auto& [name, values] : a.given)
+    if (name != "graph")
+      throw Failure(Exit::usage, "--" + name, "", "graphs without a model", "name a model, or leave it out");
+  const cook::CookOptions options = cook::to_options(a.given);
+  const std::vector<std::string> written = {a.out, a.report, a.depfile};
+  std::vector<std::string> read;
+  for (const cook::GraphRule& rule : options.graphs) read.push_back(rule.file);
+  expect_distinct(written, read);
+  expect_cooked_name(a.out);
+  expect_all_writable(written);
+  cook::CookResult result = cook::cook_graphs(options);
+  result.report["output"]["file"] = a.out;
+  Outcome outcome;
+  outcome.report = std::move(result.report);
+  const CookJob job = plan_one(read[0], a.out);
+  print_warnings(job, outcome);
+  const std::string report = report_text(outcome.report);
+  std::vector<StagedFile> staged;
+  if (!a.depfile.empty()) staged.emplace_back(a.depfile, bytes_of(depfile_rule(a.out, read)));
+  if (!a.report.empty()) staged.emplace_back(a.report, bytes_of(report));
+  staged.emplace_back(a.out, result.file);
+  StagedFile::commit_all(staged);
+  if (a.json)
+    fmt::print("{}", report);
+  else
+    fmt::print("{}: {} bytes; {} graph{}\n", a.out, result.file.size(), read.size(), read.size() == 1 ? "" : "s");
+  return 0;
 }
 
 }  // namespace marrow::tools

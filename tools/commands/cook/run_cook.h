@@ -10,4 +10,7 @@ namespace marrow::tools {
 // inputs' order.
 int run_cook(const CookArguments& arguments);
 
+// No input but graphs, into a file of them alone. Throws Failure: also usage for options of anything else.
+int cook_graph_pack(const CookArguments& arguments);
+
 }  // namespace marrow::tools

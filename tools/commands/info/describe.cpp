@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "commands/info/clip_motions.h"
+#include "commands/info/graphs.h"
 #include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
 #include "common/section_names.h"
@@ -44,12 +45,13 @@ ordered_json describe_totals(const LoadedFile& loaded) {
                                 bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")) +
                                 bytes_of(sections_of(loaded, "ROLE")) + bytes_of(sections_of(loaded, "PMAP")),
                     clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS")),
-                    images = bytes_of(sections_of(loaded, "IMAG"));
+                    graphs = bytes_of(sections_of(loaded, "GRPH")), images = bytes_of(sections_of(loaded, "IMAG"));
   return {{"geometry", geometry},
           {"skeletons", skeletons},
           {"clips", clips},
+          {"graphs", graphs},
           {"images", images},
-          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips - images}};
+          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips - graphs - images}};
 }
 
 // Of the box around the joints at rest, scene units.
@@ -302,6 +304,7 @@ ordered_json describe(const std::string& path, const LoadedFile& loaded) {
   r["meshes"] = describe_meshes(loaded);
   r["shapes"] = describe_shapes(loaded);
   r["clips"] = describe_clips(loaded);
+  describe_graphs(path, loaded, r);
   describe_looks(loaded.file, r);
   describe_nodes(loaded.file, r);
   return r;

@@ -8,6 +8,7 @@
 
 #include "commands/info/clip_motions.h"
 #include "commands/info/describe.h"
+#include "commands/info/graphs.h"
 #include "commands/info/joint_roles.h"
 #include "commands/info/looks.h"
 #include "common/failure.h"
@@ -86,6 +87,7 @@ class Tree {
     add_meshes();
     add_skeletons();
     add_clips();
+    if (!r_["graphs"].empty()) branch("graphs", "graphs");
     if (r_["totals"]["images"] != 0 || !source_.is_null()) branch("images", "images");
     branch("names and structure", "names_and_structure", true);
   }
@@ -113,7 +115,9 @@ class Tree {
     return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
   }
   std::string source_bytes(const char* field) const {
-    return source_.is_null() ? "" : fmt::format("source {} B", source_[field].get<std::size_t>());
+    return source_.is_null() || !source_.contains(field)
+               ? ""
+               : fmt::format("source {} B", source_[field].get<std::size_t>());
   }
   // Bytes of the source's element of the same name.
   std::string source_bytes(const char* list, const ordered_json& name) const {
@@ -248,6 +252,7 @@ class Tree {
 void print(const ordered_json& description, const ordered_json& source) {
   Tree(description, source).print();
   if (!description["meshes"].empty()) fmt::print("{}\n", kGpuLegend);
+  print_graphs(description);
   print_looks(description);
   print_nodes(description);
 }
