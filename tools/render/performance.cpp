@@ -9,7 +9,9 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kMoments = 16;
+constexpr int kMoments = 16;  // of a clip
+constexpr float kMomentsPerSecond = 8, kFarthest = 2;
+constexpr int kMostMoments = 128;
 constexpr std::size_t kPointsPerMoment = 4000;
 constexpr float kBands = 64;  // a radius, on a turntable
 constexpr int kSides = 32;    // likewise
@@ -57,37 +59,51 @@ glm::vec3 Performance::anchor(const Character& character) const {
 }
 
 Performance::Performance(const File& file, Character& character, const Play& play) : file_(file) {
+  const Moments moments{play.duration_s, [&](float time_s) { character.pose(play, time_s); }};
+  look(character, moments, play.duration_s > 0 ? kMoments : 1);
+  keep_points(way_.radius() > 0.5f * radius_);
+}
+
+Performance::Performance(const File& file, Character& character, const Moments& moments) : file_(file) {
+  look(character, moments, std::clamp(static_cast<int>(kMomentsPerSecond * moments.duration_s) + 1, 1, kMostMoments));
+  ground_height_ = first_lowest_;
+  keep_points(moments.follows.value_or(way_.radius() > kFarthest * radius_));
+}
+
+void Performance::look(Character& character, const Moments& moments, int count) {
   character.pose({}, 0);
-  diagonal_ = 2 * box_of(skin_all(file, character, Deformer::ssd)).radius();
-  duration_s_ = play.duration_s;
-  const int moments = duration_s_ > 0 ? kMoments : 1;
-  std::vector<glm::vec3> anchors;
-  std::vector<std::vector<glm::vec3>> points;
-  Box ground, trail;
+  diagonal_ = 2 * box_of(skin_all(file_, character, Deformer::ssd)).radius();
+  duration_s_ = moments.duration_s;
+  Box ground;
   radius_ = 0;
-  for (int m = 0; m < moments; ++m) {
-    character.pose(play, duration_s_ * static_cast<float>(m) / static_cast<float>(moments));
-    const std::vector<PosedMesh> posed = skin_all(file, character, Deformer::ssd);
+  for (int m = 0; m < count; ++m) {
+    moments.pose(duration_s_ * static_cast<float>(m) / static_cast<float>(count));
+    const std::vector<PosedMesh> posed = skin_all(file_, character, Deformer::ssd);
     const Box box = box_of(posed);
     ground.add(box.min);
+    if (m == 0) first_lowest_ = box.min.y;
     radius_ = std::max(radius_, box.radius());
-    anchors.push_back(anchor(character));
-    trail.add(anchors.back());
+    anchors_.push_back(anchor(character));
+    way_.add(anchors_.back());
     std::size_t slots = 0;
     for (const PosedMesh& mesh : posed) slots += mesh.positions.size() / 3;
     const std::size_t stride = std::max<std::size_t>(1, slots / kPointsPerMoment);
-    std::vector<glm::vec3>& kept = points.emplace_back();
+    std::vector<glm::vec3>& kept = moved_.emplace_back();
     for (const PosedMesh& mesh : posed) {
       for (std::size_t slot = 0; 3 * slot < mesh.positions.size(); slot += stride) kept.push_back(point(mesh, slot));
     }
     if (kept.empty()) kept.push_back(box.centre());
   }
-  follows_ = trail.radius() > 0.5f * radius_;
-  for (std::size_t m = 0; m < points.size(); ++m) {
-    for (const glm::vec3& p : points[m]) points_.push_back(follows_ ? p - anchors[m] : p);
-  }
   ground_height_ = ground.min.y;
   radius_ = std::max(radius_, 1e-20f);
+}
+
+void Performance::keep_points(bool follows) {
+  follows_ = follows;
+  for (std::size_t m = 0; m < moved_.size(); ++m) {
+    for (const glm::vec3& p : moved_[m]) points_.push_back(follows_ ? p - anchors_[m] : p);
+  }
+  moved_.clear();
 }
 
 Shot Performance::shot(const Character& character, float aspect, float margin, float turn_rad) const {

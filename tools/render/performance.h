@@ -1,6 +1,8 @@
 // A clip as the camera sees it: where the character is over the whole of it, and how to frame that.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "pose/evaluate.h"
@@ -9,10 +11,20 @@
 
 namespace marrow::tools {
 
+// What a character does that goes by no clip.
+struct Moments {
+  float duration_s = 0;
+  std::function<void(float)> pose;  // the character at a moment; called from the first to the last
+  std::optional<bool> follows =
+      {};  // whether the camera goes along; else if the character goes farther than it is large
+};
+
 class Performance {
  public:
   // Looks at 16 moments of what is played, or at the rest pose. Leaves `character` in some pose.
   Performance(const File& file, Character& character, const Play& play);
+  // Looks at up to 128. It stands on the ground at the first of them.
+  Performance(const File& file, Character& character, const Moments& moments);
 
   float duration_s() const { return duration_s_; }
   // Diagonal of the rest pose's box, scene units.
@@ -29,6 +41,10 @@ class Performance {
   // A picture by another camera.
   Shot shot_by(const Camera& camera) const;
   float radius() const { return radius_; }
+  // Where it is known better than by what is lowest.
+  void set_ground_height(float height) { ground_height_ = height; }
+  // Where the character goes over the ground before a camera that stands; empty of one that follows.
+  Box way() const { return follows_ ? Box() : way_; }
   // What all of it stays in, where the character stands.
   Box box(const Character& character) const;
   // The same on a turntable: framed so that all sides fit, from one distance, and lit from where the camera is.
@@ -36,11 +52,16 @@ class Performance {
                    const Orbit& side = {}) const;
 
  private:
+  void look(Character& character, const Moments& moments, int count);
+  void keep_points(bool follows);
   glm::vec3 anchor(const Character& character) const;
   File file_;
-  std::vector<glm::vec3> points_;  // model space, minus the anchor where the camera follows
-  float ground_height_ = 0;
+  std::vector<glm::vec3> anchors_;             // a moment
+  std::vector<std::vector<glm::vec3>> moved_;  // likewise, model space; empty once points are kept
+  std::vector<glm::vec3> points_;              // model space, minus the anchor where the camera follows
+  float ground_height_ = 0, first_lowest_ = 0;
   float radius_ = 1;
+  Box way_;
   float duration_s_ = 0;
   float diagonal_ = 1;
   bool follows_ = false;

@@ -305,8 +305,8 @@ void Studio::draw_surfaces(const Shot& shot, std::span<const Drawable> drawables
   cull_nothing();
 }
 
-Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables) {
-  take(shot, drawables);
+Image Studio::shoot(const Shot& shot, std::span<const Drawable> drawables, Strokes* strokes) {
+  take(shot, drawables, strokes);
   Image image = read_pixels(gl_, resolved_framebuffer_, width_, height_);
   gl_.check("drawing a picture");
   return image;

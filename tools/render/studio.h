@@ -66,10 +66,10 @@ class Studio {
   // What skinners and crowds that it draws are created with; as long as the studio.
   gles3::ProgramSet& programs() { return programs_; }
 
-  Image shoot(const Shot& shot, std::span<const Drawable> drawables);
+  // strokes: drawn last, among the surfaces; null: none.
+  Image shoot(const Shot& shot, std::span<const Drawable> drawables, Strokes* strokes = nullptr);
 
   // The same in two steps: the picture stays on the GPU until the next one is taken.
-  // strokes: drawn last, among the surfaces; null: none.
   void take(const Shot& shot, std::span<const Drawable> drawables, Strokes* strokes = nullptr);
   // Draws it, stretched, into a rectangle of a frame buffer that does not encode sRGB: a window's. x, y: its lower left
   // corner.

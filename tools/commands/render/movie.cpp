@@ -125,15 +125,15 @@ std::unique_ptr<Reel> make_reel(const RenderArguments& arguments, const Movie& m
 
 }  // namespace
 
-Movie plan_movie(const RenderArguments& arguments, const Play& play) {
-  const double clip_s = arguments.held ? 0 : static_cast<double>(play.duration_s);
+Movie plan_movie(const RenderArguments& arguments, float duration_s, bool goes_round) {
+  const double clip_s = arguments.held ? 0 : static_cast<double>(duration_s);
   const bool plays = clip_s > 0;
   const double turn_deg = arguments.turn_deg ? static_cast<double>(*arguments.turn_deg) : plays ? 0 : 360;
   if (!plays && turn_deg == 0)
     throw Failure(Exit::usage, "--movie", "", "nothing would move", "name a clip without --time, or give --turn");
   const double turn_s = std::abs(turn_deg) / kTurnDegPerS;
   Movie movie;
-  movie.duration_s = plays ? clip_s * std::max(1.0, std::ceil(turn_s / clip_s)) : turn_s;
+  movie.duration_s = !plays ? turn_s : goes_round ? clip_s * std::max(1.0, std::ceil(turn_s / clip_s)) : clip_s;
   const double frames = std::max(1.0, std::round(movie.duration_s * arguments.fps));
   if (!(frames <= kMostFrames))
     throw Failure(
@@ -193,7 +193,7 @@ std::string movie_size(const std::string& output, const std::string& size) {
 }
 
 void shoot_movie(const RenderArguments& arguments, Sitting& sitting) {
-  const Movie movie = plan_movie(arguments, sitting.play());
+  const Movie movie = plan_movie(arguments, sitting.duration_s(), !sitting.is_acting());
   const std::size_t frames = movie.instants.size();
   sitting.agree_on_heat(movie.instants);
   const std::unique_ptr<Reel> reel = make_reel(arguments, movie, sitting);

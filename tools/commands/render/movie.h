@@ -16,8 +16,9 @@ struct Movie {
   double duration_s = 0;
 };
 
-// What --fps, --turn and --time make of a clip. Throws Failure (usage) if nothing would move, or too much.
-Movie plan_movie(const RenderArguments& arguments, const Play& play);
+// What --fps, --turn and --time make of what takes so long, 0: nothing moves. goes_round: it ends as it began. Throws
+// Failure (usage) if nothing would move, or too much.
+Movie plan_movie(const RenderArguments& arguments, float duration_s, bool goes_round);
 
 // Names of numbered frames: FOLDER/, or one number as in frame%04d.png.
 struct FrameNames {

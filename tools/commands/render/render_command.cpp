@@ -3,9 +3,20 @@
 #include "commands/look_arguments.h"
 #include "commands/render/movie.h"
 #include "commands/render/render.h"
+#include "common/failure.h"
 
 namespace marrow::tools {
 namespace {
+
+constexpr const char* kFilmSize = "240x320";
+
+// As it is given on the command line.
+struct GraphOptions {
+  ActingArguments acting;
+  std::vector<std::string> packs;
+  std::string camera, trace;
+  float seconds = 0;
+};
 
 void add_movie(CLI::App* command, RenderArguments& a) {
   CLI::Option* const movie =
@@ -13,11 +24,10 @@ void add_movie(CLI::App* command, RenderArguments& a) {
                         "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
                         "an animated PNG (.png), or by the program ffmpeg .gif, .mp4 or .webm, or, with -o FOLDER/ or "
                         "-o NAME%04d.png, numbered frames; without --size one .png or .gif has 480x360");
-  command->add_option("--fps", a.fps, "frames a second of a movie")
+  command->add_option("--fps", a.fps, "frames a second of a movie or a trace")
       ->type_name("N")
       ->check(CLI::Range(1, 60))
-      ->capture_default_str()
-      ->needs(movie);
+      ->capture_default_str();
   command
       ->add_option("--turn", a.turn_deg,
                    "degrees that the camera and the lights walk round the character over the movie, at most 60 a "
@@ -26,6 +36,12 @@ void add_movie(CLI::App* command, RenderArguments& a) {
       ->check(finite("degrees"))
       ->check(CLI::Range(-3600.0f, 3600.0f))
       ->needs(movie);
+  command
+      ->add_option("--film", a.film,
+                   "so many moments in one picture, evenly over what is played; without --size each has 240x320")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64))
+      ->excludes(movie);
 }
 
 void add_viewpoint(CLI::App* command, ViewpointArguments& a) {
@@ -40,11 +56,71 @@ void add_viewpoint(CLI::App* command, ViewpointArguments& a) {
       ->needs(joint);
 }
 
+// --clips as add_look() has it takes one pack; a graph takes several.
+void add_acting(CLI::App* command, GraphOptions& a) {
+  command->remove_option(command->get_option("--clips"));
+  command->add_option("--clips", a.packs, "take clips from this clip pack; for --graph it may be given several times")
+      ->type_name("PACK.mrw")
+      ->allow_extra_args(false);
+  CLI::Option* const graph =
+      command
+          ->add_option("--graph", a.acting.behaviour.graph,
+                       "the character goes by a graph of behaviour: one of the file by name, without it the only one; "
+                       "a text, which is cooked now; or of a graph pack, NAME@PACK.mrw where it has several. A model "
+                       "(.glb and others) is cooked as well, with --root '*=ground'")
+          ->type_name("[NAME|FILE.toml|PACK.mrw]")
+          ->expected(0, 1);
+  command
+      ->add_option("--script", a.acting.script,
+                   "what is set when: lines of TIME PARAMETER [VALUE], as in 1.5 speed 2, 3 armed true, 4 jump")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile)
+      ->needs(graph);
+  command->add_option("--seconds", a.seconds, "how long it plays; without it until 2 s after the script's last line")
+      ->type_name("S")
+      ->check(CLI::Range(0.0f, 3600.0f))
+      ->needs(graph);
+  command
+      ->add_option("--camera", a.camera,
+                   "follow: goes along with the character; stand: has all of its way in the picture; without it it "
+                   "follows who goes farther than twice their size")
+      ->type_name("WORD")
+      ->check(CLI::IsMember({"follow", "stand"}))
+      ->needs(graph);
+  command
+      ->add_option("--trace", a.trace,
+                   "also write what happens in each frame: parameters, states, weights, events, the root's place; "
+                   "without -o alone")
+      ->type_name("T.json")
+      ->needs(graph);
+}
+
+// What is meant by options of graphs, and what they do not go with.
+void take_graph(const CLI::App& command, const GraphOptions& given, RenderArguments& a) {
+  const bool acts = command.count("--graph") > 0;
+  if (!acts && given.packs.size() > 1)
+    throw Failure(Exit::usage, "--clips", "", "several packs", "a clip comes from one; --graph takes several");
+  a.choice.clips = acts || given.packs.empty() ? "" : given.packs[0];
+  if (!acts) return;
+  for (const char* const other : {"--clip", "--ik", "--between"})
+    if (command.count(other) > 0)
+      throw Failure(Exit::usage, other, "", "a character that goes by a graph", "leave it out, or --graph");
+  if (a.path == SkinPath::crowd)
+    throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from clips", "use another --path");
+  a.acting = given.acting;
+  a.acting->behaviour.clips = given.packs;
+  if (command.count("--seconds") > 0) a.acting->seconds = given.seconds;
+  if (!a.acting->seconds && a.held) a.acting->seconds = std::max(a.choice.time_s, 0.0f);
+  if (!given.camera.empty()) a.camera_follows = given.camera == "follow";
+  a.trace = given.trace;
+}
+
 }  // namespace
 
 void add_render(CLI::App& app, int&) {
   static RenderArguments a;  // as long as the options that point at it
-  CLI::App* const command = app.add_subcommand("render", "Draw a character at a moment of a clip, or a movie");
+  CLI::App* const command =
+      app.add_subcommand("render", "Draw a character at a moment of a clip or a graph, or a movie");
   add_look(command, a, kSkinPaths);
   add_outfits(command, a.outfits);
   add_reach(command, a.reach);
@@ -52,10 +128,16 @@ void add_render(CLI::App& app, int&) {
   add_viewpoint(command, a.viewpoint);
   command->add_flag("--springs", a.springs, "the file's springs swing as the clip moves them, from its beginning on");
   add_movie(command, a);
-  command->add_option("-o,--output", a.output, "the picture, PNG, or the movie")->required()->type_name("P.png");
+  static GraphOptions graph;
+  add_acting(command, graph);
+  command->add_option("-o,--output", a.output, "the picture, PNG, or the movie")->type_name("P.png");
   command->callback([command] {
     a.held = command->count("--time") > 0;
-    if (a.movie && command->count("--size") == 0) a.size = default_movie_size(a.output);
+    take_graph(*command, graph, a);
+    if (a.output.empty() && a.trace.empty()) throw CLI::RequiredError("--output");
+    if (command->count("--fps") > 0 && !a.movie && a.trace.empty()) throw CLI::RequiresError("--fps", "--movie");
+    if (command->count("--size") == 0 && a.movie) a.size = default_movie_size(a.output);
+    if (command->count("--size") == 0 && a.film) a.size = kFilmSize;
     run_render(a);
   });
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
+#include "common/formats.h"
 #include "pose/worn.h"
 #include "render/heat.h"
 #include "render/legend.h"
@@ -16,6 +17,33 @@ namespace marrow::tools {
 namespace {
 
 constexpr float kFrameMargin = 0.09f;
+// How a footprint pales.
+constexpr double kFresh_s = 3;
+constexpr float kFresh = 0.9f, kOld = 0.4f;
+
+LoadedFile load_for(const RenderArguments& arguments) {
+  if (!arguments.acting) return load_level(arguments.file, arguments.lod);
+  OpenedCharacter opened = open_character(arguments.file, {.takes_roots = true, .look = {}});
+  expect_level(arguments.file, opened.loaded.file, arguments.lod);
+  return std::move(opened.loaded);
+}
+
+std::unique_ptr<Acting> act(const RenderArguments& arguments, const File& file) {
+  if (!arguments.acting) return nullptr;
+  auto acting = std::make_unique<Acting>(arguments.file, file, *arguments.acting);
+  for (const std::string& warning : acting->behaviour().found().warnings) fmt::print(stderr, "{}\n", warning);
+  return acting;
+}
+
+std::uint32_t layers_of(const Acting* acting) {
+  return std::max(Character::kMostLayers, acting != nullptr ? acting->behaviour().layers() : 0);
+}
+
+ImagePlaces places_for(const RenderArguments& arguments) {
+  return is_named_source(arguments.file) && arguments.images_from.empty()
+             ? places_beside(arguments.file)
+             : places_of_cooked(arguments.file, arguments.images_from);
+}
 
 }  // namespace
 
@@ -24,16 +52,18 @@ Sitting::Sitting(const RenderArguments& arguments)
       size_(parse_size(arguments.size)),
       manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
       normals_(arguments.normals),
-      loaded_(load_level(arguments.file, arguments.lod)),
+      loaded_(load_for(arguments)),
       chosen_(choose(arguments.file, loaded_.file, arguments.choice, !arguments.outfits.empty())),
+      acting_(act(arguments, loaded_.file)),
       viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
       reach_(loaded_.file, arguments.reach),
       springs_(loaded_.file),
-      character_(loaded_.file, normals_, arguments.lod),
-      performance_(loaded_.file, prepared(), chosen_.play),
-      textures_(gl_, arguments.file, loaded_.file, places_of_cooked(arguments.file, arguments.images_from)),
+      character_(loaded_.file, normals_, arguments.lod, layers_of(acting_.get())),
+      performance_(perform()),
+      textures_(gl_, arguments.file, loaded_.file, places_for(arguments)),
       studio_(gl_, size_.first, size_.second),
-      figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod) {
+      figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod),
+      strokes_(gl_) {
   for (const Deformer deformer :
        {manner_.heat ? manner_.heat->first : manner_.deformer, manner_.heat ? manner_.heat->second : manner_.deformer})
     expect_deformer(arguments.file, loaded_.file, deformer);
@@ -48,6 +78,15 @@ Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const
                                 const RenderArguments& arguments)
     : textures(gl, worn.path, worn.loaded.file, places_of_cooked(worn.path, arguments.images_from)),
       figure(gl, programs, worn.loaded.file, &textures, arguments.normals, arguments.lod) {}
+
+Performance Sitting::perform() {
+  Character& character = prepared();
+  if (!acting_) return {loaded_.file, character, chosen_.play};
+  Performance out(loaded_.file, character,
+                  Moments{duration_s(), [this](float time_s) { pose_at(time_s); }, arguments_.camera_follows});
+  if (const std::optional<float> ground = acting_->ground_height()) out.set_ground_height(*ground);
+  return out;
+}
 
 // Dressed, and with its goals.
 Character& Sitting::prepared() {
@@ -79,12 +118,26 @@ Character& Sitting::prepared() {
     if (swung_s_ < 0 || !springs_.has(skeleton)) return;
     SpringFrame frame;
     frame.dt_s = dt_s_;
+    if (acting_) frame.world_from_model = acting_->behaviour().world_from_model();
     springs_.swing(skeleton, frame, pose);
   });
   return character_;
 }
 
+void Sitting::act_to(float time_s) {
+  if (time_s < acting_->now_s() || acting_->now_s() < 0) springs_ = FileSprings(loaded_.file);
+  if (arguments_.springs) swung_s_ = time_s;
+  acting_->play_to(static_cast<double>(time_s), [this](float dt_s) {
+    dt_s_ = dt_s;
+    acting_->behaviour().pose(character_);
+    acting_->leave_prints(character_);
+  });
+  dt_s_ = 0;
+  acting_->behaviour().pose(character_);
+}
+
 void Sitting::pose_at(float time_s) {
+  if (acting_) return act_to(time_s);
   if (frames_) frames_->move_to(time_s);
   character_.pose(chosen_.play, time_s);
 }
@@ -168,6 +221,17 @@ void Sitting::warn_of_misses() const {
   }
 }
 
+void Sitting::add_ground(const Shot& shot) {
+  strokes_.clear();
+  add_squares(shot, performance_.way(), strokes_);
+  for (const Acting::Print& p : acting_->prints()) {
+    const double age = std::min((acting_->now_s() - p.at_s) / kFresh_s, 1.0);
+    GroundPrint print = p.print;
+    print.at.y = shot.ground_height;
+    add_print(print, kFresh + (kOld - kFresh) * static_cast<float>(age), strokes_);
+  }
+}
+
 Image Sitting::shoot(const Instant& instant) {
   Image image = glimpse(instant);
   note_misses();
@@ -175,7 +239,7 @@ Image Sitting::shoot(const Instant& instant) {
 }
 
 Image Sitting::glimpse(const Instant& instant) {
-  if (arguments_.springs) swing_to(instant.time_s);
+  if (arguments_.springs && !acting_) swing_to(instant.time_s);
   pose_at(instant.time_s);
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
@@ -186,7 +250,8 @@ Image Sitting::glimpse(const Instant& instant) {
          drawables_of(worn.path, worn.loaded.file, *worn.character, worn_[i]->figure, manner_, shot))
       drawables.push_back(d);
   }
-  Image image = studio_.shoot(shot, drawables);
+  if (acting_) add_ground(shot);
+  Image image = studio_.shoot(shot, drawables, &strokes_);
   if (manner_.heat) draw_legend(image, "distance, " + arguments_.heatmap, largest_m_, manner_.heat_scale);
   for (const Reach::Goal& goal : reach_.goals()) draw_mark(image, shot.camera, goal.position);
   return image;

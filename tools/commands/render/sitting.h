@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "behave/open_character.h"
+#include "commands/render/acting.h"
 #include "commands/render/render.h"
 #include "pose/file_springs.h"
 #include "render/performance.h"
@@ -23,7 +25,11 @@ class Sitting {
   // Throws Failure: usage if an option makes no sense, and what loading, textures and the driver throw.
   explicit Sitting(const RenderArguments& arguments);
 
-  const Play& play() const { return chosen_.play; }
+  // How long what is played takes; 0: nothing moves.
+  float duration_s() const { return acting_ ? acting_->duration_s() : chosen_.play.duration_s; }
+  // Whether it ends elsewhere than it begins.
+  bool is_acting() const { return acting_ != nullptr; }
+  const File& file() const { return loaded_.file; }
   int width() const { return size_.first; }
   int height() const { return size_.second; }
   const Gl& gl() const { return gl_; }
@@ -47,16 +53,20 @@ class Sitting {
     int pictures = 0;
   };
   Character& prepared();
+  Performance perform();
+  void act_to(float time_s);
   void swing_to(float time_s);
   void pose_at(float time_s);
   Shot frame(const Instant& instant) const;
+  void add_ground(const Shot& shot);
   void note_misses();
   const RenderArguments& arguments_;
   std::pair<int, int> size_;
   Manner manner_;
   AsNormals normals_;
   LoadedFile loaded_;
-  Chosen chosen_;
+  Chosen chosen_;                   // nothing with a graph
+  std::unique_ptr<Acting> acting_;  // null: a clip plays
   Viewpoint viewpoint_;
   Reach reach_;
   std::vector<Misses> misses_;  // as reach_.goals()
@@ -71,6 +81,7 @@ class Sitting {
   Textures textures_;
   Studio studio_;
   Figure figure_;
+  Strokes strokes_;  // of the ground below what acts
   // One of what the character wears.
   struct WornFigure {
     WornFigure(const Gl& gl, gles3::ProgramSet& programs, const Worn& worn, const RenderArguments& arguments);

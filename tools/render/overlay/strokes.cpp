@@ -53,6 +53,10 @@ void Strokes::line(glm::vec3 from, glm::vec3 to, glm::vec4 colour) {
   lines_.push_back({to, colour});
 }
 
+void Strokes::line(const Corner& from, const Corner& to) {
+  lines_.insert(lines_.end(), {from, to});
+}
+
 void Strokes::face(const Corner& a, const Corner& b, const Corner& c) {
   faces_.insert(faces_.end(), {a, b, c});
 }

@@ -28,6 +28,7 @@ class Strokes {
     glm::vec3 at{0};
     glm::vec4 colour{1};
   };
+  void line(const Corner& from, const Corner& to);
   void face(const Corner& a, const Corner& b, const Corner& c);
 
   // Into the frame buffer that is bound, whose depth test is on and to which it writes no depth. Faces first.

@@ -10,20 +10,17 @@
 #include "commands/view/overlay/drawer.h"
 #include "common/check_status.h"
 #include "marrow/roles.h"
+#include "render/overlay/ground.h"
 
 namespace marrow::tools {
 namespace {
 
-constexpr ImU32 kLeft = IM_COL32(255, 170, 60, 255), kRight = IM_COL32(90, 180, 255, 255),
-                kOther = IM_COL32(220, 220, 220, 255), kPath = IM_COL32(140, 230, 140, 255),
-                kNow = IM_COL32(255, 255, 255, 200), kGone = IM_COL32(120, 120, 120, 160);
-
-bool is_left(Role role) {
-  return role == Role::left_foot || role == Role::left_hand;
-}
+constexpr ImU32 kPath = IM_COL32(140, 230, 140, 255), kNow = IM_COL32(255, 255, 255, 200),
+                kGone = IM_COL32(120, 120, 120, 160);
 
 ImU32 colour_of(Role role) {
-  return role == Role::none ? kOther : is_left(role) ? kLeft : kRight;
+  const Rgb rgb = foot_colour(role);
+  return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
 }
 
 // M(t), rounds of a loop included.

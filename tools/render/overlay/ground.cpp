@@ -1,0 +1,83 @@
+#include "render/overlay/ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+namespace marrow::tools {
+namespace {
+
+constexpr glm::vec3 kLine{0.02f, 0.03f, 0.04f};
+constexpr float kLineStrength = 0.55f;
+constexpr float kSquare = 0.6f, kReach = 3.5f;  // radii
+constexpr int kMostSquares = 60;                // each way
+
+float linear_of(std::uint8_t value) {
+  return std::pow(static_cast<float>(value) / 255, 2.2f);
+}
+
+// Half of a sole's width at `along`, -1 at the heel and 1 at the toes, in lengths of the sole.
+float half_width(float along) {
+  const float waist = 1 - 0.28f * std::exp(-8 * (along + 0.15f) * (along + 0.15f));
+  return (0.165f + 0.035f * along) * waist * std::sqrt(std::max(0.0f, 1 - along * along * along * along));
+}
+
+}  // namespace
+
+float ground_square(float radius) {
+  const float most = kSquare * std::max(radius, 1e-20f), ten = std::pow(10.0f, std::floor(std::log10(most)));
+  return most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
+}
+
+void add_squares(const Shot& shot, const Box& way, Strokes& strokes) {
+  const float y = shot.ground_height, reach = kReach * shot.radius + (way.empty() ? 0 : way.radius());
+  const glm::vec3 centre = way.empty() ? shot.box.centre() : way.centre();
+  float square = ground_square(shot.radius);
+  while (reach > kMostSquares * square) square *= 10;
+  if (std::abs(centre.x) > 1e6f * square || std::abs(centre.z) > 1e6f * square) return;
+  const auto nearest = [&](float at_m) { return static_cast<int>(std::lround(at_m / square)); };
+  const int count = static_cast<int>(std::ceil(reach / square)), x0 = nearest(centre.x), z0 = nearest(centre.z);
+  const auto corner = [&](int x, int z) {
+    const glm::vec3 at(static_cast<float>(x) * square, y, static_cast<float>(z) * square);
+    const float away = glm::length(glm::vec2(at.x - centre.x, at.z - centre.z)) / reach;
+    return Strokes::Corner{at, glm::vec4(kLine, kLineStrength * std::max(0.0f, 1 - away * away))};
+  };
+  for (int i = -count; i <= count; ++i)
+    for (int k = -count; k < count; ++k) {
+      strokes.line(corner(x0 + i, z0 + k), corner(x0 + i, z0 + k + 1));
+      strokes.line(corner(x0 + k, z0 + i), corner(x0 + k + 1, z0 + i));
+    }
+}
+
+Rgb foot_colour(Role role) {
+  constexpr Rgb kLeft = {255, 170, 60}, kRight = {90, 180, 255}, kOther = {220, 220, 220};
+  if (role == Role::none) return kOther;
+  return role == Role::left_foot || role == Role::left_hand ? kLeft : kRight;
+}
+
+void add_print(const GroundPrint& print, float strength, Strokes& strokes) {
+  constexpr int kPieces = 14;
+  const Rgb rgb = foot_colour(print.role);
+  const glm::vec4 colour(linear_of(rgb[0]), linear_of(rgb[1]), linear_of(rgb[2]), strength);
+  const glm::vec3 side = glm::normalize(glm::cross(glm::vec3(0, 1, 0), print.ahead));
+  // Its ball is a quarter of its length before its middle.
+  const glm::vec3 middle = print.at - 0.25f * print.length_m * print.ahead;
+  std::array<glm::vec3, 2> before{};
+  for (int i = 0; i <= kPieces; ++i) {
+    const float along = 2 * static_cast<float>(i) / kPieces - 1;
+    const glm::vec3 on = middle + 0.5f * along * print.length_m * print.ahead;
+    const glm::vec3 out = half_width(along) * print.length_m * side;
+    const std::array<glm::vec3, 2> now = {on - out, on + out};
+    if (i > 0) {
+      strokes.face({before[0], colour}, {before[1], colour}, {now[1], colour});
+      strokes.face({before[0], colour}, {now[1], colour}, {now[0], colour});
+    }
+    before = now;
+  }
+}
+
+}  // namespace marrow::tools

@@ -1,0 +1,31 @@
+// What is drawn on the ground below a character that goes somewhere: squares, and the prints of its feet.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "image/image.h"
+#include "marrow/roles.h"
+#include "render/overlay/strokes.h"
+#include "render/studio.h"
+
+namespace marrow::tools {
+
+// A square of the ground, metres: 1, 2 or 5 times a power of ten, at most so many times the radius.
+float ground_square(float radius);
+// Lines that fade out round a shot's figure, or round all of its way; empty: none is known.
+void add_squares(const Shot& shot, const Box& way, Strokes& strokes);
+
+// Of left feet and front feet, of right ones, and of what is neither.
+Rgb foot_colour(Role role);
+
+// A foot that came down.
+struct GroundPrint {
+  Role role = Role::none;
+  glm::vec3 at{0};     // its ball, on the ground
+  glm::vec3 ahead{0};  // unit, along the ground
+  float length_m = 0;
+};
+// strength: 0 … 1.
+void add_print(const GroundPrint& print, float strength, Strokes& strokes);
+
+}  // namespace marrow::tools
