@@ -135,7 +135,7 @@ target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook mar
 marrow_tools_test(marrow_cli_tests cli
   cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp
   cli/bvh_test.cpp cli/cache_test.cpp cli/clip_pack_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
-  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/info_test.cpp cli/kinds_test.cpp
+  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp
   cli/looks_test.cpp cli/movie_test.cpp cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp
   cli/progress_test.cpp cli/report_test.cpp cli/rig_maps_test.cpp cli/road_test.cpp cli/same_bytes_test.cpp cli/same_names_test.cpp
   cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
