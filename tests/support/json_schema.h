@@ -40,6 +40,9 @@ class Schema {
     if (keyword == "exclusiveMinimum") return !value.is_number() || value > rule;
     if (keyword == "minItems") return !value.is_array() || value.size() >= rule;
     if (keyword == "maxItems") return !value.is_array() || value.size() <= rule;
+    if (keyword == "minLength") return !value.is_string() || value.get<std::string>().size() >= rule;
+    if (keyword == "minProperties") return !value.is_object() || value.size() >= rule;
+    if (keyword == "maxProperties") return !value.is_object() || value.size() <= rule;
     if (keyword == "items")
       return !value.is_array() || std::all_of(value.begin(), value.end(), [&](const Json& v) { return fits(rule, v); });
     if (keyword == "required")
@@ -68,9 +71,10 @@ class Schema {
   bool members_fit(const Json& schema, const std::string& keyword, const Json& rule, const Json& value) const {
     if (!value.is_object()) return true;
     for (const auto& [name, member] : value.items()) {
-      const bool known = schema["properties"].contains(name);
+      const bool known = schema.contains("properties") && schema["properties"].contains(name);
       if (keyword == "properties" && known && !fits(rule[name], member)) return false;
-      if (keyword == "additionalProperties" && !known && rule == false) return false;
+      if (keyword != "additionalProperties" || known) continue;
+      if (rule.is_object() ? !fits(rule, member) : rule == false) return false;
     }
     return true;
   }

@@ -1,4 +1,9 @@
-// Texts of graphs that are wrong: the line and column of what is, and the word that helps.
+// Texts of graphs that are wrong: the line and column of what is, and the word that helps; what editors know of them.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -7,6 +12,9 @@
 #include "common/failure.h"
 #include "cook/graph/build_graph.h"
 #include "cook/graph/triangulate.h"
+#include "support/json_schema.h"
+#include "support/places.h"
+#include "unit/graph/oracle_random.h"
 
 namespace marrow::cook {
 namespace {
@@ -216,6 +224,69 @@ TEST(GraphText, MistakesAreLocated) {
     }
   }
   std::printf("%d mistakes\n", found);
+}
+
+// docs/graph.schema.json, by which editors complete and check.
+nlohmann::json as_json(const std::string& toml) {
+  std::ostringstream out;
+  const toml::table table = toml::parse(toml);
+  out << toml::json_formatter{table};
+  return nlohmann::json::parse(out.str());
+}
+
+std::string file_text(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+test::Schema graph_schema() {
+  return test::Schema(nlohmann::json::parse(file_text(test::in_source("docs/graph.schema.json"))));
+}
+
+TEST(GraphSchema, AcceptsWhatIsRight) {
+  const test::Schema schema = graph_schema();
+  std::vector<std::string> texts = {text_with(0, ""), file_text(test::in_golden("graph.toml"))};
+  for (const auto& entry : std::filesystem::directory_iterator(test::in_source("tests/examples")))
+    if (entry.path().string().ends_with(".anim.toml")) texts.push_back(file_text(entry.path()));
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+    texts.push_back(test::oracle::random_graph(seed, 1 + static_cast<int>(seed % 5)));
+  EXPECT_GE(texts.size(), 103u);
+  for (const std::string& text : texts) {
+    Notes notes;
+    EXPECT_NO_THROW(build_graph(parse_graph("right.anim.toml", text), notes)) << text;
+    EXPECT_TRUE(schema.accepts(as_json(text))) << text;
+  }
+}
+
+// All mistakes but those that take the whole graph to see: names that are nowhere, and what does not go together.
+TEST(GraphSchema, RefusesWhatIsWrong) {
+  const test::Schema schema = graph_schema();
+  int refused = 0;
+  std::set<std::string> left;
+  for (const Mistake& m : kMistakes) {
+    nlohmann::json text;
+    try {
+      text = as_json(text_with(m.line, m.text));
+    } catch (const toml::parse_error&) {
+      continue;
+    }
+    if (schema.accepts(text))
+      left.insert(std::string(m.text) + " | " + m.says);
+    else
+      ++refused;
+  }
+  std::printf("%d refused, %zu left to the cooker\n", refused, left.size());
+  EXPECT_GE(refused, 65);
+  // A name, a number or a pose that something else in the text makes wrong.
+  for (const std::string& l : left) {
+    bool takes_the_whole = false;
+    for (const char* const says :
+         {"did you mean", "is no number", "compares with no number", "as in \"speed", "which is no clip",
+          "made of itself", "at one place", "must be clips", "on one line", "ends below", "from 0 to 6",
+          "shows nothing", "in step", "is a trigger", "half_life", "follow one another"})
+      takes_the_whole = takes_the_whole || l.find(says) != std::string::npos;
+    EXPECT_TRUE(takes_the_whole) << l;
+  }
 }
 
 // Deeper than the runtime goes, more than it holds, and larger than a file.
