@@ -5,7 +5,7 @@ usage: tools/docs/snippets.py [PAGE.md ...]
 
 Each block of code must be lines of one file below tests, platform or tools, one after the other, however far indented.
 A line `…` or `// …` in a block stands for any lines. Pages whose
-programs a check takes out of them are left to it. Exit 1 if a block is in no file.
+programs a check takes out of them are left to it. Of TOML only graphs are programs. Exit 1 if a block is in no file.
 """
 import functools
 import sys
@@ -16,7 +16,7 @@ import blocks
 FOLDERS = ["tests", "platform", "tools", "shaders"]
 LANGUAGES = {"cpp": (".cpp", ".h"), "c": (".c", ".h"), "cmake": (".txt", ".cmake", ".sh"), "glsl": (".glsl", ".cpp", ".h"), "js": (".mjs", ".js", ".html", ".cjs"),
              "ts": (".ts",), "rust": (".rs",), "csharp": (".cs",), "swift": (".swift",), "java": (".java",),
-             "gdscript": (".gd",), "python": (".py",)}
+             "gdscript": (".gd",), "python": (".py",), "toml": (".toml",)}
 
 
 @functools.cache
@@ -60,6 +60,8 @@ def main():
         for block in blocks.blocks(page):
             endings = LANGUAGES.get(block.language)
             if endings is None or block.excuse:
+                continue
+            if block.language == "toml" and "[node." not in block.text:  # settings; graphs are programs
                 continue
             if not any(stands_in(block.text, source) for source in sources(endings)):
                 print(f"{page.relative_to(blocks.ROOT)}:{block.line}: in no file of the tests: "

@@ -62,12 +62,11 @@ inline cook::RawScene graph_scene() {
   return out;
 }
 
-inline cook::CookOptions graph_options() {
+inline cook::CookOptions graph_options(const std::vector<GraphClipMade>& clips) {
   cook::CookOptions options;
   options.mesh_codec = cook::MeshCodec::none;
   options.raw_clips = true;
-  options.additive = {{"lean", "first", {}}};
-  for (const GraphClipMade& made : kGraphClips) {
+  for (const GraphClipMade& made : clips) {
     for (const auto& [name, time_s] : made.events) {
       cook::EventRule rule;
       rule.clips = made.name;
@@ -84,12 +83,25 @@ inline cook::CookOptions graph_options() {
   return options;
 }
 
+// What a file is made of.
+struct GraphRigMade {
+  std::vector<GraphClipMade> clips;
+  cook::RawScene scene;
+  cook::CookOptions options;
+};
+inline GraphRigMade small_rig() {
+  GraphRigMade out{kGraphClips, graph_scene(), graph_options(kGraphClips)};
+  out.options.additive = {{"lean", "first", {}}};
+  return out;
+}
+
 // The file, with its clips' roots and speeds in place of what feet would say.
 class GraphFile {
  public:
-  explicit GraphFile(std::vector<std::pair<std::string, std::string>> graphs = {}) {
+  explicit GraphFile(std::vector<std::pair<std::string, std::string>> graphs = {},
+                     const GraphRigMade& made = small_rig()) {
     cook::Notes notes;
-    cook::BuiltScene built = cook::build_scene(graph_scene(), graph_options(), notes);
+    cook::BuiltScene built = cook::build_scene(made.scene, made.options, notes);
     for (const auto& [name, text] : graphs)
       built.graphs.push_back(cook::build_graph(cook::parse_graph(name, text), notes));
     warnings = notes.warnings;
@@ -97,8 +109,8 @@ class GraphFile {
     EXPECT_EQ(make_owned(Span<const std::byte>(bytes.data(), bytes.size()), file), Status::ok) << file.error.rule;
     all.assign(file.animations.all.begin(), file.animations.all.end());
     for (Animation& a : all)
-      for (const GraphClipMade& made : kGraphClips)
-        if (a.name == std::string(made.name)) set_root(made, a.motion);
+      for (const GraphClipMade& clip : made.clips)
+        if (a.name == std::string(clip.name)) set_root(clip, a.motion);
     animations = {all};
   }
 
@@ -133,8 +145,8 @@ class GraphFile {
 // A graph of the rig, and an animator of it.
 class GraphRig : public GraphFile {
  public:
-  explicit GraphRig(const std::string& text, AnimatorOptions with = {})
-      : GraphFile({{"test.anim.toml", text}}), options(with) {
+  explicit GraphRig(const std::string& text, AnimatorOptions with = {}, const GraphRigMade& made = small_rig())
+      : GraphFile({{"test.anim.toml", text}}, made), options(with) {
     EXPECT_EQ(file.graph(0, graph), Status::ok);
     memory = OwnedBlock(graph_binding_bytes(graph, file));
     GraphMisfit misfit;
