@@ -73,7 +73,7 @@ target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)
 
 # Graphs of behaviour, and animators.
 marrow_tools_test(marrow_graph_tests graph
-  unit/graph/animator_test.cpp unit/graph/behaviours_acts_test.cpp unit/graph/behaviours_test.cpp unit/graph/graph_text_test.cpp unit/graph/oracle.cpp unit/graph/oracle_cases_test.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
+  unit/graph/animator_test.cpp unit/graph/behaviours_acts_test.cpp unit/graph/behaviours_test.cpp unit/graph/graph_mistakes_test.cpp unit/graph/graph_text_test.cpp unit/graph/oracle.cpp unit/graph/oracle_cases_test.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
   unit/graph/oracle_pose.cpp unit/graph/oracle_random.cpp unit/graph/oracle_read.cpp unit/graph/oracle_test.cpp)
 target_link_libraries(marrow_graph_tests PRIVATE marrow_cook tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
 # It plays minutes.
@@ -135,7 +135,7 @@ target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook mar
 marrow_tools_test(marrow_cli_tests cli
   cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp
   cli/bvh_test.cpp cli/cache_test.cpp cli/clip_pack_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
-  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp
+  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/graph_test.cpp cli/wrong_graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp
   cli/looks_test.cpp cli/movie_test.cpp cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp
   cli/progress_test.cpp cli/report_test.cpp cli/rig_maps_test.cpp cli/road_test.cpp cli/same_bytes_test.cpp cli/same_names_test.cpp
   cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp

@@ -206,8 +206,10 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   CookResult result;
   result.reads = std::move(scene.reads);
   const SourceFile source{scene.source, scene.source_bytes};
+  std::vector<BuiltGraph> graphs = read_graphs(options.graphs, notes.reads, notes);  // a typo is told at once
   BuiltScene built = build_scene(std::move(scene), options, notes);
-  built.graphs = read_graphs(options.graphs, &built.clips, notes.reads, notes);
+  warn_of_missing_clips(options.graphs, graphs, built.clips, notes);
+  built.graphs = std::move(graphs);
   WrittenFile written = write_scene(built, source.file);
   result.report = report_scene(source, built, written, notes.warnings);
   result.file = std::move(written.bytes);
@@ -220,7 +222,7 @@ CookResult cook_graphs(const CookOptions& options) {
   Notes notes;
   CookResult result;
   BuiltScene built;
-  built.graphs = read_graphs(options.graphs, nullptr, result.reads, notes);
+  built.graphs = read_graphs(options.graphs, result.reads, notes);
   SourceFile source{options.graphs.front().file, 0};
   for (const RawRead& read : result.reads) source.bytes += read.bytes;
   WrittenFile written = write_scene(built, source.file);

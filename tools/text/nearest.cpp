@@ -54,7 +54,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
     const bool holds = text.size() >= kLeastPart && other.find(text) != std::string::npos;
     if (holds && (holding == nullptr || name.size() < holding->size())) holding = &name;
   }
-  if (nearest == nullptr) nearest = holding;
+  const bool begins = holding != nullptr && lower_case(*holding).starts_with(text);
+  if (nearest == nullptr || (begins && fewest > 1)) nearest = holding;
   return nearest == nullptr ? "" : *nearest;
 }
 

@@ -11,8 +11,9 @@ namespace marrow::tools {
 // How many letters must be changed, added or left out (Levenshtein).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-// The name with the fewest edits, if these are at most two or a third of its letters; else the shortest name that
-// `wanted` is a part of. Case does not count. Of equals the first; empty if none is near.
+// The name with the fewest edits, if these are at most two or a third of its letters; else, or if `wanted` begins it
+// and more than one edit was needed, the shortest name that `wanted` is a part of. Case does not count. Of equals the
+// first; empty if none is near.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& names);
 
 // `did you mean "walk"?`; empty if no name is near.

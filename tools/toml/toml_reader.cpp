@@ -11,6 +11,24 @@
 
 namespace marrow::tools {
 
+namespace {
+
+// What toml++ says, and what to do where that is not plain.
+std::string explained(std::string_view said) {
+  static constexpr std::pair<std::string_view, std::string_view> kHints[] = {
+      {"could not determine value type", "; text stands in straight quotes, as \"walk\""},
+      {"expected key or closing '}', saw '\\n'", "; a table in { } stands in one line"},
+      {"cannot redefine existing", "; it stands twice: leave one"}};
+  std::string out(said.substr(0, said.find(" (TOML_")));
+  for (const auto& [part, hint] : kHints)
+    if (said.find(part) != std::string_view::npos) out += hint;
+  if (std::ranges::any_of(said, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
+    out += "; a name with other letters than a to z is quoted";
+  return out;
+}
+
+}  // namespace
+
 std::string place_of(const toml::source_region& region) {
   return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
 }
@@ -27,7 +45,7 @@ toml::table TomlReader::parse(std::string_view text, std::size_t most_bytes) con
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& e) {
-    fail(e.source(), "no TOML", std::string(e.description()));
+    fail(e.source(), "no TOML", explained(e.description()));
   }
 }
 
@@ -74,7 +92,8 @@ bool TomlReader::flag(const toml::node& node, const char* key) const {
 float TomlReader::number(const toml::node& node, const char* key, double least, double most) const {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value || !(least <= *value && *value <= most))
-    fail(node, fmt::format("\"{}\" must be a number from {:g} to {:g}", key, least, most), "write 0.5");
+    fail(node, fmt::format("\"{}\" must be a number from {:g} to {:g}", key, least, most),
+         value ? fmt::format("{:g} is none of those", *value) : "write it without quotes, as 0.5");
   return static_cast<float>(*value);
 }
 

@@ -36,6 +36,8 @@ TEST(Nearest, Name) {
   EXPECT_EQ(nearest_name("nn", {"bone_nn"}), "") << "two letters are part of too many names";
   EXPECT_EQ(nearest_name("2", {"up"}), "") << "nothing is alike";
   EXPECT_EQ(nearest_name("wave", {"wove", "wive"}), "wove") << "of equals the first";
+  EXPECT_EQ(nearest_name("fade", {"base", "fade_in"}), "fade_in") << "two edits of four letters, and a begin";
+  EXPECT_EQ(nearest_name("jump", {"jumps", "jump_high"}), "jumps") << "one edit";
   EXPECT_EQ(nearest_name("wave", {}), "");
 }
 

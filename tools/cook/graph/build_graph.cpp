@@ -40,7 +40,7 @@ class GraphBuilder {
       out_.parameter_names.push_back(p.name);
     }
     out_.name = text_.name;
-    const std::size_t output = expand(text_.output, false, 0);
+    const std::size_t output = expand(text_.output, nullptr, 0);
     expect_shown(output);
     order(output);
     if (order_.size() > kMaxGraphNodes) at_.fail(text_.output.at, "more than 512 nodes", "make two graphs of it");
@@ -62,40 +62,43 @@ class GraphBuilder {
     return out;
   }
 
-  // The node of a name. wants_end: its clip's end is waited for.
-  std::size_t expand(const NameText& name, bool wants_end, std::size_t depth) {
+  // The node of a name.
+  // waiter: who waits for its end; null: nobody.
+  std::size_t expand(const NameText& name, const char* waiter, std::size_t depth) {
     if (depth >= kMaxGraphHeight) fail(name, "nodes that stand 16 below each other, or more", "make the graph flatter");
     const auto found = node_of_.find(name.name);
     if (found == node_of_.end()) {
       Draft clip;
       clip.name = "";
       clip.clip = name.name;
-      clip.mode = wants_end ? PlayMode::once : PlayMode::loop;
+      clip.mode = waiter != nullptr ? PlayMode::once : PlayMode::loop;
       clip.used_at = &name;
       drafts_.push_back(clip);
       return drafts_.size() - 1;
     }
     const NodeText& node = text_.nodes[found->second];
-    if (open_.contains(found->second)) fail(name, fmt::format("\"{}\" is made of itself", name.name), "take another");
+    if (open_.contains(found->second))
+      fail(name, fmt::format("\"{}\" is made of itself", name.name),
+           "take another; if a clip is meant, call the node by another name");
     if (const auto made = made_.find(found->second); made != made_.end()) {
-      if (wants_end) want_end(made->second, name);
+      if (waiter != nullptr) want_end(made->second, name, waiter);
       return made->second;
     }
     open_.insert(found->second);
     const std::size_t made = make(node, name, depth);
     open_.erase(found->second);
     made_[found->second] = made;
-    if (wants_end) want_end(made, name);
+    if (waiter != nullptr) want_end(made, name, waiter);
     return made;
   }
 
   // Its clip plays once, as far as the text leaves that open.
-  void want_end(std::size_t draft, const NameText& name) {
+  void want_end(std::size_t draft, const NameText& name, const char* waiter) {
     Draft& d = drafts_[draft];
-    if (d.kind == GraphNodeKind::layer) return want_end(d.below[0], name);
+    if (d.kind == GraphNodeKind::layer) return want_end(d.below[0], name, waiter);
     if (d.kind != GraphNodeKind::clip)
-      fail(name, fmt::format("at_end waits for the end of \"{}\", which is no clip", name.name),
-           "give a clip, or after = SECONDS");
+      fail(name, fmt::format("{} waits for the end of \"{}\", which is no clip", waiter, name.name),
+           "give a clip, or a machine with after = SECONDS");
     if (d.text == nullptr || !d.text->mode) d.mode = PlayMode::once;
   }
 
@@ -116,18 +119,20 @@ class GraphBuilder {
       case NodeType::machine:
         d.kind = GraphNodeKind::machine;
         for (const StateText& s : node.states)
-          d.below.push_back(s.pose ? expand(*s.pose, waits_for_end(node, s), depth + 1) : kNothing);
+          d.below.push_back(s.pose ? expand(*s.pose, waits_for_end(node, s) ? "at_end" : nullptr, depth + 1)
+                                   : kNothing);
         break;
       case NodeType::layer:
       case NodeType::add:
         d.kind = GraphNodeKind::layer;
-        d.below = {expand(node.base, false, depth + 1), expand(node.pose, false, depth + 1)};
+        d.below = {expand(node.base, nullptr, depth + 1), expand(node.pose, nullptr, depth + 1)};
         break;
       case NodeType::one_shot:
         return make_one_shot(node, name, depth);
       case NodeType::pick:
         d.kind = GraphNodeKind::machine;
-        for (const NameText& pose : node.poses) d.below.push_back(expand(pose, node.poses.size() > 1, depth + 1));
+        for (const NameText& pose : node.poses)
+          d.below.push_back(expand(pose, node.poses.size() > 1 ? "a pick" : nullptr, depth + 1));
         break;
       case NodeType::given:
         d.kind = GraphNodeKind::given;
@@ -138,7 +143,7 @@ class GraphBuilder {
   }
 
   std::size_t expand_point(const NodeText& node, const PointText& p, std::size_t depth) {
-    const std::size_t made = expand(p.pose, false, depth);
+    const std::size_t made = expand(p.pose, nullptr, depth);
     const bool is_clip = drafts_[made].kind == GraphNodeKind::clip;
     if (!is_clip && node.sync) fail(p.pose, "poses in step must be clips", "leave sync out, or give a clip");
     if (!is_clip && p.at.empty())
@@ -161,8 +166,8 @@ class GraphBuilder {
     machine.kind = GraphNodeKind::machine;
     machine.is_shot = true;
     machine.used_at = &name;
-    const std::size_t base = expand(node.base, false, depth + 1);
-    machine.below = {kNothing, expand(node.pose, true, depth + 2)};
+    const std::size_t base = expand(node.base, nullptr, depth + 1);
+    machine.below = {kNothing, expand(node.pose, "a one_shot", depth + 2)};
     drafts_.push_back(machine);
     Draft layer;
     layer.text = &node;
@@ -387,7 +392,8 @@ class GraphBuilder {
     }
     const bool by_flag = l.by != kNoIndex && out_.parameters[l.by].kind == ParameterKind::flag;
     if (l.fade_s > 0 && !by_flag)
-      at_.fail(text.at, "only a layer that goes by a flag fades", "give the number a half_life");
+      at_.fail(text.at, "only a layer that goes by a flag fades",
+               text.weight_by ? "give the number a half_life" : "weight = the name of a flag, or leave fade out");
     out_.nodes.back().record = static_cast<std::uint32_t>(out_.layers.size());
     out_.layers.push_back(l);
   }

@@ -40,15 +40,39 @@ class GraphReader {
     out.name = std::filesystem::path(read_.path()).stem().stem().string();
     out.output = name(read_.needed(root, "a graph", "output"), "output");
     if (const toml::node* const parameters = root.get("parameters"))
-      for (const auto& [key, value] : written(read_.table(*parameters, "[parameters]")))
+      for (const auto& [key, value] : written(table_as(*parameters, "[parameters]", "write [parameters]")))
         out.parameters.push_back(parameter(*key, *value));
+    if (out.parameters.size() > 256)
+      read_.fail(out.parameters[256].at, "more than 256 parameters", "make two graphs of it");
     if (const toml::node* const nodes = root.get("node"))
-      for (const auto& [key, value] : written(read_.table(*nodes, "[node]"))) out.nodes.push_back(node(*key, *value));
+      for (const auto& [key, value] : written(table_as(*nodes, "[node]", "write [node.NAME]")))
+        out.nodes.push_back(node(*key, *value));
     return out;
   }
 
  private:
-  NameText name(const toml::node& node, const char* key) const { return {read_.text(node, key), node.source()}; }
+  // example: how such a table is written.
+  const toml::table& table_as(const toml::node& node, const char* what, const char* example) const {
+    if (!node.is_table()) read_.fail(node, fmt::format("{} must be a table", what), example);
+    return *node.as_table();
+  }
+  const toml::table& table_as(const toml::node& node, const char* what, const char* example, const Keys& keys) const {
+    return read_.table(table_as(node, what, example), what, keys);
+  }
+  // What runtimes read ends at a NUL.
+  std::string whole(const toml::source_region& at, const char* what, std::string given) const {
+    if (given.find('\0') != std::string::npos) read_.fail(at, fmt::format("{} with a NUL in it", what), "leave it out");
+    return given;
+  }
+  NameText name(const toml::node& node, const char* key) const {
+    return {whole(node.source(), "a name", read_.text(node, key)), node.source()};
+  }
+  // Of what is named by its key. reserved: what stands for something else where it would be used.
+  std::string own_name(const toml::key& key, const char* what, bool is_reserved, const char* advice) const {
+    if (key.str().empty()) read_.fail(key.source(), fmt::format("{} without a name", what), "give it one");
+    if (is_reserved) read_.fail(key.source(), fmt::format("{} called \"{}\"", what, key.str()), advice);
+    return whole(key.source(), what, std::string(key.str()));
+  }
   float seconds(const toml::table& table, const char* key, float otherwise = 0) const {
     const toml::node* const found = table.get(key);
     return found != nullptr ? read_.number(*found, key, 0, kMostSeconds) : otherwise;
@@ -59,8 +83,9 @@ class GraphReader {
   }
   std::vector<NameText> names(const toml::node& node, const char* key) const {
     if (node.is_string()) return {name(node, key)};
+    if (!node.is_array()) read_.fail(node, fmt::format("\"{}\" must be a name, or a list of names", key), "quote it");
     std::vector<NameText> out;
-    for (const toml::node& element : read_.list(node, key)) out.push_back(name(element, key));
+    for (const toml::node& element : *node.as_array()) out.push_back(name(element, key));
     if (out.empty()) read_.fail(node, fmt::format("\"{}\" names nothing", key), "give a name");
     return out;
   }
@@ -73,10 +98,23 @@ class GraphReader {
     return static_cast<std::size_t>(found - words.begin());
   }
 
+  // The word of "type"; a key that is nearly called so is meant.
+  std::size_t type_of(const toml::table& table, const char* what, const Keys& words) const {
+    if (table.get("type") == nullptr)
+      for (const auto& [key, value] : table)
+        if (key.str().size() == 4 && !tools::did_you_mean(key.str(), {"type"}).empty())
+          read_.fail(key.source(), fmt::format("{} has no \"{}\"", what, key.str()), "did you mean \"type\"?");
+    return word(read_.needed(table, what, "type"), "type", words);
+  }
+
   ParameterText parameter(const toml::key& key, const toml::node& value) const {
-    ParameterText out{std::string(key.str()), {}, key.source()};
-    const toml::table& table = read_.table(value, "a parameter");
-    const std::size_t kind = word(read_.needed(table, "a parameter", "type"), "type", {"number", "flag", "trigger"});
+    const std::string_view given = key.str();
+    const bool is_unsayable = given.starts_with("not ") || given.find_first_of("<>=!&|") != std::string_view::npos ||
+                              given.find(" or ") != given.npos || given.find(" and ") != given.npos ||
+                              given.starts_with(' ') || given.ends_with(' ');
+    ParameterText out{own_name(key, "a parameter", is_unsayable, "no condition could name it"), {}, key.source()};
+    const toml::table& table = table_as(value, "a parameter", "write { type = \"flag\" }");
+    const std::size_t kind = type_of(table, "a parameter", {"number", "flag", "trigger"});
     out.values.kind = static_cast<ParameterKind>(kind);
     switch (out.values.kind) {
       case ParameterKind::number:
@@ -107,18 +145,35 @@ class GraphReader {
     out.seconds = seconds(table, "half_life");
   }
 
+  // What other languages have is not one condition.
+  void expect_one(const toml::node& node, const std::string& text) const {
+    const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
+    if (has(" or ") || has("|"))
+      read_.fail(node, fmt::format("\"{}\" is two conditions of which one must hold", text),
+                 "write a transition for each; a one_shot has one trigger for all");
+    if (has(" and ") || has("&"))
+      read_.fail(node, fmt::format("\"{}\" is two conditions in one", text), "write a list: [\"jump\", \"not armed\"]");
+    if (has("=>") || has("=<"))
+      read_.fail(node, fmt::format("\"{}\" has its sign the wrong way round", text), "write >= or <=");
+    if (has("!=") || has("==") || (has("=") && !has(">=") && !has("<=")))
+      read_.fail(node, fmt::format("\"{}\" asks whether something is equal", text),
+                 "a flag is \"armed\" or \"not armed\"; numbers compare with >, <, >= and <=");
+    if (has("!")) read_.fail(node, fmt::format("\"{}\" has a \"!\"", text), "write \"not armed\"");
+  }
+
   // "jump", "not armed", "speed >= 0.5".
   ConditionText condition(const toml::node& node) const {
     static const std::pair<const char*, ConditionTest> kTests[] = {{">=", ConditionTest::at_least},
                                                                    {"<=", ConditionTest::at_most},
                                                                    {">", ConditionTest::above},
                                                                    {"<", ConditionTest::below}};
-    const std::string text = read_.text(node, "when");
     const auto trimmed = [](std::string s) {
       s.erase(0, s.find_first_not_of(' '));
       return s.erase(s.find_last_not_of(' ') + 1);
     };
-    ConditionText out{{trimmed(text), node.source()}, ConditionTest::set, 0};
+    const std::string text = trimmed(whole(node.source(), "a condition", read_.text(node, "when")));
+    expect_one(node, text);
+    ConditionText out{{text, node.source()}, ConditionTest::set, 0};
     for (const auto& [sign, test] : kTests) {
       const std::size_t at = text.find(sign);
       if (at == std::string::npos) continue;
@@ -129,6 +184,10 @@ class GraphReader {
         read_.fail(node, fmt::format("\"{}\" compares with no number", text), "as in \"speed > 0.5\"");
       out.test = test;
       out.parameter.name = trimmed(text.substr(0, at));
+      if (out.parameter.name.empty())
+        read_.fail(node, fmt::format("\"{}\" compares no parameter", text), "as in \"speed > 0.5\"");
+      if (out.parameter.name.starts_with("not "))
+        read_.fail(node, fmt::format("\"{}\" turns a comparison round", text), "exchange < and >=, or > and <=");
       return out;
     }
     if (text.starts_with("not ")) {
@@ -142,7 +201,9 @@ class GraphReader {
     const toml::node* const when = table.get("when");
     if (when == nullptr) return out;
     if (when->is_string()) return {condition(*when)};
-    for (const toml::node& element : read_.list(*when, "when")) out.push_back(condition(element));
+    if (!when->is_array())
+      read_.fail(*when, "\"when\" must be a condition, or a list of them", "quote it, as \"jump\" or \"speed > 0.5\"");
+    for (const toml::node& element : *when->as_array()) out.push_back(condition(element));
     return out;
   }
 
@@ -152,11 +213,13 @@ class GraphReader {
     if (found == nullptr) return out;
     if (found->is_table()) return {mask_part(*found)};
     for (const toml::node& element : read_.list(*found, "mask")) out.push_back(mask_part(element));
+    if (out.size() > 64) read_.fail(*found, "a mask of more than 64 joints", "name those that they hang on");
     if (out.empty()) read_.fail(*found, "a mask of no joints", "{ role = \"chest\" }, or leave it out");
     return out;
   }
   MaskPartText mask_part(const toml::node& node) const {
-    const toml::table& table = read_.table(node, "a mask", {"role", "joint", "falloff"});
+    const toml::table& table = table_as(node, "a mask", "write { role = \"chest\" } or { joint = \"spine_02\" }",
+                                        {"role", "joint", "falloff"});
     MaskPartText out;
     const toml::node *const role = table.get("role"), *const joint = table.get("joint");
     if ((role == nullptr) == (joint == nullptr)) read_.fail(node, "a mask needs a role or a joint", "give one of them");
@@ -169,20 +232,24 @@ class GraphReader {
         read_.fail(*role, fmt::format("there is no role \"{}\"", given), tools::suggestion(given, roles));
       }
     } else {
-      out.joint = read_.text(*joint, "joint");
+      out.joint = name(*joint, "joint").name;
     }
-    if (const toml::node* const falloff = table.get("falloff"))
-      out.falloff = static_cast<std::uint32_t>(read_.number(*falloff, "falloff", 0, 65535));
+    if (const toml::node* const falloff = table.get("falloff")) {
+      const float joints = read_.number(*falloff, "falloff", 0, 65535);
+      out.falloff = static_cast<std::uint32_t>(joints);
+      if (static_cast<float>(out.falloff) != joints)
+        read_.fail(*falloff, "\"falloff\" counts joints", "write a whole number");
+    }
     return out;
   }
 
   NodeText node(const toml::key& key, const toml::node& value) const {
     NodeText out;
-    out.name = key.str();
+    out.name = own_name(key, "a node", false, "");
     out.at = key.source();
-    const toml::table& table = read_.table(value, "a node");
-    out.type = static_cast<NodeType>(word(read_.needed(table, "a node", "type"), "type",
-                                          {"clip", "space", "machine", "layer", "add", "one_shot", "pick", "given"}));
+    const toml::table& table = table_as(value, "a node", "write [node.NAME], and its keys below");
+    out.type = static_cast<NodeType>(
+        type_of(table, "a node", {"clip", "space", "machine", "layer", "add", "one_shot", "pick", "given"}));
     switch (out.type) {
       case NodeType::clip:
         read_clip(table, out);
@@ -230,20 +297,24 @@ class GraphReader {
       read_.fail(*table.get("points"), "a space of no points, or of more than 64", "one at least, 64 at most");
     out.match_speed = flag(table, "match_speed");
     out.sync = flag(table, "sync");
-    if (out.match_speed && (!out.sync || out.by.size() == 2))
-      read_.fail(*table.get("match_speed"), "match_speed is for clips in step, by one number", "sync = true");
+    if (out.match_speed && out.by.size() == 2)
+      read_.fail(*table.get("match_speed"), "match_speed is for spaces by one number", "leave it out");
+    if (out.match_speed && !out.sync)
+      read_.fail(*table.get("match_speed"), "match_speed is for clips in step", "sync = true");
   }
   PointText point(const toml::node& node, std::size_t numbers) const {
-    const toml::table& table = read_.table(node, "a point", {"at", "pose"});
+    const toml::table& table = table_as(node, "a point", "write { at = 0, pose = \"idle\" }", {"at", "pose"});
     PointText out{name(read_.needed(table, "a point", "pose"), "pose"), {}};
     const toml::node* const at = table.get("at");
     if (at == nullptr && numbers == 1) return out;
     if (at == nullptr) read_.fail(node, "a point of a plane without \"at\"", "at = [0, 1]");
     if (numbers == 1) {
+      if (at->is_array()) read_.fail(*at, "a point of a line has one number", "at = 1.5, or give \"by\" two");
       out.at.push_back(read_.number(*at, "at", -kMostNumber, kMostNumber));
       return out;
     }
-    for (const toml::node& element : read_.list(*at, "at"))
+    if (!at->is_array()) read_.fail(*at, "a point of a plane has two numbers", "at = [0, 1], or give \"by\" one");
+    for (const toml::node& element : *at->as_array())
       out.at.push_back(read_.number(element, "at", -kMostNumber, kMostNumber));
     if (out.at.size() != 2) read_.fail(*at, "\"at\" must be two numbers", "as \"by\" is two");
     return out;
@@ -251,9 +322,11 @@ class GraphReader {
 
   void read_machine(const toml::table& table, NodeText& out) const {
     read_.table(table, "a machine", {"type", "start", "state", "transition"});
-    for (const auto& [key, value] : written(read_.table(read_.needed(table, "a machine", "state"), "state"))) {
-      StateText state{std::string(key->str()), std::nullopt, key->source()};
-      const toml::table& of = read_.table(*value, "a state", {"pose"});
+    for (const auto& [key, value] : written(
+             table_as(read_.needed(table, "a machine", "state"), "state", "write state.NAME = { pose = \"idle\" }"))) {
+      const bool is_any = key->str() == "*";
+      StateText state{own_name(*key, "a state", is_any, "* is any state"), std::nullopt, key->source()};
+      const toml::table& of = table_as(*value, "a state", "write { pose = \"idle\" }", {"pose"});
       if (const toml::node* const pose = of.get("pose")) state.pose = name(*pose, "pose");
       out.states.push_back(state);
     }
@@ -265,12 +338,15 @@ class GraphReader {
         out.transitions.push_back(transition(element));
   }
   TransitionText transition(const toml::node& node) const {
-    const toml::table& table =
-        read_.table(node, "a transition", {"from", "to", "when", "fade", "kind", "after", "at_end", "enter", "choose"});
+    const toml::table& table = table_as(node, "a transition", "write { from = \"a\", to = \"b\", when = \"c\" }",
+                                        {"from", "to", "when", "fade", "kind", "after", "at_end", "enter", "choose"});
     TransitionText out;
     out.at = node.source();
     out.from = names(read_.needed(table, "a transition", "from"), "from");
-    if (out.from.size() == 1 && out.from[0].name == "*") out.from.clear();
+    for (const NameText& from : out.from)
+      if (from.name == "*" && out.from.size() > 1)
+        read_.fail(from.at, "\"*\" among states", "it stands alone: any state");
+    if (out.from[0].name == "*") out.from.clear();
     out.to = names(read_.needed(table, "a transition", "to"), "to");
     out.when = conditions(table);
     out.values.fade_s = seconds(table, "fade");
@@ -306,9 +382,11 @@ class GraphReader {
       out.in_model_space = word(*space, "space", {"joint", "model"}) == 1;
     const toml::node* const weight = table.get("weight");
     if (weight == nullptr) return;
-    if (weight->is_string())
+    if (weight->is_string()) {
       out.weight_by = name(*weight, "weight");
-    else
+      if (out.weight_by->name.find_first_not_of("0123456789.") == std::string::npos)
+        read_.fail(*weight, "\"weight\" is the name of a parameter, or a number", "write the number without quotes");
+    } else
       out.weight = read_.number(*weight, "weight", 0, 1);
   }
 
@@ -318,6 +396,7 @@ class GraphReader {
     out.pose = name(read_.needed(table, "a one_shot", "pose"), "pose");
     read_.needed(table, "a one_shot", "when");
     out.when = conditions(table);
+    if (out.when.empty()) read_.fail(*table.get("when"), "a one_shot that waits for nothing", "name a trigger");
     out.mask = mask(table);
     out.fade_in_s = seconds(table, "fade_in", 0.1f);
     out.fade_out_s = seconds(table, "fade_out", 0.2f);

@@ -27,30 +27,26 @@ BuiltGraph read_graph(const GraphRule& rule, std::vector<RawRead>& reads, Notes&
   return build_graph(parse_graph(rule.file, text), notes);
 }
 
-// Clips may come from a pack, so that one that is not here is no error.
-void warn_of_missing(const BuiltGraph& graph, const std::string& file, const std::vector<BuiltClip>& clips,
-                     Notes& notes) {
-  std::vector<std::string> names;
-  for (const BuiltClip& clip : clips) names.push_back(clip.name);
-  for (const std::string& name : std::set<std::string>(graph.clip_names.begin(), graph.clip_names.end())) {
-    if (std::ranges::find(names, name) != names.end()) continue;
-    const std::string meant = tools::did_you_mean(name, names);
-    notes.warnings.push_back(
-        {file, "no-such-clip",
-         "no clip here is called \"" + name + "\": " + (meant.empty() ? "it must come from a clip pack" : meant)});
-  }
-}
-
 }  // namespace
 
-std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, const std::vector<BuiltClip>* clips,
-                                    std::vector<RawRead>& reads, Notes& notes) {
+std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes) {
   std::vector<BuiltGraph> out;
-  for (const GraphRule& rule : rules) {
-    out.push_back(read_graph(rule, reads, notes));
-    if (clips != nullptr) warn_of_missing(out.back(), rule.file, *clips, notes);
-  }
+  for (const GraphRule& rule : rules) out.push_back(read_graph(rule, reads, notes));
   return out;
+}
+
+void warn_of_missing_clips(const std::vector<GraphRule>& rules, const std::vector<BuiltGraph>& graphs,
+                           const std::vector<BuiltClip>& clips, Notes& notes) {
+  std::vector<std::string> names;
+  for (const BuiltClip& clip : clips) names.push_back(clip.name);
+  for (std::size_t g = 0; g < graphs.size(); ++g)
+    for (const std::string& name : std::set<std::string>(graphs[g].clip_names.begin(), graphs[g].clip_names.end())) {
+      if (std::ranges::find(names, name) != names.end()) continue;
+      const std::string meant = tools::did_you_mean(name, names);
+      notes.warnings.push_back(
+          {rules[g].file, "no-such-clip",
+           "no clip here is called \"" + name + "\": " + (meant.empty() ? "it must come from a clip pack" : meant)});
+    }
 }
 
 }  // namespace marrow::cook
