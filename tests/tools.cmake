@@ -73,7 +73,7 @@ target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)
 
 # Graphs of behaviour, and animators.
 marrow_tools_test(marrow_graph_tests graph
-  unit/graph/animator_test.cpp unit/graph/behaviours_acts_test.cpp unit/graph/behaviours_test.cpp unit/graph/graph_mistakes_test.cpp unit/graph/graph_text_test.cpp unit/graph/oracle.cpp unit/graph/oracle_cases_test.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
+  unit/graph/animator_test.cpp unit/graph/behaviours_acts_test.cpp unit/graph/behaviours_test.cpp unit/graph/graph_mistakes_test.cpp unit/graph/graph_morphs_test.cpp unit/graph/graph_text_test.cpp unit/graph/oracle.cpp unit/graph/oracle_cases_test.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
   unit/graph/oracle_pose.cpp unit/graph/oracle_random.cpp unit/graph/oracle_read.cpp unit/graph/oracle_test.cpp)
 target_link_libraries(marrow_graph_tests PRIVATE marrow_cook tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
 # It plays minutes.
