@@ -17,6 +17,7 @@ struct Hero : OwnedCharacter {
   Playback strike{.mode = PlayMode::once};  // of the last layer
   std::vector<float> upper_body;            // its mask
   std::vector<std::uint32_t> gaze;          // neck and head
+  Aim look{.weight = 0.5f};                 // along the head's own axis that is forwards at rest
   Affine world_from_model{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 
   Hero(const OwnedFile& owner, char** names) {
@@ -32,6 +33,8 @@ struct Hero : OwnedCharacter {
     layers[kGaits].mask = upper_body;
     for (const Role role : {Role::neck, Role::head})
       if (joint_of(roles, role) != kNoJoint) gaze.push_back(joint_of(roles, role));
+    must(pose_character(*this, {}));
+    must(direction_in_joint(skeletons[0].pose.model_from_joint[gaze.back()], {0, 0, 1}, look.forward));
   }
 
   void update(float dt_s, float speed_m_s, const float (&point)[3]) {
@@ -58,7 +61,8 @@ struct Hero : OwnedCharacter {
     over.time_s = clip_time(strike);
     over.weight = std::min({1.0f, over.time_s / 0.1f, left_s / 0.2f});
     must(pose_character(*this, layers));
-    must(solve_look_at(skeletons[0].pose, gaze, {.target = {point[0], point[1], point[2]}, .weight = 0.5f}, 0.5f));
+    std::copy(point, point + 3, look.target);
+    must(solve_look_at(skeletons[0].pose, gaze, look, 0.5f));
     must(finish_character(*this));
     RigidStep step;
     must(character_root_step(*this, layers, step));

@@ -7,7 +7,7 @@ MARROW=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 PATH=$(dirname "$(realpath "$1")"):$PATH
 programs=$MARROW/tests/examples/tutorial work=${2:-$MARROW/build}/tutorial
 pages="docs/tutorial/hello.md docs/tutorial/window.md docs/tutorial/gpu.md docs/tutorial/feet.md docs/tutorial/look.md
-  docs/tutorial/crowd.md docs/tutorial/lost.md docs/tutorial/shipping.md"
+  docs/tutorial/behaviour.md docs/tutorial/crowd.md docs/tutorial/lost.md docs/tutorial/shipping.md"
 export CMAKE_TOOLCHAIN_FILE=$MARROW/cmake/quick.cmake
 export MARROW PATH LIBGL_ALWAYS_SOFTWARE=1 XDG_RUNTIME_DIR=$work CXXFLAGS="-Wall -Wextra -Wconversion -Wsign-conversion"
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -62,11 +62,12 @@ for page in $pages; do
   bash -euo pipefail commands.sh >log.txt 2>&1 || { tail -30 log.txt >&2; fail "the commands of $page fail"; }
   if grep -A 5 "warning:" log.txt >&2; then fail "$page: the compiler warns"; fi
   [[ $page != */hello.md ]] || grep -q '^0.27 s: head at .* vertex 0 of body at ' log.txt || fail "hello prints something else"
+  [[ $page != */behaviour.md ]] || grep -q '^1.72 s: right_foot at 0.69 m' log.txt || fail "other steps are heard"
   [[ $page != */shipping.md ]] || cp log.txt shipping.txt
 done
 diff -u CMakeLists.txt "$programs/CMakeLists.txt" || fail "the pages' CMakeLists.txt is another"
 for file in "$programs"/*.cpp "$programs"/*.h; do cmp "$file" "$(basename "$file")"; done
-for name in walk gpu feet look lost; do drawn $name.ppm 35 65; done
+for name in walk gpu feet look lost behaviour; do drawn $name.ppm 35 65; done
 drawn crowd.ppm 120 190
 drawn ship.ppm 65 100
 cmp lost.ppm whole.ppm || fail "another picture after the context was lost"

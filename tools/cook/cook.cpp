@@ -208,7 +208,7 @@ CookResult cook_scene(RawScene scene, const CookOptions& options) {
   const SourceFile source{scene.source, scene.source_bytes};
   std::vector<BuiltGraph> graphs = read_graphs(options.graphs, notes.reads, notes);  // a typo is told at once
   BuiltScene built = build_scene(std::move(scene), options, notes);
-  warn_of_missing_clips(options.graphs, graphs, built.clips, notes);
+  warn_of_clips(options.graphs, graphs, built.clips, notes);
   built.graphs = std::move(graphs);
   WrittenFile written = write_scene(built, source.file);
   result.report = report_scene(source, built, written, notes.warnings);

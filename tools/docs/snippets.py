@@ -8,6 +8,7 @@ A line `…` or `// …` in a block stands for any lines. Pages whose
 programs a check takes out of them are left to it. Of TOML only graphs are programs. Exit 1 if a block is in no file.
 """
 import functools
+import re
 import sys
 import textwrap
 
@@ -61,7 +62,7 @@ def main():
             endings = LANGUAGES.get(block.language)
             if endings is None or block.excuse:
                 continue
-            if block.language == "toml" and "[node." not in block.text:  # settings; graphs are programs
+            if block.language == "toml" and not re.search(r"^(\[node\.|state\.|transition)", block.text, re.M):  # settings
                 continue
             if not any(stands_in(block.text, source) for source in sources(endings)):
                 print(f"{page.relative_to(blocks.ROOT)}:{block.line}: in no file of the tests: "

@@ -23,9 +23,15 @@ inline float metres_fallen(float& highest_m, float height_m, bool was_grounded) 
   return highest_m - height_m;
 }
 
+// Whether a foot comes down. One that stands all through a clip begins to with each round of it, and makes no sound.
+inline bool is_step(const AnimatorEvent& event) {
+  return event.until_s - event.time_s < event.animation->duration_s;
+}
+
 // Which foot came down last.
 inline void hear_feet(const AnimatorStep& step, Animator& hero, std::uint32_t left) {
   for (const AnimatorEvent& event : step.events) {
+    if (!is_step(event)) continue;
     if (event.id == event_id("left_foot")) must(set_flag(hero, left, true));
     if (event.id == event_id("right_foot")) must(set_flag(hero, left, false));
   }

@@ -32,9 +32,10 @@ struct Actor {
   marrow::Character body;
   std::vector<gles3::Skinner> skinners;  // one a mesh
 
-  Actor(const marrow::File& file, const Window& window, Programs& programs) {
+  // layers: poses that are blended at once.
+  Actor(const marrow::File& file, const Window& window, Programs& programs, std::uint32_t layers = 1) {
     must(make_animations(file, file, memory_of(animations_bytes(file, file)), animations), "animations");
-    const marrow::CharacterOptions on_gpu{.layers = 1, .level = 0, .skin = false, .animation_space = false};
+    const marrow::CharacterOptions on_gpu{.layers = layers, .level = 0, .skin = false, .animation_space = false};
     must(make_character(file, on_gpu, memory_of(character_bytes(file, on_gpu)), body), "character");
     for (const marrow::CharacterMesh& m : body.meshes)
       must(create_skinner(window.gl, window.caps, m.mesh, {}, programs.set, memory_of(gles3::skinner_bytes(m.mesh, {})),

@@ -1,4 +1,4 @@
-// Step 6: two hundred newts. Their clips are baked into a texture once; the CPU does nothing for them afterwards.
+// Step 7: two hundred newts. Their clips are baked into a texture once; the CPU does nothing for them afterwards.
 #include <marrow/gles3_crowd.h>
 
 #include "actor.h"

@@ -1,4 +1,4 @@
-// Step 7: the context is lost, with all that was in it, and the newt walks on in another. L loses it; so does the
+// Step 8: the context is lost, with all that was in it, and the newt walks on in another. L loses it; so does the
 // driver.
 #include "actor.h"
 #include "ground.h"

@@ -1,4 +1,4 @@
-// Step 8: what a game ships with: bad calls that are heard of, a GPU that was tried, poses made by several threads.
+// Step 9: what a game ships with: bad calls that are heard of, a GPU that was tried, poses made by several threads.
 #include <marrow/gles3_self_test.h>
 
 #include <cstring>

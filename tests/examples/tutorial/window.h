@@ -46,7 +46,7 @@ class Window {
   gles3::Caps caps;
   std::string file = "hero.mrw";
   Vec3 eye = {0.9f, 1.0f, 2.0f}, at = {0, 0.68f, 0};  // the camera
-  int frame = 0, lose = -1;                           // lose: see step 7
+  int frame = 0, lose = -1;                           // lose: see step 8
 
   Window(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
@@ -65,7 +65,7 @@ class Window {
     open();
   }
 
-  // The window and its context, new. Step 7 calls it again.
+  // The window and its context, new. Step 8 calls it again.
   void open() {
     if (window_ != nullptr) glfwDestroyWindow(window_);
     window_ = nullptr;

@@ -200,6 +200,30 @@ TEST(Behaviours, StartsAndStopsOnAFoot) {
   }
 }
 
+// Idle is as long as its contact, and begins at 0, 2 and 4 s; the walk's contacts end.
+TEST(Behaviours, StepsAreFeetThatComeDown) {
+  GraphRigMade made = behaviour_rig(starts(), {});
+  for (const auto& [clip, text] : {std::pair("idle", "left_foot@0..2"), std::pair("walk", "left_foot@0.2..0.7")}) {
+    cook::EventRule rule;
+    rule.clips = clip;
+    ASSERT_TRUE(tools::read_event(text, rule.event));
+    made.options.motion.events.push_back(rule);
+  }
+  Behaviour b("start_stop", "body", made);
+  int steps = 0;
+  b.each = [&](const AnimatorStep& step) {
+    steps += static_cast<int>(std::ranges::count_if(step.events, game::is_step));
+  };
+  b.play(5);
+  EXPECT_EQ(b.heard_count("left_foot"), 3);
+  EXPECT_EQ(steps, 0);
+  b.set_number("speed", 1.2);
+  b.play(5.95);
+  steps = 0;
+  b.play(6.95);  // a round of the walk
+  EXPECT_EQ(steps, 3);
+}
+
 TEST(Behaviours, SprintsOutOfItsFirstStep) {
   Behaviour b("start_stop", "body", starts());
   b.set_number("speed", 4);

@@ -11,9 +11,9 @@ namespace marrow::cook {
 // Reads and builds what the options ask for. Files are added to `reads`.
 std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes);
 
-// Notes clips of graphs that are not among the file's. They may come from a pack, so that this is no error. graphs: of
-// the rules, in their order.
-void warn_of_missing_clips(const std::vector<GraphRule>& rules, const std::vector<BuiltGraph>& graphs,
-                           const std::vector<BuiltClip>& clips, Notes& notes);
+// Notes clips of graphs that are not among the file's: they may come from a pack, so that this is no error. And those
+// that stand in a space at their own speed, and have none. graphs: of the rules, in their order.
+void warn_of_clips(const std::vector<GraphRule>& rules, const std::vector<BuiltGraph>& graphs,
+                   const std::vector<BuiltClip>& clips, Notes& notes);
 
 }  // namespace marrow::cook

@@ -52,8 +52,9 @@ BuiltRoles build_roles_of(const RawScene& scene, const BuiltSkeleton& skeleton, 
     const int node = skeleton.node_of_joint[to_index(joint)];
     if (node == kNone || is_ruled(name)) return;
     ++doubted;
-    notes.warnings.push_back({"/nodes/" + std::to_string(node), "role-in-doubt",
-                              "\"" + name + "\" gets no role: " + why + "; [roles] in marrow.toml says what it is"});
+    notes.warnings.push_back(
+        {"/nodes/" + std::to_string(node), "role-in-doubt",
+         "\"" + name + "\" gets no role: " + why + "; [roles] in marrow.toml, or --roles, says what it is"});
   };
   if (give_avatar_roles(scene, skeleton, body)) {
     int root = body.joint_of(Role::hips);
