@@ -62,5 +62,19 @@ TEST(CliGraph, AMissingClipIsAWarning) {
   EXPECT_NE(ran.err.find("no clip here is called \"waev\": did you mean \"wave\"?"), std::string::npos) << ran.err;
 }
 
+// "wave" goes 0.4 m/s, "point" stays where it is: a space that asks it for its speed has it at 0.
+TEST(CliGraph, AClipWithoutASpeedIsAWarning) {
+  const TemporaryFolder folder;
+  const std::string graph = folder / "hero.anim.toml";
+  std::ofstream(graph)
+      << "output = 'm'\n[parameters]\nv = { type = 'number', range = [0, 1] }\n[node.m]\ntype = 'space'\n"
+         "by = 'v'\npoints = [ { pose = 'wave' }, { pose = 'point' }, { at = 1, pose = 'point' } ]\n";
+  const Ran ran =
+      run_marrow({"cook", in_golden("tiny.gltf"), "--mesh-codec", "none", "--graph", graph, "-o", folder / "hero.mrw"});
+  EXPECT_EQ(ran.code, 0) << ran.err;
+  EXPECT_NE(ran.err.find("no-speed: \"point\" moves at 0 m/s"), std::string::npos) << ran.err;
+  EXPECT_EQ(ran.err.find("no-speed: \"wave\""), std::string::npos) << ran.err;
+}
+
 }  // namespace
 }  // namespace marrow::test
