@@ -138,7 +138,7 @@ marrow_tools_test(marrow_cli_tests cli
   cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/graph_test.cpp cli/wrong_graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp
   cli/looks_test.cpp cli/movie_test.cpp cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp
   cli/progress_test.cpp cli/report_test.cpp cli/rig_maps_test.cpp cli/road_test.cpp cli/same_bytes_test.cpp cli/same_names_test.cpp
-  cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
+  cli/sample_test.cpp cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
   cli/support/cookings.cpp cli/support/process.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.

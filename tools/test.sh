@@ -57,7 +57,7 @@ where_possible() {  # WHAT COMMAND ...
   [ $code -ne 3 ] || { echo "SKIPPED: some or all of: $what" >&2 && return 0; }
   return $code
 }
-validate_sample() { where_possible "gltf-validator on the sample" tools/validate_gltf.sh tools/sample/newt.glb; }
+validate_sample() { where_possible "gltf-validator on the sample" tools/validate_gltf.sh tools/sample/newt.glb tools/sample/newt_moves.glb; }
 
 test_preset() {
   echo "== $1" >&2

@@ -124,6 +124,9 @@ void Matching::match_names() {
     node_of_.try_emplace({found->second.skeleton, found->second.joint}, static_cast<int>(n));
   }
   out_.skeletons = character_.skeletons;
+  for (BuiltSkeleton& skeleton : out_.skeletons) skeleton.node_of_joint.assign(skeleton.joint_names.size(), kNone);
+  for (const auto& [at, node] : node_of_)
+    out_.skeletons[static_cast<std::size_t>(at.first)].node_of_joint[static_cast<std::size_t>(at.second)] = node;
 }
 
 // A node that a clip moves: one of its name on both sides, and below the same joint.

@@ -25,8 +25,12 @@ struct Track {
 struct Clip {
   std::string name;
   std::vector<Track> tracks;
+  std::vector<std::string> events;  // as Marrow's cooker takes them: NAME@TIME
 };
 
+// Of the sample itself.
 std::vector<Clip> make_clips();
+// What a game needs of it besides: moves.h, with the sample's own walk and idling.
+std::vector<Clip> make_moves();
 
 }  // namespace marrow::sample

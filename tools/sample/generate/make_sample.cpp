@@ -1,4 +1,5 @@
-// Generates Marrow's own sample character, a newt that walks, twists and reaches: make_sample OUT.glb
+// Generates Marrow's own sample character, a newt that walks, twists and reaches, and what it does
+// in a game: make_sample OUT.glb [MOVES.glb]
 #include <fmt/core.h>
 
 #include <cstdio>
@@ -28,11 +29,19 @@ Model make_newt() {
   return model;
 }
 
+bool write(const char* path, const std::string& bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (!file) fmt::print(stderr, "{}: cannot be written\n", path);
+  return bool(file);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    fmt::print(stderr, "usage: make_sample OUT.glb\n");
+  if (argc != 2 && argc != 3) {
+    fmt::print(stderr, "usage: make_sample OUT.glb [MOVES.glb]\n");
     return 1;
   }
   const Model model = make_newt();
@@ -41,14 +50,13 @@ int main(int argc, char** argv) {
     return 5;
   }
   const std::string bytes = make_glb(model);
-  std::ofstream file(argv[1], std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  if (!file) {
-    fmt::print(stderr, "{}: cannot be written\n", argv[1]);
-    return 2;
-  }
+  if (!write(argv[1], bytes)) return 2;
   fmt::print("{}: {} vertices, {} triangles, {} joints, {} clips, {} bytes\n", argv[1], model.body.positions.size(),
              model.body.triangles.size(), static_cast<int>(kJointCount), model.clips.size(), bytes.size());
+  if (argc == 2) return 0;
+  const std::vector<Clip> moves = make_moves();
+  const std::string of_moves = make_moves_glb(model.face, moves);
+  if (!write(argv[2], of_moves)) return 2;
+  fmt::print("{}: {} clips, {} bytes\n", argv[2], moves.size(), of_moves.size());
   return 0;
 }

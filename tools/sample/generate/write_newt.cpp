@@ -32,10 +32,23 @@ class Writer {
     return glb_.finish("the sample");
   }
 
+  std::string run(const std::vector<RigidPart>& face, const std::vector<Clip>& clips) {
+    json_["asset"]["copyright"] = "MIT";
+    json_["scene"] = 0;
+    for (const char* name : {"scenes", "nodes", "animations", "accessors", "bufferViews"}) json_[name] = Json::array();
+    add_joints();
+    face_node_ = kJointCount;
+    for (const RigidPart& part : face) add_face_node(part, {{"name", part.name}});
+    json_["nodes"].push_back({{"name", "Armature"}, {"children", {kPelvis}}});
+    json_["scenes"].push_back({{"name", "newt"}, {"nodes", {json_["nodes"].size() - 1}}});
+    for (const Clip& clip : clips) add_clip(clip);
+    return glb_.finish("the sample's moves");
+  }
+
  private:
   // Joints come first, so that a joint's node index is its own index; then the skinned body, then the face.
   static constexpr int kBodyNode = kJointCount;
-  static constexpr int kFaceNode = kJointCount + 1;
+  int face_node_ = kJointCount + 1;  // without a body its own place
 
   std::size_t add_positions(const std::vector<glm::vec3>& positions) {
     const std::size_t accessor = glb_.add_accessor(positions, Component::f32, kVec3, Target::vertices);
@@ -158,11 +171,14 @@ class Writer {
                                {"COLOR_0", add_colours(part.colours)}};
       const bool lid = part.name.rfind("lid", 0) == 0;
       add_mesh(part.name, attributes, add_triangles(part.mesh.triangles), lid ? 0 : 1);
-      Json node = {{"name", part.name}, {"mesh", json_["meshes"].size() - 1}};
-      set_place_under(node, kHead, part.at, part.turn);
-      json_["nodes"].push_back(node);
-      json_["nodes"][kHead]["children"].push_back(json_["nodes"].size() - 1);
+      add_face_node(part, {{"name", part.name}, {"mesh", json_["meshes"].size() - 1}});
     }
+  }
+
+  void add_face_node(const RigidPart& part, Json node) {
+    set_place_under(node, kHead, part.at, part.turn);
+    json_["nodes"].push_back(node);
+    json_["nodes"][kHead]["children"].push_back(json_["nodes"].size() - 1);
   }
 
   // Tracks of a clip with the same keys share one accessor.
@@ -185,10 +201,11 @@ class Writer {
           {{"input", inputs[track.times]},
            {"interpolation", interpolation},
            {"output", glb_.add_accessor(track.values, Component::f32, turns ? kVec4 : kVec3, Target::none)}});
-      const int node = track.target < kFaceTarget ? track.target : track.target - kFaceTarget + kFaceNode;
+      const int node = track.target < kFaceTarget ? track.target : track.target - kFaceTarget + face_node_;
       channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
     }
     json_["animations"].push_back({{"name", clip.name}, {"channels", channels}, {"samplers", samplers}});
+    if (!clip.events.empty()) json_["animations"].back()["extras"]["marrow"]["events"] = clip.events;
   }
 
   tools::Glb glb_{"Marrow sample generator"};
@@ -199,6 +216,10 @@ class Writer {
 
 std::string make_glb(const Model& model) {
   return Writer().run(model);
+}
+
+std::string make_moves_glb(const std::vector<RigidPart>& face, const std::vector<Clip>& clips) {
+  return Writer().run(face, clips);
 }
 
 }  // namespace marrow::sample

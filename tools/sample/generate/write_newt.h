@@ -22,5 +22,7 @@ struct Model {
 
 // The bytes of the file.
 std::string make_glb(const Model& model);
+// Clips with the nodes that they move, and without meshes: what a clip pack is cooked of.
+std::string make_moves_glb(const std::vector<RigidPart>& face, const std::vector<Clip>& clips);
 
 }  // namespace marrow::sample

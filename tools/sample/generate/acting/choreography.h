@@ -1,7 +1,7 @@
 // What the newt does: one pose for every moment of every clip.
 #pragma once
 
-#include "motion.h"
+#include "acting/motion.h"
 
 namespace marrow::sample {
 

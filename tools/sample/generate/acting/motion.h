@@ -18,7 +18,13 @@ struct Pose {
   std::array<glm::vec3, kJointCount> scale;
   glm::vec3 hips{0};           // shift of the pelvis
   glm::quat gaze{1, 0, 0, 0};  // turn of both eyes
+  // Where all of it has gone to since the clip's beginning: carries the pelvis, with all that is posed above.
+  glm::vec3 way{0};
+  float heading = 0;  // degrees to its left, about the origin
 };
+
+// From one pose to another; what has been gone is `a`'s.
+Pose mix(const Pose& a, const Pose& b, float share);
 
 // Degrees about X (nods forward), Y (to the creature's left) and Z (leans to its right); roll first, then nod, then
 // turn.
@@ -49,5 +55,9 @@ void plant_foot(Pose& pose, int side, const Stand& stand, glm::vec3 knee);
 // overshoots. The first point is at 0 and stands for 1 as well.
 float curve(const std::vector<std::pair<float, float>>& points, float phase);
 glm::vec3 curve(const std::vector<std::pair<float, glm::vec3>>& points, float phase);
+
+// The same of what happens once: it holds still before the first point and behind the last one.
+float passage(const std::vector<std::pair<float, float>>& points, float at);
+glm::vec3 passage(const std::vector<std::pair<float, glm::vec3>>& points, float at);
 
 }  // namespace marrow::sample

@@ -1,5 +1,5 @@
 // The arithmetic behind posing: forward kinematics, two-bone limbs, monotone periodic curves.
-#include "motion.h"
+#include "acting/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,13 +38,10 @@ void set_limb(Pose& pose, int upper, int lower, glm::vec3 u, glm::vec3 f, glm::v
   pose.turn[at(lower)] = glm::normalize(glm::inverse(q_upper) * q_lower);
 }
 
-// Slope at point i for a monotone cubic (Fritsch-Butland), periodic.
-float slope(const std::vector<std::pair<float, float>>& points, std::size_t i) {
-  const std::size_t n = points.size();
-  const auto& here = points[i];
-  std::pair<float, float> before = points[(i + n - 1) % n], after = points[(i + 1) % n];
-  if (i == 0) before.first -= 1;
-  if (i + 1 == n) after.first += 1;
+using Point = std::pair<float, float>;
+
+// Slope at a point for a monotone cubic (Fritsch-Butland).
+float slope_between(const Point& before, const Point& here, const Point& after) {
   const float h0 = here.first - before.first, h1 = after.first - here.first;
   const float d0 = (here.second - before.second) / h0, d1 = (after.second - here.second) / h1;
   if (d0 * d1 <= 0) return 0;
@@ -52,11 +49,43 @@ float slope(const std::vector<std::pair<float, float>>& points, std::size_t i) {
   return (w0 + w1) / (w0 / d0 + w1 / d1);
 }
 
+// At point i, periodic.
+float slope(const std::vector<Point>& points, std::size_t i) {
+  const std::size_t n = points.size();
+  Point before = points[(i + n - 1) % n], after = points[(i + 1) % n];
+  if (i == 0) before.first -= 1;
+  if (i + 1 == n) after.first += 1;
+  return slope_between(before, points[i], after);
+}
+
+template <class Curve>
+glm::vec3 by_axis(const std::vector<std::pair<float, glm::vec3>>& points, float at, Curve curve_of) {
+  glm::vec3 result(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<Point> one;
+    one.reserve(points.size());
+    for (const auto& [when, value] : points) one.emplace_back(when, value[axis]);
+    result[axis] = curve_of(one, at);
+  }
+  return result;
+}
+
 }  // namespace
 
 Pose::Pose() {
   turn.fill(glm::quat(1, 0, 0, 0));
   scale.fill(glm::vec3(1));
+}
+
+Pose mix(const Pose& a, const Pose& b, float share) {
+  Pose out = a;
+  for (std::size_t i = 0; i < out.turn.size(); ++i) {
+    out.turn[i] = glm::slerp(a.turn[i], b.turn[i], share);
+    out.scale[i] = glm::mix(a.scale[i], b.scale[i], share);
+  }
+  out.hips = glm::mix(a.hips, b.hips, share);
+  out.gaze = glm::slerp(a.gaze, b.gaze, share);
+  return out;
 }
 
 glm::quat turned(float x, float y, float z) {
@@ -118,13 +147,25 @@ float curve(const std::vector<std::pair<float, float>>& points, float phase) {
 }
 
 glm::vec3 curve(const std::vector<std::pair<float, glm::vec3>>& points, float phase) {
-  glm::vec3 result(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<std::pair<float, float>> one;
-    for (const auto& [when, value] : points) one.emplace_back(when, value[axis]);
-    result[axis] = curve(one, phase);
-  }
-  return result;
+  return by_axis(points, phase, [](const std::vector<Point>& one, float at_phase) { return curve(one, at_phase); });
+}
+
+float passage(const std::vector<std::pair<float, float>>& points, float when) {
+  if (when <= points.front().first) return points.front().second;
+  if (when >= points.back().first) return points.back().second;
+  std::size_t i = 0;
+  while (points[i + 1].first <= when) ++i;
+  const auto slope_at = [&](std::size_t k) {
+    return k == 0 || k + 1 == points.size() ? 0.0f : slope_between(points[k - 1], points[k], points[k + 1]);
+  };
+  const float span = points[i + 1].first - points[i].first;
+  const float t = (when - points[i].first) / span, t2 = t * t, t3 = t2 * t;
+  return (2 * t3 - 3 * t2 + 1) * points[i].second + (t3 - 2 * t2 + t) * span * slope_at(i) +
+         (3 * t2 - 2 * t3) * points[i + 1].second + (t3 - t2) * span * slope_at(i + 1);
+}
+
+glm::vec3 passage(const std::vector<std::pair<float, glm::vec3>>& points, float when) {
+  return by_axis(points, when, [](const std::vector<Point>& one, float at_time) { return passage(one, at_time); });
 }
 
 }  // namespace marrow::sample

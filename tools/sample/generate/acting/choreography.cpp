@@ -1,78 +1,11 @@
 // The acting: walking, twisting, reaching for something overhead, and idling about.
-#include "choreography.h"
+#include "acting/choreography.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "acting/gestures.h"
+
 namespace marrow::sample {
-namespace {
-
-constexpr float kTau = 6.2831853f;
-
-float wave(float phase, float lag = 0) {
-  return std::sin(kTau * (phase - lag));
-}
-
-// Spreads a turn over the trunk.
-void bend_spine(Pose& pose, float x, float y, float z) {
-  for (const int joint : {kSpine1, kSpine2, kChest}) bend(pose, joint, x / 3, y / 3, z / 3);
-}
-
-void bend_head(Pose& pose, float x, float y, float z) {
-  bend(pose, kNeck, x * .4f, y * .4f, z * .4f);
-  bend(pose, kHead, x * .6f, y * .6f, z * .6f);
-}
-
-// A wave that runs down the tail, larger towards the tip.
-void sway_tail(Pose& pose, float phase, float degrees, float lag) {
-  for (int i = 0; i < kTailCount; ++i) {
-    const auto along = static_cast<float>(i);
-    bend(pose, kTail1 + i, 0, degrees * (.6f + .1f * along) * wave(phase, lag * along), 0);
-  }
-}
-
-// Gills trail behind whatever the head does.
-void flutter_gills(Pose& pose, float phase, float degrees) {
-  for (int side = 0; side < 2; ++side) {
-    const float sign = side_sign(side);
-    bend(pose, on_side(kGillTop, side), .5f * degrees * wave(phase), sign * degrees * .5f * wave(phase, .15f),
-         sign * degrees * wave(phase, .10f));
-    bend(pose, on_side(kGillMid, side), 0, sign * degrees * .5f * wave(phase, .22f),
-         sign * degrees * wave(phase, .18f));
-    bend(pose, on_side(kGillLow, side), 0, sign * degrees * .5f * wave(phase, .30f),
-         sign * degrees * wave(phase, .26f));
-  }
-}
-
-void relax_hand(Pose& pose, int side, float curl) {
-  const float sign = side_sign(side);
-  const glm::vec3 along = bone_direction(on_side(kHand, side));
-  const glm::vec3 axis = glm::normalize(glm::cross(along, glm::vec3(-sign, -.9f, 0)));
-  pose.turn[static_cast<std::size_t>(on_side(kHand, side))] *= glm::angleAxis(glm::radians(curl * .5f), axis);
-  pose.turn[static_cast<std::size_t>(on_side(kFingers, side))] = glm::angleAxis(glm::radians(curl), axis);
-}
-
-// One foot of the walk; phase 0 is when its heel strikes.
-Stand walking_foot(float phase) {
-  constexpr float kStance = .60f, kFront = .125f, kBack = -.145f;
-  phase -= std::floor(phase);
-  Stand stand;
-  if (phase < kStance) {
-    stand.shift.z = glm::mix(kFront, kBack, phase / kStance);  // carried by the ground
-  } else {
-    // The swing leaves and arrives at the speed of the ground, so that the foot never skids.
-    const float t = (phase - kStance) / (1 - kStance), t2 = t * t, t3 = t2 * t;
-    const float speed = (kBack - kFront) / kStance * (1 - kStance);
-    stand.shift.z =
-        (2 * t3 - 3 * t2 + 1) * kBack + (t3 - 2 * t2 + t) * speed + (3 * t2 - 2 * t3) * kFront + (t3 - t2) * speed;
-  }
-  stand.shift.y = curve({{0.0f, 0.0f}, {kStance, 0.0f}, {.80f, .062f}}, phase);
-  stand.pitch =
-      curve({{0.0f, 14.0f}, {.11f, 0.0f}, {.36f, 0.0f}, {kStance, -40.0f}, {.72f, -28.0f}, {.93f, 17.0f}}, phase);
-  return stand;
-}
-
-}  // namespace
 
 Pose walk_pose(float phase) {
   Pose pose;
