@@ -1,4 +1,5 @@
-// `marrow render --movie` as GIF, MP4 and WebM: what ffprobe finds in them, and what becomes of them when ffmpeg fails.
+// `marrow render --movie` as GIF, MP4, WebM and WebP: what ffprobe finds in them, and what becomes of them when ffmpeg
+// fails.
 #ifdef MARROW_HAS_GLES
 #include <signal.h>
 #include <sys/stat.h>
@@ -117,6 +118,35 @@ TEST_F(FfmpegTest, AllThreeKindsHaveTheClipsFrames) {
   EXPECT_EQ(render("four.mp4", {"--size", "48x32", "--fps", "4"}).code, 0);
   expect_film("four.mp4", "h264", 5, 0.001);
   EXPECT_EQ(folder_.listing(), (std::vector<std::string>{"four.mp4", "t.mrw", "w.WEBM", "w.gif", "w.mp4"}));
+}
+
+// By the container's specification (Google, "WebP Container Specification"), as ffprobe reads the first frame alone.
+TEST_F(FfmpegTest, AnAnimatedWebPHasTheClipsFrames) {
+  const Ran ran = render("w.webp", {"--size", "47x31"});
+  ASSERT_EQ(ran.code, 0) << ran.err;
+  const std::string webp = read_text(folder_ / "w.webp");
+  const auto number = [&](std::size_t at, int bytes) {
+    std::size_t out = 0;
+    for (int i = bytes - 1; i >= 0; --i) out = 256 * out + static_cast<unsigned char>(webp.at(at + std::size_t(i)));
+    return out;
+  };
+  ASSERT_EQ(webp.substr(0, 4) + webp.substr(8, 4), "RIFFWEBP");
+  EXPECT_EQ(number(4, 4) + 8, webp.size());
+  std::size_t frames = 0, ms = 0;
+  for (std::size_t at = 12; at + 8 <= webp.size(); at += 8 + number(at + 4, 4) + number(at + 4, 4) % 2) {
+    const std::string kind = webp.substr(at, 4);
+    if (kind == "VP8X") EXPECT_EQ(number(at + 12, 3) + 1, 47u);
+    if (kind == "VP8X") EXPECT_EQ(number(at + 15, 3) + 1, 31u);
+    if (kind == "ANIM") EXPECT_EQ(number(at + 12, 2), 0u) << "again and again";
+    if (kind != "ANMF") continue;
+    ++frames;
+    ms += number(at + 20, 3);
+    // Whole, so that nothing of the frame before is left.
+    EXPECT_EQ(number(at + 14, 3) + 1, 47u);
+    EXPECT_EQ(number(at + 17, 3) + 1, 31u);
+  }
+  EXPECT_EQ(frames, 19u);
+  EXPECT_NEAR(double(ms), 1000 * kWaveSeconds, 20);
 }
 
 TEST_F(FfmpegTest, WhatPlayersAskFor) {

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "commands/render/film.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
 #include "image/apng.h"
+#include "image/film.h"
 #include "terminal/progress.h"
 #include "text/quantity.h"
 
@@ -175,7 +175,7 @@ void expect_movie_output(const std::string& output) {
   if (names) {
     expect_extension(first, {".png", ".apng"});
   } else {
-    expect_extension(first, {".png", ".apng", ".gif", ".mp4", ".webm"});
+    expect_extension(first, {".png", ".apng", ".gif", ".mp4", ".webm", ".webp"});
   }
   expect_writable(first);
   if (is_film(first)) expect_ffmpeg(first);
@@ -187,7 +187,7 @@ const char* default_movie_size(const std::string& output) {
 }
 
 std::string movie_size(const std::string& output, const std::string& size) {
-  if (!is_film(output) || has_extension(output, ".gif")) return size;
+  if (!is_film(output) || has_extension(output, ".gif") || has_extension(output, ".webp")) return size;
   const auto [width, height] = parse_size(size);
   return fmt::format("{}x{}", width + width % 2, height + height % 2);
 }

@@ -19,11 +19,11 @@ struct GraphOptions {
 };
 
 void add_movie(CLI::App* command, RenderArguments& a) {
-  CLI::Option* const movie =
-      command->add_flag("--movie", a.movie,
-                        "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
-                        "an animated PNG (.png), or by the program ffmpeg .gif, .mp4 or .webm, or, with -o FOLDER/ or "
-                        "-o NAME%04d.png, numbered frames; without --size one .png or .gif has 480x360");
+  CLI::Option* const movie = command->add_flag(
+      "--movie", a.movie,
+      "a moving picture that loops: the clip, or with --time, or of what does not move, a turntable; "
+      "an animated PNG (.png), or by the program ffmpeg .gif, .mp4, .webm or .webp, or, with -o FOLDER/ or "
+      "-o NAME%04d.png, numbered frames; without --size one .png or .gif has 480x360");
   command->add_option("--fps", a.fps, "frames a second of a movie or a trace")
       ->type_name("N")
       ->check(CLI::Range(1, 60))

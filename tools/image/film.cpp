@@ -1,4 +1,4 @@
-#include "commands/render/film.h"
+#include "image/film.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -55,6 +55,9 @@ const std::vector<Kind>& kinds() {
         "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=sierra2_4a:diff_mode=rectangle", "-loop",
         "0", "-f", "gif"}},
       {".mp4", video({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart", "-f", "mp4"})},
+      // Each frame whole: the encoder of animations leaves blocks of the frame before that are nearly alike, and shows
+      // it.
+      {".webp", {"-c:v", "libwebp", "-quality", "60", "-compression_level", "5", "-loop", "0", "-f", "webp"}},
       {".webm",
        video({"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1", "-cpu-used", "3", "-f", "webm"})},
   };
@@ -83,7 +86,8 @@ std::optional<std::string> find_program(const std::string& name) {
 
 std::string find_ffmpeg(const std::string& output) {
   if (std::optional<std::string> found = find_program("ffmpeg")) return *found;
-  throw Failure(Exit::unsupported, output, "", "there is no program ffmpeg on the PATH, which writes GIF, MP4 and WebM",
+  throw Failure(Exit::unsupported, output, "",
+                "there is no program ffmpeg on the PATH, which writes GIF, MP4, WebM and WebP",
                 "install it (apt-get install ffmpeg), or name a .png: an animated PNG");
 }
 

@@ -1,4 +1,4 @@
-// GIF, MP4 and WebM, by the program ffmpeg.
+// GIF, MP4, WebM and animated WebP, by the program ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -12,7 +12,7 @@
 
 namespace marrow::tools {
 
-// .gif, .mp4 or .webm.
+// .gif, .mp4, .webm or .webp.
 bool is_film(const std::string& output);
 
 // Throws Failure (unsupported) if there is no ffmpeg on the PATH.
@@ -23,7 +23,7 @@ void expect_ffmpeg(const std::string& output);
 class Film {
  public:
   struct Shape {
-    int width, height;  // even, unless it is a GIF
+    int width, height;  // even, but for GIF and WebP
     std::size_t frames;
     double duration_s;
   };
