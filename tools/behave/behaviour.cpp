@@ -37,12 +37,12 @@ void Behaviour::bind(const std::string& path, const File& file, std::span<const 
     animations_memory_.emplace_back(animations_bytes(file, clips));
     check(make_animations(file, clips, animations_memory_.back(), animations_.emplace_back()));
   };
-  add(file);
   for (const std::string& pack : packs) {
     packs_.push_back(load_mrw(pack));
     plays_of_pack(pack, packs_.back().file, path, file);  // says what does not fit
     add(packs_.back().file);
   }
+  add(file);
   binding_memory_ = AlignedBytes(graph_binding_bytes(found_.graph, file));
   GraphMisfit misfit;
   const Status status = bind_graph(found_.file, found_.graph, file, {animations_.data(), animations_.size()},

@@ -17,8 +17,9 @@
 namespace marrow::tools {
 
 struct BehaviourArguments {
-  std::string graph;               // as find_graph() takes it
-  std::vector<std::string> clips;  // packs that clips come from as well
+  std::string graph;  // as find_graph() takes it
+  std::vector<std::string>
+      clips;  // packs that clips come from; of one name the first pack's counts, then the character's own
 };
 
 // What a machine is in.
