@@ -80,9 +80,10 @@ target_link_libraries(marrow_graph_tests PRIVATE marrow_cook tomlplusplus::tomlp
 set_source_files_properties(unit/graph/oracle.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
   unit/graph/oracle_pose.cpp PROPERTIES COMPILE_OPTIONS -O2 SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 
-# Characters that behave by them, as commands have them.
-marrow_tools_test(marrow_behave_tests behave unit/behave/behaviour_test.cpp unit/behave/script_test.cpp)
-target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook)
+# Characters that behave by them, as commands have them, and the sample in the demo.
+marrow_tools_test(marrow_behave_tests behave unit/behave/behaviour_test.cpp unit/behave/script_test.cpp
+  unit/story/story_test.cpp)
+target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook marrow_story)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow
