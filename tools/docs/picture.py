@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Makes README.md's picture of the sample, docs/images/newt.jpg, or finds that it is of other sources.
+"""Makes README.md's pictures of the sample, docs/images/newt-moves.webp and newt.jpg, or finds that they are of other sources.
 
-usage: tools/docs/picture.py MARROW   draws it by the program MARROW, in full colour
-       tools/docs/picture.py          exit 1 if what the picture is made of has changed since
+usage: tools/docs/picture.py MARROW   draws them by the program MARROW
+       tools/docs/picture.py          exit 1 if what they are made of has changed since
 
-The picture is `marrow demo`'s contact sheet of the sample, as JPEG by ffmpeg: a fifth of the bytes, as it is drawn often.
-A comment within it has a hash over the sample and the sources that choose, deform and lay out what is seen.
+The first is `marrow demo`'s movie, as it is. The second is its contact sheet of the sample, as JPEG by ffmpeg: a fifth
+of the bytes, as it is drawn often. A comment within it has a hash over the movie, the sample, and the sources that
+choose, deform and lay out what is seen.
 """
 import hashlib
 import pathlib
@@ -16,7 +17,10 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURE = ROOT / "docs/images/newt.jpg"
-INPUTS = ("tools/sample/newt.glb", "tools/commands/demo", "tools/cook/learn", "tools/deform")
+MOVIE = ROOT / "docs/images/newt-moves.webp"
+MOST_BYTES = 1_500_000  # of the movie
+INPUTS = ("docs/images/newt-moves.webp", "tools/sample/newt.glb", "tools/sample/newt_moves.glb",
+          "tools/sample/newt.anim.toml", "tools/commands/demo", "tools/story", "tools/cook/learn", "tools/deform")
 BEGIN, COMMENT = b"\xff\xd8", b"\xff\xfe"  # of JPEG
 
 
@@ -37,6 +41,10 @@ def main():
     if len(sys.argv) > 1:
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.argv[1], "demo", "-o", folder], check=True)
+            moves = (pathlib.Path(folder) / "newt-moves.webp").read_bytes()
+            if len(moves) > MOST_BYTES:
+                sys.exit(f"newt-moves.webp: {len(moves)} bytes are too many for a page")
+            MOVIE.write_bytes(moves)
             drawn = pathlib.Path(folder) / "newt.jpg"
             subprocess.run(["ffmpeg", "-loglevel", "error", "-i", drawn.with_suffix(".png"), "-q:v", "2",
                             "-pix_fmt", "yuvj444p", drawn], check=True)
@@ -44,8 +52,8 @@ def main():
         return 0
     if PICTURE.read_bytes().startswith(BEGIN + note()):
         return 0
-    print(f"{PICTURE.relative_to(ROOT)} is of other sources than these: tools/docs/picture.py MARROW, look at it, and "
-          "commit it", file=sys.stderr)
+    print(f"{MOVIE.relative_to(ROOT)} and {PICTURE.name} are of other sources than these: tools/docs/picture.py MARROW, "
+          "look at them, and commit them", file=sys.stderr)
     return 1
 
 

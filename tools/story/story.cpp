@@ -30,6 +30,7 @@ constexpr float kStoneRadius = 0.185f, kStoneHeight = 0.165f;
 constexpr float kLeapsBefore = 1.02f;  // of the stone: from the leap's beginning to its middle
 constexpr float kChaseWay = 0.85f;     // where it sees that the firefly gets away
 constexpr float kDiveBefore = 1.65f;   // of the end, where the firefly turns round
+constexpr float kStood_s = 0.6f;       // before it begins, as in the end: so it can be shown again and again
 constexpr float kTouch = 0.20f;        // from the head's joint to the firefly that hits it
 constexpr float kQuarterTurn = 0.5f * std::numbers::pi_v<float>;
 const glm::vec3 kPerch{1.25f, 1.12f, 0.95f};  // where the firefly waits
@@ -63,6 +64,7 @@ class Teller {
     begin_ = {begin.x, 0, begin.y};
     begin_rad_ = std::atan2(along.x, along.y) - kQuarterTurn;
     place(begin_, begin_rad_);
+    behaviour_.update(kStood_s);
     firefly_.at = kPerch;
     const glm::vec2 stone = eight_.at(0.5f * eight_.length() + kStoneWay);
     story_.stone = {stone.x, 0, stone.y};
@@ -74,7 +76,7 @@ class Teller {
   }
 
   Story tell() {
-    constexpr std::size_t kMost = 60 * kStoryFps;
+    constexpr auto kMost = static_cast<std::size_t>(60 * kStoryFps);
     while (!over_ && story_.steps.size() < kMost) step();
     for (Print& print : story_.prints) print.until = std::min(print.until, story_.steps.size());
     return std::move(story_);
@@ -200,7 +202,9 @@ class Teller {
 
   void move_firefly() {
     const float t = now_s();
-    const glm::vec3 flutter(0.07f * std::sin(5.1f * t), 0.06f * std::sin(7.7f * t + 1), 0.07f * std::sin(6.3f * t + 2));
+    const float swift = smooth(0, 0.8f, t) * (1 - smooth(0.5f, 1.2f, ends_s()));
+    const glm::vec3 flutter =
+        swift * glm::vec3(0.07f * std::sin(5.1f * t), 0.06f * std::sin(7.7f * t + 1), 0.07f * std::sin(6.3f * t + 2));
     const float left = eight_.length() + kBegin - way_;
     if (chapter_ <= Chapter::turns) return firefly_.follow(kPerch + flutter, 0.2f);
     if (chapter_ == Chapter::goes) {
@@ -228,7 +232,8 @@ class Teller {
   // The game's own hands on the pose.
   void change(const Pose& pose) {
     const bool dizzy = circles();
-    looks_ += ((dizzy ? 0.12f : smooth(0.25f, 0.65f, now_s())) - looks_) * (1 - std::exp(-kStep_s / 0.12f));
+    const float sees = dizzy ? 0.12f : smooth(0.25f, 0.65f, now_s()) * (1 - smooth(0.7f, 1.0f, ends_s()));
+    looks_ += (sees - looks_) * (1 - std::exp(-kStep_s / 0.12f));
     // As a runner does, if less: by what the curve asks for at this speed.
     const float asked = std::atan(speed_m_s_ * turn_rad_s_ / kGravity);
     leans_ += (std::clamp(0.8f * asked, -0.32f, 0.32f) - leans_) * (1 - std::exp(-kStep_s / 0.18f));
@@ -241,6 +246,9 @@ class Teller {
     if (!is_in("air")) world_.rows[1][3] = adjuster_.sunk(pose);
     adjuster_.place(pose, world_, kStep_s);
   }
+
+  // Since its last turn began.
+  float ends_s() const { return chapter_ == Chapter::turns_back ? since_s() : 0; }
 
   // The firefly, about the newt's head.
   bool circles() const { return chapter_ == Chapter::is_hurt || (chapter_ == Chapter::stops && since_s() < 0.9f); }
@@ -302,7 +310,7 @@ class Teller {
   float chapter_s_ = 0;  // when it began
   std::string state_;
   bool passes_ = false, has_jumped_ = false, over_ = false;
-  bool comes_down_[2] = {false, false};
+  bool comes_down_[2] = {true, true};
   std::size_t open_[2] = {kNoPrint, kNoPrint};  // of a foot: the print that it stands on
   float rise_ = 0, speed_m_s_ = 0, turn_rad_s_ = 0;
   float looks_ = 0, trails_ = 0, leans_ = 0;

@@ -67,6 +67,11 @@ TEST_F(StoryTest, WalksAFigureEightBackToWhereItBegan) {
   const StoryStep &first = story().steps.front(), &last = story().steps.back();
   EXPECT_LT(glm::distance(first.root, last.root), 0.005f);
   EXPECT_LT(std::fabs(first.heading_rad - last.heading_rad), 0.02f);
+  // Shown again and again it does not jump.
+  float jump = 0;
+  for (std::size_t j = 0; j < first.world_from_joint.size(); ++j)
+    jump = std::max(jump, glm::distance(place(first, j), place(last, j)));
+  EXPECT_LT(jump, 0.03f);
   // It turns to the one side as far as to the other, three quarters of a round at least each; both lobes reach as far.
   float left = 0, right = 0, most = 0, least = 0, fastest = 0;
   std::size_t in_the_middle = 0;

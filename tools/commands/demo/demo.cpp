@@ -10,6 +10,7 @@
 
 #include "commands/demo/moves.h"
 #include "commands/demo/sheet.h"
+#include "commands/demo/story_movie.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
@@ -117,6 +118,9 @@ void show_moves(const Gl& gl, const std::string& directory) {
   const std::string png = (std::filesystem::path(directory) / "newt-ik.png").string();
   write_png(png, make_moves_sheet(gl, loaded.file));
   std::fprintf(stderr, "%s: feet on a slope, a hand and the eyes on a point\n", png.c_str());
+  const StoryMovie movie = shoot_story(gl, (std::filesystem::path(directory) / "newt.mrw").string());
+  std::fprintf(stderr, "%s: it goes by its graph, %zu frames, %.1f s\n", movie.path.c_str(), movie.frames,
+               movie.duration_s);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,8 @@
 #include <glm/vec3.hpp>
 
 #include "commands/demo/layout.h"
-#include "common/aligned_bytes.h"
+#include "commands/demo/prop.h"
 #include "common/failure.h"
-#include "cook/cook.h"
 #include "marrow/glm.h"
 #include "marrow/marrow.h"
 #include "render/figure.h"
@@ -52,41 +50,8 @@ cook::RawScene ramp_scene() {
   add({high_front, below_front, below_back, high_back});
   add({low_front, below_front, high_front});
   add({low_back, high_back, below_back});
-  primitive.pointer = "/meshes/0/primitives/0";
-  primitive.material = 0;
-  cook::RawScene scene;
-  scene.source = "ramp";
-  scene.nodes.emplace_back().name = "ramp";
-  scene.materials.emplace_back().base_colour = {0.34f, 0.31f, 0.27f, 1};
-  scene.meshes.push_back({"ramp", {}, {primitive}});
-  cook::RawInstance& instance = scene.instances.emplace_back();
-  instance.node = instance.mesh = 0;
-  return scene;
+  return prop_scene(std::move(primitive), {0.34f, 0.31f, 0.27f});
 }
-
-// A prop that does not move, in a file of its own.
-class Ramp {
- public:
-  Ramp(const Gl& gl, gles3::ProgramSet& programs) : bytes_(cook::cook_scene(ramp_scene(), raw()).file) {
-    check(load({bytes_.data(), bytes_.size()}, file_));
-    figure_ = std::make_unique<Figure>(gl, programs, file_);
-    posed_ = skin_all(file_, Character(file_), Deformer::ssd);
-  }
-  std::vector<Drawable> drawables() { return figure_->from_cpu(posed_); }
-  Box box() const { return box_of(posed_); }
-
- private:
-  static cook::CookOptions raw() {
-    cook::CookOptions options;
-    options.mesh_codec = cook::MeshCodec::none;
-    return options;
-  }
-
-  AlignedBytes bytes_;
-  File file_;
-  std::unique_ptr<Figure> figure_;
-  std::vector<PosedMesh> posed_;
-};
 
 // What the sheet moves of the sample.
 struct Rig {
@@ -163,7 +128,7 @@ Image make_moves_sheet(const Gl& gl, const File& file) {
   const Performance performance(file, character, play);
   Studio studio(gl, kCellWidth, kCellHeight);
   Figure figure(gl, studio.programs(), file);
-  Ramp ramp(gl, studio.programs());
+  Prop ramp(gl, studio.programs(), ramp_scene());
   Rig rig;
   make_rig(file, rig);
   const auto frames = static_cast<int>(std::lround(play.duration_s / kFrame_s));
