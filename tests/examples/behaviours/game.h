@@ -23,7 +23,7 @@ inline float metres_fallen(float& highest_m, float height_m, bool was_grounded) 
   return highest_m - height_m;
 }
 
-// Whether a foot comes down. One that stands all through a clip begins to with each round of it, and makes no sound.
+// Whether a foot comes down. One that stands all through a clip is met as the clip begins, and makes no sound.
 inline bool is_step(const AnimatorEvent& event) {
   return event.until_s - event.time_s < event.animation->duration_s;
 }

@@ -2,6 +2,7 @@
 #include "marrow/events.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -96,6 +97,39 @@ TestEvents some_events(Random& random) {
 std::int64_t line_of(const Playback& p, int duration) {
   const auto ticks = static_cast<std::int64_t>(p.time_s * kTicks);
   return p.mode == PlayMode::ping_pong && p.returning ? 2 * duration - ticks : ticks;
+}
+
+// A foot that stands all through a loop comes down once, when the clip begins.
+TEST(Events, ThatLastAWholeRoundDoNotBeginAgain) {
+  const std::vector<ClipEvent> events = {{0, 1, 0, 0}, {0.25f, 1.25f, 0, 0}, {0.5f, 0.75f, 0, 0}};
+  const ClipMotion motion{.duration_s = 1, .events = events};
+  for (const float dt_s : {0.0625f, 0.75f, 2.5f, -0.375f}) {
+    Playback now;
+    std::vector<std::uint32_t> counts(3);
+    std::vector<EventHit> hits(3);
+    std::size_t met = 0;
+    for (int step = 0; step < 32; ++step) {
+      const Playback before = now;
+      ASSERT_EQ(advance(now, 1, dt_s), Status::ok);
+      ASSERT_EQ(events_between(motion, before, now, step == 0, hits, met), Status::ok);
+      for (std::size_t i = 0; i < met; ++i) counts[hits[i].event] += hits[i].count;
+      if (step > 0) continue;
+      ASSERT_GE(met, 2u);
+      EXPECT_EQ(hits[0].event, 0u);
+      EXPECT_EQ(hits[1].event, 1u);
+    }
+    EXPECT_EQ(counts[0], 1u) << dt_s;
+    EXPECT_EQ(counts[1], 1u) << dt_s;
+    EXPECT_EQ(counts[2], static_cast<std::uint32_t>(32 * std::fabs(dt_s))) << dt_s;
+  }
+  Playback once{.mode = PlayMode::once};
+  const Playback before = once;
+  EventHit hit;
+  std::size_t met = 0;
+  ASSERT_EQ(advance(once, 1, 0.375f), Status::ok);
+  ASSERT_EQ(events_between(motion, before, once, false, {&hit, 1}, met), Status::ok);
+  EXPECT_EQ(met, 1u);
+  EXPECT_EQ(hit.event, 1u);
 }
 
 TEST(Events, AreThoseOfAWalkOverTheUnrolledLine) {
