@@ -9,8 +9,8 @@
 namespace marrow::tools {
 namespace {
 
-constexpr int kMoments = 16;  // of a clip
-constexpr float kMomentsPerSecond = 8, kFarthest = 2;
+constexpr int kMoments = 16;    // of a clip
+constexpr float kFarthest = 2;  // radii
 constexpr int kMostMoments = 128;
 constexpr std::size_t kPointsPerMoment = 4000;
 constexpr float kBands = 64;  // a radius, on a turntable

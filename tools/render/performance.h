@@ -23,7 +23,8 @@ class Performance {
  public:
   // Looks at 16 moments of what is played, or at the rest pose. Leaves `character` in some pose.
   Performance(const File& file, Character& character, const Play& play);
-  // Looks at up to 128. It stands on the ground at the first of them.
+  static constexpr float kMomentsPerSecond = 8;
+  // Looks at so many, up to 128. It stands on the ground at the first of them.
   Performance(const File& file, Character& character, const Moments& moments);
 
   float duration_s() const { return duration_s_; }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "behave/behaviour.h"
-#include "render/overlay/ground.h"
+#include "render/overlay/footfall.h"
 
 namespace marrow::tools {
 
@@ -53,21 +53,13 @@ class Acting {
  private:
   void set_what_is_due();
   void step(float dt_s, const OnStep& on_step, std::vector<Met>& met);
-  // How long a foot is, by its ankle and its ball at rest.
-  struct Foot {
-    Role role = Role::none;
-    std::uint32_t skeleton = 0, joint = 0;
-    float ball[3] = {};  // joint space
-    float length_m = 0;
-  };
-  void find_feet(const File& file);
 
   Behaviour behaviour_;
   std::vector<ScriptLine> lines_;
   std::size_t next_line_ = 0;
   float duration_s_ = 0;
   double now_s_ = -1;  // below 0: nothing has begun
-  std::vector<Foot> feet_;
+  Feet feet_;
   std::vector<Print> prints_;
 };
 

@@ -1,5 +1,6 @@
 #include "commands/arguments.h"
 #include "commands/command.h"
+#include "commands/graph_arguments.h"
 #include "commands/look_arguments.h"
 #include "commands/render/movie.h"
 #include "commands/render/render.h"
@@ -11,10 +12,9 @@ namespace {
 constexpr const char* kFilmSize = "240x320";
 
 // As it is given on the command line.
-struct GraphOptions {
-  ActingArguments acting;
-  std::vector<std::string> packs;
-  std::string camera, trace;
+struct ActingOptions {
+  GraphOptions graph;
+  std::string script, camera, trace;
   float seconds = 0;
 };
 
@@ -56,22 +56,10 @@ void add_viewpoint(CLI::App* command, ViewpointArguments& a) {
       ->needs(joint);
 }
 
-// --clips as add_look() has it takes one pack; a graph takes several.
-void add_acting(CLI::App* command, GraphOptions& a) {
-  command->remove_option(command->get_option("--clips"));
-  command->add_option("--clips", a.packs, "take clips from this clip pack; for --graph it may be given several times")
-      ->type_name("PACK.mrw")
-      ->allow_extra_args(false);
-  CLI::Option* const graph =
-      command
-          ->add_option("--graph", a.acting.behaviour.graph,
-                       "the character goes by a graph of behaviour: one of the file by name, without it the only one; "
-                       "a text, which is cooked now; or of a graph pack, NAME@PACK.mrw where it has several. A model "
-                       "(.glb and others) is cooked as well, with --root '*=ground'")
-          ->type_name("[NAME|FILE.toml|PACK.mrw]")
-          ->expected(0, 1);
+void add_acting(CLI::App* command, ActingOptions& a) {
+  CLI::Option* const graph = add_graph(command, a.graph);
   command
-      ->add_option("--script", a.acting.script,
+      ->add_option("--script", a.script,
                    "what is set when: lines of TIME PARAMETER [VALUE], as in 1.5 speed 2, 3 armed true, 4 jump")
       ->type_name("FILE")
       ->check(CLI::ExistingFile)
@@ -96,19 +84,12 @@ void add_acting(CLI::App* command, GraphOptions& a) {
 }
 
 // What is meant by options of graphs, and what they do not go with.
-void take_graph(const CLI::App& command, const GraphOptions& given, RenderArguments& a) {
-  const bool acts = command.count("--graph") > 0;
-  if (!acts && given.packs.size() > 1)
-    throw Failure(Exit::usage, "--clips", "", "several packs", "a clip comes from one; --graph takes several");
-  a.choice.clips = acts || given.packs.empty() ? "" : given.packs[0];
-  if (!acts) return;
-  for (const char* const other : {"--clip", "--ik", "--between"})
-    if (command.count(other) > 0)
-      throw Failure(Exit::usage, other, "", "a character that goes by a graph", "leave it out, or --graph");
+void take_graph(const CLI::App& command, const ActingOptions& given, RenderArguments& a) {
+  const auto behaviour = graph_of(command, given.graph, {"--clip", "--ik", "--between"}, a.choice);
+  if (!behaviour) return;
   if (a.path == SkinPath::crowd)
     throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from clips", "use another --path");
-  a.acting = given.acting;
-  a.acting->behaviour.clips = given.packs;
+  a.acting = ActingArguments{*behaviour, given.script, std::nullopt};
   if (command.count("--seconds") > 0) a.acting->seconds = given.seconds;
   if (!a.acting->seconds && a.held) a.acting->seconds = std::max(a.choice.time_s, 0.0f);
   if (!given.camera.empty()) a.camera_follows = given.camera == "follow";
@@ -128,7 +109,7 @@ void add_render(CLI::App& app, int&) {
   add_viewpoint(command, a.viewpoint);
   command->add_flag("--springs", a.springs, "the file's springs swing as the clip moves them, from its beginning on");
   add_movie(command, a);
-  static GraphOptions graph;
+  static ActingOptions graph;
   add_acting(command, graph);
   command->add_option("-o,--output", a.output, "the picture, PNG, or the movie")->type_name("P.png");
   command->callback([command] {

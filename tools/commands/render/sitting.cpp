@@ -17,9 +17,6 @@ namespace marrow::tools {
 namespace {
 
 constexpr float kFrameMargin = 0.09f;
-// How a footprint pales.
-constexpr double kFresh_s = 3;
-constexpr float kFresh = 0.9f, kOld = 0.4f;
 
 LoadedFile load_for(const RenderArguments& arguments) {
   if (!arguments.acting) return load_level(arguments.file, arguments.lod);
@@ -224,12 +221,7 @@ void Sitting::warn_of_misses() const {
 void Sitting::add_ground(const Shot& shot) {
   strokes_.clear();
   add_squares(shot, performance_.way(), strokes_);
-  for (const Acting::Print& p : acting_->prints()) {
-    const double age = std::min((acting_->now_s() - p.at_s) / kFresh_s, 1.0);
-    GroundPrint print = p.print;
-    print.at.y = shot.ground_height;
-    add_print(print, kFresh + (kOld - kFresh) * static_cast<float>(age), strokes_);
-  }
+  for (const Acting::Print& p : acting_->prints()) add_print(p.print, acting_->now_s() - p.at_s, shot, strokes_);
 }
 
 Image Sitting::shoot(const Instant& instant) {

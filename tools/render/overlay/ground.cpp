@@ -14,6 +14,8 @@ namespace {
 constexpr glm::vec3 kLine{0.02f, 0.03f, 0.04f};
 constexpr float kLineStrength = 0.55f;
 constexpr float kSquare = 0.6f, kReach = 3.5f;  // radii
+constexpr double kPales_s = 3;                  // that a print takes
+constexpr float kFresh = 0.9f, kOld = 0.4f;     // how strong it is
 constexpr int kMostSquares = 60;                // each way
 
 float linear_of(std::uint8_t value) {
@@ -42,7 +44,8 @@ void add_squares(const Shot& shot, const Box& way, Strokes& strokes) {
   const auto nearest = [&](float at_m) { return static_cast<int>(std::lround(at_m / square)); };
   const int count = static_cast<int>(std::ceil(reach / square)), x0 = nearest(centre.x), z0 = nearest(centre.z);
   const auto corner = [&](int x, int z) {
-    const glm::vec3 at(static_cast<float>(x) * square, y, static_cast<float>(z) * square);
+    // Who goes straight ahead from the origin goes along the middle of squares, and not on a line.
+    const glm::vec3 at((static_cast<float>(x) + 0.5f) * square, y, (static_cast<float>(z) + 0.5f) * square);
     const float away = glm::length(glm::vec2(at.x - centre.x, at.z - centre.z)) / reach;
     return Strokes::Corner{at, glm::vec4(kLine, kLineStrength * std::max(0.0f, 1 - away * away))};
   };
@@ -59,13 +62,15 @@ Rgb foot_colour(Role role) {
   return role == Role::left_foot || role == Role::left_hand ? kLeft : kRight;
 }
 
-void add_print(const GroundPrint& print, float strength, Strokes& strokes) {
+void add_print(const GroundPrint& print, double age_s, const Shot& shot, Strokes& strokes) {
   constexpr int kPieces = 14;
+  const float strength = kFresh + (kOld - kFresh) * static_cast<float>(std::min(age_s / kPales_s, 1.0));
   const Rgb rgb = foot_colour(print.role);
   const glm::vec4 colour(linear_of(rgb[0]), linear_of(rgb[1]), linear_of(rgb[2]), strength);
   const glm::vec3 side = glm::normalize(glm::cross(glm::vec3(0, 1, 0), print.ahead));
   // Its ball is a quarter of its length before its middle.
-  const glm::vec3 middle = print.at - 0.25f * print.length_m * print.ahead;
+  const glm::vec3 ball(print.at.x, shot.ground_height, print.at.z);
+  const glm::vec3 middle = ball - 0.25f * print.length_m * print.ahead;
   std::array<glm::vec3, 2> before{};
   for (int i = 0; i <= kPieces; ++i) {
     const float along = 2 * static_cast<float>(i) / kPieces - 1;

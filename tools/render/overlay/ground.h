@@ -25,7 +25,7 @@ struct GroundPrint {
   glm::vec3 ahead{0};  // unit, along the ground
   float length_m = 0;
 };
-// strength: 0 … 1.
-void add_print(const GroundPrint& print, float strength, Strokes& strokes);
+// On the shot's ground. It pales with its age, and stays.
+void add_print(const GroundPrint& print, double age_s, const Shot& shot, Strokes& strokes);
 
 }  // namespace marrow::tools
