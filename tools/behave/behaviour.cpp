@@ -1,6 +1,12 @@
 #include "behave/behaviour.h"
 
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+
 #include "common/failure.h"
+#include "common/files.h"
+#include "common/formats.h"
 #include "graph/animator_state.h"
 #include "math/affine.h"
 #include "pose/choose.h"
@@ -15,6 +21,18 @@ std::vector<std::string> names_of(const std::vector<Animations>& animations) {
   for (const Animations& of : animations)
     for (const Animation& animation : of.all) out.emplace_back(animation.name);
   return out;
+}
+
+// LINE:COLUMN where a text has a name in quotes first; empty: nowhere, or it is no text.
+std::string place_in_text(const std::string& path, const std::string& name) {
+  if (!has_extension(path, ".toml") || !std::filesystem::exists(path)) return "";
+  const AlignedBytes bytes = read_file(path);
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::size_t at = std::min(text.find('"' + name + '"'), text.find('\'' + name + '\''));
+  if (at == std::string::npos) return "";
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+  const std::size_t begin = at == 0 ? 0 : text.rfind('\n', at - 1) + 1;
+  return std::to_string(line) + ":" + std::to_string(at - begin + 1);
 }
 
 }  // namespace
@@ -51,7 +69,7 @@ void Behaviour::bind(const std::string& path, const File& file, std::span<const 
   const std::string rule = std::string(misfit.rule), name = printable(misfit.name);
   const bool is_clip = rule == "a clip of this name";
   const std::string graph = "graph \"" + printable(found_.graph.name) + "\"";
-  throw Failure(Exit::usage, found_.path, "",
+  throw Failure(Exit::usage, found_.path, is_clip ? place_in_text(found_.path, misfit.name) : "",
                 is_clip ? graph + " wants a clip \"" + name + "\", which " + path + " has not"
                         : graph + " wants " + rule + ": " + name,
                 is_clip ? printable(suggestion(misfit.name, names_of(animations_))) : "it does not fit " + path);
@@ -70,6 +88,12 @@ std::string Behaviour::parameter_name(std::uint32_t parameter) const {
 
 std::string Behaviour::node_name(std::uint32_t node) const {
   return found_.file.text(graph().nodes[node].name);
+}
+
+std::string Behaviour::shown_name(std::uint32_t node) const {
+  const GraphNode& of = graph().nodes[node];
+  return of.kind == GraphNodeKind::clip && node_name(node).empty() ? found_.file.text(graph().clips[of.record].name)
+                                                                   : node_name(node);
 }
 
 std::string Behaviour::state_name(std::uint32_t node, std::uint32_t state) const {
@@ -102,11 +126,27 @@ float Behaviour::value(std::uint32_t parameter) const {
   return graph().parameters[parameter].kind == ParameterKind::number ? state.value : state.target;
 }
 
+float Behaviour::wanted(std::uint32_t parameter) const {
+  return value_of(animator_, parameter);
+}
+
 const AnimatorStep& Behaviour::update(float dt_s) {
   check(update_animator(animator_, dt_s, step_));
   world_from_model_ = move_root(world_from_model_, step_.root);
   time_s_ += static_cast<double>(dt_s);
   return step_;
+}
+
+Behaviour::Moment Behaviour::moment() const {
+  return {{memory_.data(), memory_.data() + memory_.size()}, step_, world_from_model_, time_s_};
+}
+
+void Behaviour::go_back(const Moment& moment) {
+  // Of plain bytes that point into themselves, and stay where they are.
+  std::memcpy(memory_.data(), moment.memory.data(), memory_.size());
+  step_ = moment.step;
+  world_from_model_ = moment.world_from_model;
+  time_s_ = moment.time_s;
 }
 
 void Behaviour::pose(Character& character) {

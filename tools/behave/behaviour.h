@@ -46,12 +46,15 @@ class Behaviour {
   const Graph& graph() const { return binding_.graph; }
   const GraphBinding& binding() const { return binding_; }
   Animator& animator() { return animator_; }
+  const Animator& animator() const { return animator_; }
   // Layers that a character needs to be posed.
   std::uint32_t layers() const { return graph().nodes[0].poses; }
 
   // "speed", "move" (empty: a clip that is named where it is used), "air" of a machine's node.
   std::string parameter_name(std::uint32_t parameter) const;
   std::string node_name(std::uint32_t node) const;
+  // The same, but for a clip that is named where it is used the clip's. Empty: the layer that a `one_shot` is made of.
+  std::string shown_name(std::uint32_t node) const;
   std::string state_name(std::uint32_t node, std::uint32_t state) const;
   // Throws Failure (usage) with what may be meant.
   std::uint32_t parameter(const std::string& name) const;
@@ -60,6 +63,8 @@ class Behaviour {
   void set(std::uint32_t parameter, float value);
   // What it is by now: of a number where it is on its way, of the others 0 or 1.
   float value(std::uint32_t parameter) const;
+  // What it is set to.
+  float wanted(std::uint32_t parameter) const;
 
   // Moves on, and the character over the ground with it. The step's events stay until the next call.
   const AnimatorStep& update(float dt_s);
@@ -70,6 +75,20 @@ class Behaviour {
   double time_s() const { return time_s_; }
   // As it was before the first update, at the origin.
   void restart();
+  // Puts the root elsewhere.
+  void place(const Affine& world_from_model) { world_from_model_ = world_from_model; }
+
+  // All that it is in: the animator's state, and the poses that inertial fades lead away from, which are no part of
+  // that.
+  struct Moment {
+    std::vector<std::byte> memory;
+    AnimatorStep step;
+    Affine world_from_model = {};
+    double time_s = 0;
+  };
+  Moment moment() const;
+  // To a moment of this behaviour: what it shows then, and what comes after, are the same bits.
+  void go_back(const Moment& moment);
 
   // Poses the character, which has layers() layers, where its root has come to: its joints are in the world.
   void pose(Character& character);

@@ -101,4 +101,21 @@ std::vector<ShownNode> shown_nodes(const Animator& animator) {
   return ShownFinder(animator).find();
 }
 
+std::vector<std::uint32_t> nodes_below(const Graph& graph, std::uint32_t node) {
+  std::vector<std::uint32_t> out;
+  const std::uint32_t record = graph.nodes[node].record;
+  if (graph.nodes[node].kind == GraphNodeKind::space) {
+    const GraphSpace& space = graph.spaces[record];
+    for (std::uint32_t i = 0; i < space.point_count; ++i) out.push_back(graph.points[space.first_point + i].node);
+  } else if (graph.nodes[node].kind == GraphNodeKind::machine) {
+    const GraphMachine& machine = graph.machines[record];
+    for (std::uint32_t i = 0; i < machine.state_count; ++i)
+      if (graph.states[machine.first_state + i].node != kNoIndex)
+        out.push_back(graph.states[machine.first_state + i].node);
+  } else if (graph.nodes[node].kind == GraphNodeKind::layer) {
+    out = {graph.layers[record].base, graph.layers[record].pose};
+  }
+  return out;
+}
+
 }  // namespace marrow::tools

@@ -20,4 +20,7 @@ struct ShownNode {
 // What remains of an inertial fade is no node, and not among them. Cost: once over the graph.
 std::vector<ShownNode> shown_nodes(const Animator& animator);
 
+// Whose poses a node takes, in the graph's order of them; states that show nothing are none.
+std::vector<std::uint32_t> nodes_below(const Graph& graph, std::uint32_t node);
+
 }  // namespace marrow::tools

@@ -75,6 +75,41 @@ weight = 0.5
   EXPECT_NEAR(weights["line"], 0.8 * (1 - jump), 1e-5);
 }
 
+TEST(Shown, NodesStandBelowThoseThatTakeThem) {
+  const test::GraphRig rig(R"(
+output = "over"
+[parameters]
+speed = { type = "number", range = [0, 4] }
+[node.line]
+type = "space"
+by = "speed"
+points = [ { at = 0, pose = "idle" }, { at = 4, pose = "walk" } ]
+[node.body]
+type = "machine"
+start = "moves"
+state.moves = { pose = "line" }
+state.nothing = { }
+state.jumps = { pose = "jump" }
+[node.over]
+type = "layer"
+base = "line"
+pose = "body"
+)");
+  const auto below = [&](std::uint32_t node) {
+    std::string out;
+    for (const std::uint32_t n : nodes_below(rig.graph, node)) {
+      const GraphNode& of = rig.graph.nodes[n];
+      out +=
+          std::string(rig.file.text(of.kind == GraphNodeKind::clip ? rig.graph.clips[of.record].name : of.name)) + " ";
+    }
+    return out;
+  };
+  EXPECT_EQ(below(find_graph_node(rig.binding, "over")), "line body ");
+  EXPECT_EQ(below(find_graph_node(rig.binding, "body")), "line jump ");
+  EXPECT_EQ(below(find_graph_node(rig.binding, "line")), "idle walk ");
+  EXPECT_EQ(below(nodes_below(rig.graph, find_graph_node(rig.binding, "line"))[0]), "");
+}
+
 TEST(Shown, KnowsTheTimesOfClips) {
   test::GraphRig rig(R"(
 output = "all"
