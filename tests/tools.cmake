@@ -140,7 +140,7 @@ marrow_tools_test(marrow_cli_tests cli
   cli/looks_test.cpp cli/movie_test.cpp cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp
   cli/progress_test.cpp cli/report_test.cpp cli/rig_maps_test.cpp cli/road_test.cpp cli/same_bytes_test.cpp cli/same_names_test.cpp
   cli/sample_test.cpp cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
-  cli/support/cookings.cpp cli/support/process.cpp cli/view_test.cpp cli/watch_test.cpp)
+  cli/support/cookings.cpp cli/support/process.cpp cli/view_graph_test.cpp cli/view_test.cpp cli/watch_test.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
@@ -158,7 +158,8 @@ if(MARROW_GLES AND NOT MARROW_SANITIZE)
 endif()
 # What `marrow view` reckons beside its window.
 if(MARROW_GLES AND TARGET marrow_view)
-  marrow_tools_test(marrow_view_tests view unit/view/painting_test.cpp unit/view/paint_test.cpp unit/view/view_test.cpp)
+  marrow_tools_test(marrow_view_tests view unit/view/painting_test.cpp unit/view/paint_test.cpp unit/view/rehearsal_test.cpp
+    unit/view/view_test.cpp)
   target_link_libraries(marrow_view_tests PRIVATE marrow_view)
 endif()
 # It takes the place of malloc, as sanitizers do.

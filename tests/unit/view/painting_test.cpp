@@ -48,7 +48,7 @@ class PaintingTest : public ::testing::Test {
 
 // Cooked once for all tests.
 const File& newt() {
-  static const Source source = open_source(test::newt_glb(), "");
+  static const Source source = open_source(test::newt_glb());
   return source.loaded.file;
 }
 
@@ -193,7 +193,7 @@ TEST_F(PaintingTest, ThePosedSurfaceIsTheRuntimes) {
 
 // tests/golden/tiny.gltf: the arm follows three joints, the hat hangs on the wrist.
 TEST_F(PaintingTest, ARigidMeshIsLeftAlone) {
-  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const Source source = open_source(test::in_golden("tiny.gltf"));
   const File& file = source.loaded.file;
   Painting painting(file, at("t.json"));
   EXPECT_TRUE(painting.refusal().empty());
@@ -210,7 +210,7 @@ TEST_F(PaintingTest, ARigidMeshIsLeftAlone) {
 
 // The hat's skin is not there; the arm's has three joints, of which one is taken away.
 TEST_F(PaintingTest, AMeshFollowsJointsOfItsSkin) {
-  Source source = open_source(test::in_golden("tiny.gltf"), "");
+  Source source = open_source(test::in_golden("tiny.gltf"));
   ASSERT_EQ(source.skins, (SkinJoints{{"arm", {"shoulder", "elbow", "wrist"}}}));
   source.skins["arm"].erase("wrist");
   const File& file = source.loaded.file;
@@ -232,7 +232,7 @@ TEST_F(PaintingTest, WhatCannotBePaintedSaysWhy) {
     "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
     "max": [1, 1, 0]}], "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri":
     "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})");
-  const Source rigid = open_source(cube, "");
+  const Source rigid = open_source(cube);
   EXPECT_NE(Painting(rigid.loaded.file, at("c.json")).refusal().find("without a skin"), std::string::npos);
   cook::CookOptions helpers;
   helpers.learn.helpers = 4;
@@ -242,7 +242,7 @@ TEST_F(PaintingTest, WhatCannotBePaintedSaysWhy) {
 }
 
 TEST_F(PaintingTest, AFileThatCannotBeWrittenSaysWhy) {
-  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const Source source = open_source(test::in_golden("tiny.gltf"));
   Painting nowhere(source.loaded.file, at("no/such/folder/t.json"));
   try {
     nowhere.save();
@@ -256,7 +256,7 @@ TEST_F(PaintingTest, AFileThatCannotBeWrittenSaysWhy) {
 
 // A file that is something else, or another character's, is never written over.
 TEST_F(PaintingTest, NothingElseIsWrittenOver) {
-  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const Source source = open_source(test::in_golden("tiny.gltf"));
   const std::string others[] = {
       "{\"a\": 1}", "no JSON", "",
       R"({"paintedWeights": 1, "meshes": [{"name": "arm", "joints": ["tail"], "vertices": [[0, 0, 0, 0, 1]]}]})"};
@@ -272,7 +272,7 @@ TEST_F(PaintingTest, NothingElseIsWrittenOver) {
 
 // Meshes that this file has not stay in what is saved.
 TEST_F(PaintingTest, MeshesOfOthersAreKept) {
-  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const Source source = open_source(test::in_golden("tiny.gltf"));
   const std::string path = write(
       "t.json", R"({"paintedWeights": 1, "meshes": [{"name": "coat", "joints": ["hem"], "vertices": [[1, 2, 3, 0, 1]]},
       {"name": "arm", "joints": ["wrist"], "vertices": [[0.25, 0, 0, 0, 1]]}]})");

@@ -53,7 +53,7 @@ TEST(Chain, GoesDownByFirstChildren) {
 }
 
 TEST(Rig, HoldsWeightsOfTargetsByHand) {
-  const Source source = open_source(test::in_golden("face.gltf"), "");
+  const Source source = open_source(test::in_golden("face.gltf"));
   EXPECT_TRUE(source.cooked_here);
   Character character(source.loaded.file);
   Rig rig(source.loaded.file);
@@ -83,7 +83,7 @@ std::vector<SoaTransform> ridden(const File& file, Rig& rig, const char* clip) {
 }
 
 TEST(Rig, KeepsLimitsWhereItIsAsked) {
-  const Source source = open_source(test::in_golden("limits.gltf"), "");
+  const Source source = open_source(test::in_golden("limits.gltf"));
   const Skeleton skeleton = source.loaded.file.skeleton(0);
   ASSERT_GE(skeleton.limits.size, 3u);
   Rig rig(source.loaded.file);
@@ -105,7 +105,7 @@ TEST(Rig, KeepsLimitsWhereItIsAsked) {
 
 // The arm lies along -x; its weight takes the wrist down.
 TEST(Rig, SpringsHangDownBelowAJoint) {
-  const Source source = open_source(test::in_golden("tiny.gltf"), "");
+  const Source source = open_source(test::in_golden("tiny.gltf"));
   const File& file = source.loaded.file;
   Character character(file);
   Rig rig(file);
@@ -128,7 +128,7 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
 }
 
 TEST(Curves, FollowAJointOverTheClip) {
-  const Source source = open_source(test::in_golden("limits.gltf"), "");
+  const Source source = open_source(test::in_golden("limits.gltf"));
   const File& file = source.loaded.file;
   const JointCurves curves = record_joint(file, play_together(file, file.find_clip("bend")), 0, 1, 9);
   ASSERT_EQ(curves.places.size(), 9u);

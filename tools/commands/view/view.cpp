@@ -6,11 +6,15 @@
 #include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <backends/imgui_impl_glfw.h>
 
+#include "commands/view/files/graph_on_disk.h"
 #include "commands/view/files/opening.h"
+#include "commands/view/first_settings.h"
+#include "commands/view/graph_keys.h"
 #include "commands/view/overlay/among_figures.h"
 #include "commands/view/overlay/brush_hand.h"
 #include "commands/view/overlay/picture.h"
@@ -23,6 +27,7 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 namespace marrow::tools {
 namespace {
@@ -56,84 +61,9 @@ bool drawn_by_processor(const Gl& gl) {
   return named("llvmpipe") || named("softpipe") || named("SwiftShader");
 }
 
-std::vector<std::string> joint_names(const Actor& actor) {
-  std::vector<std::string> out;
-  for (const NamedJoint& joint : actor.joints()) out.push_back(joint.name);
-  return out;
-}
-
-// Throws Failure (usage) if there is none.
-std::size_t find_joint(const Actor& actor, const std::string& file, const std::string& name) {
-  const auto joint = std::ranges::find(actor.joints(), name, &NamedJoint::name);
-  if (joint == actor.joints().end())
-    throw Failure(Exit::usage, file, "", "no joint \"" + name + "\"", suggestion(name, joint_names(actor)));
-  return static_cast<std::size_t>(joint - actor.joints().begin());
-}
-
-void set_overlays(const ViewArguments& arguments, Settings& s) {
-  for (const std::string& name : arguments.show) {
-    if (name == "uv") s.colours = Colours::uv;
-    if (const auto flag = value_of(kOverlays, name)) s.overlays.*(*flag) = true;
-  }
-  s.overlays.bones |= arguments.bones;
-  s.overlays.ghosts = arguments.ghosts;
-}
-
-Settings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair, const Actor& actor) {
-  Settings s;
-  s.clip = actor.chosen();
-  // Without --clip the first there is.
-  if (arguments.choice.clip.empty() && actor.plays().size() > 1) s.clip = 1;
-  const float duration_s = actor.plays()[s.clip].play.duration_s;
-  s.playback.time_s = static_cast<double>(std::clamp(arguments.choice.time_s, 0.0f, duration_s));
-  s.playing = !arguments.held;
-  s.deformer = arguments.deformer;
-  s.path = arguments.path;
-  s.normals = arguments.normals;
-  s.lod = static_cast<int>(arguments.lod);
-  s.reach = arguments.reach;
-  s.limits = arguments.limits;
-  s.parameters = set_parameters(arguments.file, actor.file(), arguments.choice);
-  s.springs = arguments.springs;
-  if (s.springs && arguments.joint.empty() && !actor.rig().has_springs())
-    throw Failure(Exit::usage, "--springs", "", "the file has no springs", "say with --joint which joints swing");
-  set_overlays(arguments, s);
-  s.painting = arguments.paints;
-  s.paint_file = arguments.paint_file;
-  s.playing &= !s.painting;
-  if (pair) {
-    s.colours = Colours::distance;
-    s.pair = *pair;
-  }
-  if (!arguments.weights.empty()) {
-    s.colours = Colours::weights;
-    s.joint = find_joint(actor, arguments.file, arguments.weights);
-  }
-  if (!arguments.joint.empty()) {
-    s.joint = find_joint(actor, arguments.file, arguments.joint);
-    s.picked = s.show_joint = true;
-  }
-  return s;
-}
-
-// The same for another actor: clips and joints are known by their names, all else stays.
-void carry_over(const Actor& from, const Actor& to, Settings& s) {
-  const auto clip = [&](std::size_t which, std::size_t otherwise) {
-    const auto found = std::ranges::find(to.plays(), from.plays()[which].name, &NamedPlay::name);
-    return found == to.plays().end() ? otherwise : static_cast<std::size_t>(found - to.plays().begin());
-  };
-  s.clip = clip(s.clip, to.plays().size() > 1 ? 1 : 0);
-  s.second = clip(s.second, 0);
-  s.playback.time_s = std::clamp(s.playback.time_s, 0.0, static_cast<double>(to.plays()[s.clip].play.duration_s));
-  s.lod = std::min(s.lod, to.coarsest_lod());
-  const auto joint = from.joints().empty()
-                         ? to.joints().end()
-                         : std::ranges::find(to.joints(), from.joints()[s.joint].name, &NamedJoint::name);
-  const bool known = joint != to.joints().end();
-  s.joint = known ? static_cast<std::size_t>(joint - to.joints().begin()) : 0;
-  s.picked &= known;
-  s.springs &= known || to.rig().has_springs();
-  if (!known && s.colours == Colours::weights) s.colours = Colours::surface;
+std::vector<std::string> packs_of(const ViewArguments& arguments) {
+  if (arguments.graph) return arguments.graph->clips;
+  return arguments.choice.clips.empty() ? std::vector<std::string>() : std::vector<std::string>{arguments.choice.clips};
 }
 
 // The window's name says what is in it.
@@ -150,7 +80,8 @@ class View {
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
-        opening_(arguments.images_from, arguments.choice.clips, !arguments.screenshot.empty()),
+        opening_({arguments.images_from, arguments.graph.has_value()}, packs_of(arguments),
+                 !arguments.screenshot.empty()),
         source_(opening_.open(arguments.file)),
         chosen_(choose_first()),
         window_(title_of(source_), size_.first, size_.second, arguments.screenshot.empty()),
@@ -161,6 +92,7 @@ class View {
         strokes_(gl_),
         actor_(
             std::make_unique<Actor>(gl_, studio_.programs(), arguments.choice, std::move(source_), std::move(chosen_))),
+        graph_(first_graph()),
         settings_(settings ? *settings : first_settings(arguments, pair_, *actor_)) {
     // The processor draws a quarter of a million soft shadows in a second or so.
     if (!settings && arguments.screenshot.empty() && drawn_by_processor(gl_)) settings_.coarseness = 3;
@@ -195,6 +127,14 @@ class View {
     Painting* const painting = actor_->painting();
     return painting == nullptr || painting->saved() ? std::vector<cook::PaintedMesh>{} : painting->painted();
   }
+  const Rehearsal* rehearsal() const { return actor_->rehearsal(); }
+  // What is set of a graph, and where it has come to; nothing where none plays.
+  std::optional<Rehearsal::Kept> rehearsed() const {
+    return actor_->rehearsal() == nullptr ? std::nullopt : std::optional(actor_->rehearsal()->kept());
+  }
+  void rehearse(const std::optional<Rehearsal::Kept>& kept) {
+    if (kept && actor_->rehearsal() != nullptr) actor_->rehearsal()->take(*kept);
+  }
   void paint(const std::vector<cook::PaintedMesh>& painted) {
     if (!painted.empty()) actor_->painting(settings_).add(painted);
   }
@@ -212,7 +152,29 @@ class View {
   Chosen choose_first() {
     expect_level(arguments_.file, source_.loaded.file, arguments_.lod);
     const Reach goals(source_.loaded.file, arguments_.reach);  // throws what is wrong with them
+    if (arguments_.graph) const Behaviour tried(arguments_.file, source_.loaded.file, *arguments_.graph);  // likewise
     return choose(arguments_.file, source_.loaded.file, arguments_.choice);
+  }
+
+  // What the arguments say, which the actor plays then.
+  std::optional<GraphOnDisk> first_graph() {
+    if (!arguments_.graph) return std::nullopt;
+    GraphOnDisk out(arguments_.graph->graph, !arguments_.screenshot.empty());
+    actor_->rehearse(out.read(arguments_.file, actor_->file()), arguments_.graph->clips);
+    return out;
+  }
+
+  // Its text may have changed. What cannot be played is said, and the last good one plays on.
+  void look_for_graph() {
+    if (!graph_) return;
+    std::optional<FoundGraph> found = graph_->poll(arguments_.file, actor_->file());
+    if (!found) return;
+    try {
+      actor_->rehearse(std::move(*found), arguments_.graph->clips);
+      settings_.parameter = first_number(actor_->rehearsal()->behaviour().graph());
+    } catch (const Failure& why) {
+      graph_->set_error(why.what());
+    }
   }
 
   // Since the last call.
@@ -236,11 +198,16 @@ class View {
     std::optional<Source> source = opening_.poll();
     if (!source) return;
     const bool same = source->path == arguments_.file;
+    const std::string source_path = source->path;
     Choice choice = same ? arguments_.choice : Choice();
     if (choice.clips.empty()) choice.clip.clear();
     try {
       Chosen chosen = choose(source->path, source->loaded.file, choice);
       auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
+      if (graph_) {
+        next->rehearse(graph_->read(source_path, next->file()), arguments_.graph->clips);
+        next->rehearsal()->take(actor_->rehearsal()->kept());
+      }
       if (same && !unsaved_paint().empty()) next->painting(settings_).add(unsaved_paint());
       carry_over(*actor_, *next, settings_);
       if (!same) settings_.paint_file.clear();
@@ -264,6 +231,7 @@ class View {
   void use_keys() {
     Settings& s = settings_;
     if (window_.pressed(kKeySpace)) s.playing = !s.playing;
+    if (actor_->rehearsal() != nullptr) return use_graph_keys(window_, *actor_->rehearsal(), s);
     const float duration_s = actor_->plays()[s.clip].play.duration_s, rate = actor_->rate_hz(s);
     const auto go = [&](int key, double time_s) {
       if (!window_.pressed(key)) return;
@@ -309,24 +277,32 @@ class View {
 
   void frame(float step_s) {
     look_for_files();
+    look_for_graph();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     const auto [width, height] = window_.pixels();
     const float left = std::min(panel_width(window_.scale()), ImGui::GetIO().DisplaySize.x);
     const int panel_pixels = static_cast<int>(left * ImGui::GetIO().DisplayFramebufferScale.x);
     if (!ImGui::GetIO().WantTextInput) use_keys();
-    if (settings_.playing) check(advance(settings_.playback, actor_->plays()[settings_.clip].play.duration_s, step_s));
+    if (settings_.playing) play(step_s);
     if (settings_.painting) settings_.lod = 0;
     pose(step_s);
     choose_brush();
     if (width > panel_pixels && height > 0) draw_picture(panel_pixels, width - panel_pixels, height, left);
     show_panel({times_, window_.scale()}, *actor_, settings_);
     save_paint();
-    show_notes(opening_.busy_with(), opening_.error(), left, window_.scale());
+    const bool graph_is_wrong = graph_ && !graph_->error().empty();
+    show_notes(opening_.busy_with(), graph_is_wrong ? graph_->error() : opening_.error(), left, window_.scale());
     ImGui::Render();
     painter_.paint(*ImGui::GetDrawData());
     gl_.check("drawing the panel");
     ++frames_;
+  }
+
+  void play(float step_s) {
+    if (actor_->rehearsal() == nullptr)
+      return check(advance(settings_.playback, actor_->plays()[settings_.clip].play.duration_s, step_s));
+    if (step_s > 0) actor_->rehearsal()->move_on(step_s * settings_.playback.speed);
   }
 
   // Goals beyond what can be solved, and the like, are said in the window, and go.
@@ -383,6 +359,7 @@ class View {
   Studio studio_;
   Strokes strokes_;
   std::unique_ptr<Actor> actor_;
+  std::optional<GraphOnDisk> graph_;  // none: clips play
   Settings settings_;
   Dragging dragging_;
   BrushHand hand_;
@@ -393,12 +370,24 @@ class View {
   int frames_ = 0;
 };
 
+// "hero at 1.650 s: body air 0.420 s", a machine each.
+std::string what_happens(const Rehearsal& rehearsal) {
+  std::string out = fmt::format("{} at {:.3f} s", rehearsal.behaviour().graph().name, rehearsal.time_s());
+  const char* before = ": ";
+  for (const MachineNow& machine : rehearsal.behaviour().machines()) {
+    out += fmt::format("{}{} {} {:.3f} s", std::exchange(before, ", "), machine.machine,
+                       machine.state.empty() ? "not shown" : machine.state, static_cast<double>(machine.seconds));
+  }
+  return printable(out);
+}
+
 void run_to_the_end(const ViewArguments& arguments, View& view) {
   if (arguments.screenshot.empty()) return view.run();
   const Image image = view.run_for(arguments.frames);
   write_png(arguments.screenshot, image);
   std::fprintf(stderr, "%s: %dx%d, %s\n", arguments.screenshot.c_str(), image.width, image.height,
                view.gl().driver().c_str());
+  if (view.rehearsal() != nullptr) std::fprintf(stderr, "%s\n", what_happens(*view.rehearsal()).c_str());
 }
 
 }  // namespace
@@ -414,11 +403,13 @@ void run_view(const ViewArguments& arguments) {
   }
   std::optional<Settings> settings;
   std::vector<cook::PaintedMesh> painted;  // and not saved
+  std::optional<Rehearsal::Kept> rehearsed;
   ViewArguments shown = arguments;
   while (true) {
     View view(shown, settings);
     try {
       view.paint(painted);
+      view.rehearse(rehearsed);
       return run_to_the_end(shown, view);
     } catch (const ContextLost& lost) {
       // GLFW cannot give a window another context. Without a frame between two losses it would go on for ever.
@@ -426,6 +417,7 @@ void run_view(const ViewArguments& arguments) {
       std::fprintf(stderr, "%s: %s: the window is opened anew\n", lost.file().c_str(), lost.rule().c_str());
       settings = view.settings();
       painted = view.unsaved_paint();
+      rehearsed = view.rehearsed();
       shown = view.arguments();
     }
   }

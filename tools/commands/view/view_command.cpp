@@ -1,4 +1,5 @@
 #include "commands/command.h"
+#include "commands/graph_arguments.h"
 #include "commands/look_arguments.h"
 #include "commands/view/stage/view_settings.h"
 #include "commands/view/view.h"
@@ -46,15 +47,21 @@ void add_view(CLI::App& app, int&) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
       ->needs(screenshot);
+  static GraphOptions graph;
+  add_graph(command, graph);
   command->footer(
       "What the options choose is where the panel begins. With --time the clip is paused there. A .gltf, .glb or .vrm "
       "file is cooked in memory, by the nearest marrow.toml. What changes on the disk is loaded again, and what is "
-      "dropped on the window is opened; an error is shown in the window until the next good save. While painting, the "
+      "dropped on the window is opened; an error is shown in the window until the next good save. By a graph, "
+      "1 to 9 fire, set or choose a parameter, up and down change the chosen number, left and right go a frame back "
+      "and "
+      "on, with Ctrl ten. While painting, the "
       "left button paints on the figure and turns the camera beside it, or with Ctrl; [ and ] make the brush smaller "
       "and larger, Ctrl Z and Ctrl Y undo and redo, Ctrl S saves.");
   command->callback([command] {
     a.held = command->count("--time") > 0;
     a.paints = command->count("--paint") > 0;
+    a.graph = graph_of(*command, graph, {"--clip", "--time", "--ik", "--ghosts", "--paint"}, a.choice);
     run_view(a);
   });
 }

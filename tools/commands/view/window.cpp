@@ -9,7 +9,9 @@
 
 static_assert(GLFW_KEY_SPACE == marrow::tools::kKeySpace && GLFW_KEY_RIGHT == marrow::tools::kKeyRight &&
               GLFW_KEY_LEFT == marrow::tools::kKeyLeft && GLFW_KEY_HOME == marrow::tools::kKeyHome &&
-              GLFW_KEY_END == marrow::tools::kKeyEnd && GLFW_KEY_S == marrow::tools::kKeyS &&
+              GLFW_KEY_END == marrow::tools::kKeyEnd && GLFW_KEY_DOWN == marrow::tools::kKeyDown &&
+              GLFW_KEY_UP == marrow::tools::kKeyUp && GLFW_KEY_1 == marrow::tools::kKeyOne &&
+              GLFW_KEY_9 == marrow::tools::kKeyOne + 8 && GLFW_KEY_S == marrow::tools::kKeyS &&
               GLFW_KEY_Y == marrow::tools::kKeyY && GLFW_KEY_Z == marrow::tools::kKeyZ &&
               GLFW_KEY_LEFT_BRACKET == marrow::tools::kKeySmaller &&
               GLFW_KEY_RIGHT_BRACKET == marrow::tools::kKeyLarger);

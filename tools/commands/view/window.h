@@ -11,6 +11,7 @@ namespace marrow::tools {
 
 // As GLFW numbers them.
 inline constexpr int kKeySpace = 32, kKeyRight = 262, kKeyLeft = 263, kKeyHome = 268, kKeyEnd = 269;
+inline constexpr int kKeyDown = 264, kKeyUp = 265, kKeyOne = 49;
 inline constexpr int kKeyS = 83, kKeyY = 89, kKeyZ = 90, kKeySmaller = 91, kKeyLarger = 93;  // [ and ]
 
 class Window {

@@ -2,9 +2,15 @@
 
 #include <sys/stat.h>
 
+#include <chrono>
 #include <utility>
 
 namespace marrow::tools {
+namespace {
+
+constexpr double kLookEvery_s = 0.25;
+
+}  // namespace
 
 Watch::Stamp Watch::stamp(const std::string& path) {
   struct stat file = {};
@@ -33,6 +39,13 @@ void Watch::set(std::vector<std::string> paths, std::timespec since) {
     known_.push_back(later ? Stamp{} : found);
   }
   last_ = known_;
+}
+
+bool Watch::is_due() {
+  const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  if (now_s - last_look_s_ < kLookEvery_s) return false;
+  last_look_s_ = now_s;
+  return true;
 }
 
 bool Watch::changed() {

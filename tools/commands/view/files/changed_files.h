@@ -17,6 +17,9 @@ class Watch {
   // still being written has not changed yet. A file that is gone has. Cost: a stat() a file.
   bool changed();
 
+  // Whether it is time for a look: four times a second.
+  bool is_due();
+
   // No later than the stamp of what is written after it.
   static std::timespec now();
 
@@ -30,6 +33,7 @@ class Watch {
 
   std::vector<std::string> paths_;
   std::vector<Stamp> known_, last_;
+  double last_look_s_ = -1;
 };
 
 }  // namespace marrow::tools

@@ -5,46 +5,33 @@
 #include <utility>
 
 namespace marrow::tools {
-namespace {
-
-constexpr double kLookEvery_s = 0.25;
-
-}  // namespace
 
 void Opening::watch(std::vector<std::string> reads) {
   reads_ = std::move(reads);
   std::vector<std::string> all = reads_;
-  if (!also_.empty()) all.push_back(also_);
+  all.insert(all.end(), also_.begin(), also_.end());
   watch_.set(std::move(all), began_);
 }
 
 Source Opening::open(const std::string& path) {
   began_ = Watch::now();
-  Source source = open_source(path, images_from_);
+  Source source = open_source(path, how_);
   path_ = path;
   watch(source.reads);
   return source;
 }
 
-bool Opening::time_to_look() {
-  if (at_once_) return true;
-  const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  if (now_s - last_look_s_ < kLookEvery_s) return false;
-  last_look_s_ = now_s;
-  return true;
-}
-
 void Opening::begin(const std::string& path) {
   busy_with_ = path;
   began_ = Watch::now();
-  coming_ = std::async(std::launch::async, open_source, path, images_from_);
+  coming_ = std::async(std::launch::async, open_source, path, how_);
 }
 
 std::optional<Source> Opening::poll() {
   if (!coming_.valid()) {
     if (!next_.empty()) {
       begin(std::exchange(next_, ""));
-    } else if (time_to_look() && watch_.changed()) {
+    } else if ((at_once_ || watch_.is_due()) && watch_.changed()) {
       begin(path_);
     }
   }

@@ -12,10 +12,10 @@ namespace marrow::tools {
 
 class Opening {
  public:
-  // also: a file that is watched as well, a clip pack; empty: none. at_once: each call of poll() looks at the disk, and
-  // waits for what is being opened, so that pictures are the same every time.
-  Opening(std::string images_from, std::string also, bool at_once)
-      : images_from_(std::move(images_from)), also_(std::move(also)), at_once_(at_once) {}
+  // also: files that are watched as well, clip packs. at_once: each call of poll() looks at the disk, and waits for
+  // what is being opened, so that pictures are the same every time.
+  Opening(SourceOptions how, std::vector<std::string> also, bool at_once)
+      : how_(std::move(how)), also_(std::move(also)), at_once_(at_once) {}
 
   // Opens it now, and watches it. Throws as open_source().
   Source open(const std::string& path);
@@ -33,18 +33,17 @@ class Opening {
   void set_error(std::string text) { error_ = std::move(text); }
 
  private:
-  bool time_to_look();
   void begin(const std::string& path);
   void watch(std::vector<std::string> reads);
 
-  std::string images_from_, also_;
+  SourceOptions how_;
+  std::vector<std::string> also_;
   bool at_once_;
   std::string path_, next_, busy_with_, error_;
   std::vector<std::string> reads_;
   std::future<Source> coming_;
   Watch watch_;
   std::timespec began_ = {};
-  double last_look_s_ = -1;
 };
 
 }  // namespace marrow::tools

@@ -21,16 +21,18 @@ SkinJoints skin_joints(const cook::RawScene& scene) {
 
 }  // namespace
 
-Source open_source(const std::string& path, const std::string& images_from) {
+Source open_source(const std::string& path, const SourceOptions& options) {
   Source source;
   source.path = path;
   CookHere how;
+  how.takes_roots = options.takes_roots;
   // A skeleton that is made takes the place of skins.
-  how.look = [&](const cook::RawScene& scene, const cook::CookOptions& options) {
-    if (options.auto_skeleton.empty()) source.skins = skin_joints(scene);
+  how.look = [&](const cook::RawScene& scene, const cook::CookOptions& by) {
+    if (by.auto_skeleton.empty()) source.skins = skin_joints(scene);
   };
   static_cast<OpenedCharacter&>(source) = open_character(path, how);
-  source.images = source.cooked_here && images_from.empty() ? places_beside(path) : places_of_cooked(path, images_from);
+  source.images = source.cooked_here && options.images_from.empty() ? places_beside(path)
+                                                                    : places_of_cooked(path, options.images_from);
   return source;
 }
 

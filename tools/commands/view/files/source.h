@@ -20,7 +20,12 @@ struct Source : OpenedCharacter {
   SkinJoints skins;  // of what was cooked here
 };
 
-// As open_character(). images_from: as places_of_cooked() takes it.
-Source open_source(const std::string& path, const std::string& images_from);
+// How a model is opened.
+struct SourceOptions {
+  std::string images_from = {};  // as places_of_cooked() takes it
+  bool takes_roots = false;      // as CookHere has it
+};
+// As open_character().
+Source open_source(const std::string& path, const SourceOptions& options = {});
 
 }  // namespace marrow::tools

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "commands/view/overlay/way.h"
 #include "commands/view/stage/timeline.h"
 
 namespace marrow::tools {
@@ -106,6 +107,7 @@ std::string length_of_square(float radius) {
 void add_strokes(Actor& actor, const Settings& s, const Shot& shot, Strokes& strokes) {
   strokes.clear();
   if (s.overlays.grid) add_grid(shot, strokes);
+  if (actor.rehearsal() != nullptr && s.overlays.steps) add_way(*actor.rehearsal(), shot, strokes);
   if (s.overlays.ghosts > 0) add_ghosts(actor, s, shot, strokes);
   if (!s.overlays.wireframe && !s.overlays.normals) return;
   const std::vector<PosedMesh> posed = actor.posed(s.colours == Colours::distance ? s.pair.first : s.deformer);

@@ -76,6 +76,12 @@ Footprints::Footprints(const File& file, const Play& play) : motion_(play.motion
   if (glm::length(ground_m_s_) < 0.1f * motion_.speed_m_s) ground_m_s_ = glm::vec3(0);
 }
 
+std::vector<float> Footprints::heights() const {
+  std::vector<float> out;
+  for (const Footprint& print : prints_) out.push_back(print.at.y);
+  return out;
+}
+
 // How what lies on the ground has moved in the character's eyes.
 glm::mat4 Footprints::ground_since(double from_s, double to_s) const {
   if (!motion_.root.empty()) return glm::inverse(root_at(motion_, to_s)) * root_at(motion_, from_s);

@@ -26,6 +26,8 @@ class Footprints {
  public:
   Footprints(const File& file, const Play& play);
 
+  // Of the ground below each foot that stands.
+  std::vector<float> heights() const;
   // Prints of the round before, this one and the next, as the ground has carried them at time_s, and the root's path.
   void draw(float time_s, Drawer& drawer) const;
   // A row a foot, with its contacts, other events, and time_s: as wide as the panel.

@@ -148,7 +148,7 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
     if (parent != kNoJoint) drawer.line(place_of(places[parent]), place_of(actor, i), kBone, 1.6f);
   }
   if (s.overlays.trail) draw_trail(actor, s, drawer);
-  if (s.overlays.steps) actor.footprints(s).draw(clip_time(s.playback), drawer);
+  if (s.overlays.steps && actor.rehearsal() == nullptr) actor.footprints(s).draw(clip_time(s.playback), drawer);
   const float axis = 0.05f * actor.performance().radius();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const bool chosen = marked && i == s.joint;

@@ -99,6 +99,7 @@ void plot(const char* name, const std::vector<float> (&rows)[3], float share, co
 
 void curves(Actor& actor, float scale, const Settings& s) {
   const JointCurves* const rows = actor.curves(s);
+  if (actor.rehearsal() != nullptr) return quiet("Curves are of clips.");
   if (rows == nullptr) return quiet("The rest pose has no curves.");
   const float duration_s = actor.plays()[s.clip].play.duration_s;
   const float share = std::clamp(clip_time(s.playback) / duration_s, 0.0f, 1.0f);

@@ -19,7 +19,9 @@ constexpr float kPanelWidth = 316;
 constexpr const char* kHelp =
     "left button: turn\nright button, or with shift: move\nwheel: zoom\nclick: choose a joint\n"
     "drag a goal's square: reach\ndrop a file: open it\nspace bar: play, pause\nleft, right: a frame back, on\n"
-    "home, end: first, last frame\nwhile painting\nleft button on the figure: paint\nbeside it, or with ctrl: turn\n"
+    "home, end: first, last frame\nof a graph\n1 to 9: fire, set, or choose a number\n"
+    "up, down: more, less of it\nwith ctrl, left and right: ten frames\nwhile painting\nleft button on the figure: "
+    "paint\nbeside it, or with ctrl: turn\n"
     "[ and ]: the brush smaller, larger\nctrl Z, ctrl Y: undo, redo\nctrl S: save";
 
 void deformers(const char* id, Deformer& chosen) {
@@ -148,6 +150,13 @@ void file_lines(const Actor& actor, const Settings& settings) {
   quiet(fmt::format("{} joints, {} vertices, {} triangles", actor.joints().size(), vertices, triangles));
 }
 
+// What plays it, and what was noticed in its text.
+void graph_lines(const Rehearsal& rehearsal) {
+  const FoundGraph& found = rehearsal.behaviour().found();
+  quiet(fmt::format("by the graph {} of {}", found.graph.name, std::filesystem::path(found.path).filename().string()));
+  for (const std::string& warning : found.warnings) quiet(warning);
+}
+
 }  // namespace
 
 void set_panel_style(float scale) {
@@ -197,8 +206,15 @@ void show_panel(const PanelState& state, Actor& actor, Settings& settings) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoBringToFrontOnFocus);
   file_lines(actor, settings);
-  clip_section(actor, state.scale, settings);
-  paint_section(actor, state.scale, settings);
+  if (actor.rehearsal() != nullptr) {
+    graph_lines(*actor.rehearsal());
+    parameter_section(*actor.rehearsal(), state.scale, settings);
+    time_section(*actor.rehearsal(), state.scale, settings);
+    node_section(*actor.rehearsal(), state.scale);
+  } else {
+    clip_section(actor, state.scale, settings);
+    paint_section(actor, state.scale, settings);
+  }
   joint_section(actor, state.scale, settings);
   overlay_section(actor, state.scale, settings);
   colour_section(actor, state.scale, settings);

@@ -63,7 +63,7 @@ void pose_section(const Actor& actor, float scale, Settings& s) {
   ImGui::BeginDisabled(!has_limits(actor.file()));
   ImGui::Checkbox(has_limits(actor.file()) ? "within the file's limits" : "the file has no limits", &s.limits);
   ImGui::EndDisabled();
-  goals(actor, scale, s);
+  if (actor.rehearsal() == nullptr) goals(actor, scale, s);
   springs(actor, scale, s);
   if (!actor.rig().trouble().empty()) quiet(actor.rig().trouble());
 }

@@ -8,6 +8,12 @@ namespace marrow::tools {
 
 // What plays, and when: seconds and frames.
 void clip_section(Actor& actor, float scale, Settings& settings);
+// Of a graph: what can be set, and by which keys.
+void parameter_section(Rehearsal& rehearsal, float scale, Settings& settings);
+// When, back to what is over, with the states of machines and the events on a line of time.
+void time_section(Rehearsal& rehearsal, float scale, Settings& settings);
+// The nodes below each other: what each weighs, which state a machine is in, where a clip is.
+void node_section(const Rehearsal& rehearsal, float scale);
 // The tree of joints, the chosen one's transforms, and its curves over the clip.
 void joint_section(Actor& actor, float scale, Settings& settings);
 // The brush for a joint's weights.

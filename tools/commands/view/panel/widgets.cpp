@@ -16,6 +16,18 @@ void label(const char* words, float scale) {
   ImGui::SetNextItemWidth(-1);
 }
 
+void label_to(const std::string& words, float column) {
+  const float room = column - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
+  std::string shown = words;
+  while (shown.size() > 3 && ImGui::CalcTextSize(shown.c_str()).x > room)
+    shown = shown.substr(0, shown.size() - 3) + "..";
+  ImGui::AlignTextToFramePadding();
+  text(shown);
+  if (shown != words && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", words.c_str());
+  ImGui::SameLine(column);
+  ImGui::SetNextItemWidth(-1);
+}
+
 bool section(const char* name, bool open) {
   ImGui::Dummy({0, 0.1f * ImGui::GetFontSize()});
   ImGui::PushStyleColor(ImGuiCol_Text, {0.93f, 0.68f, 0.36f, 1});

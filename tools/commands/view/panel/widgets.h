@@ -9,6 +9,8 @@ namespace marrow::tools {
 
 // A label, and room for a widget that fills the rest of the line.
 void label(const char* text, float scale);
+// The same in another column, points; what is too long for it ends in dots.
+void label_to(const std::string& text, float column);
 // A heading that folds what is below it; whether that is to be seen.
 bool section(const char* name, bool open);
 void text(const std::string& words);

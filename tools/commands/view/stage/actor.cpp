@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "commands/view/stage/timeline.h"
+#include "math/affine.h"
 #include "render/heat.h"
 
 namespace marrow::tools {
@@ -12,6 +13,7 @@ namespace {
 
 constexpr int kMostMoments = 1024;
 constexpr float kUsualRate_hz = 30;
+constexpr int kMomentsOfClip = 6, kMostMomentsOfAll = 120;  // of a graph
 
 float milliseconds_of(const auto& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -80,18 +82,56 @@ void Actor::listen() {
 
 void Actor::make(const Made& wanted) {
   if (wanted == made_) return;
-  if (wanted.lod != made_.lod || wanted.normals != made_.normals) {
+  if (wanted.lod != made_.lod || wanted.normals != made_.normals || wanted.layers != made_.layers) {
     const auto level = static_cast<std::uint32_t>(wanted.lod);
-    character_.emplace(file(), wanted.normals, level);
+    character_.emplace(file(), wanted.normals, level, wanted.layers);
     figure_.emplace(gl_, programs_, file(), &textures_, wanted.normals, level);
   }
   // The camera is to hold what the clip does by itself.
   character_->set_change(nullptr);
   character_->set_weigh(nullptr);
-  performance_.emplace(file(), *character_, plays_[wanted.clip].play);
+  if (rehearsal_) {
+    performance_.emplace(perform_graph());
+  } else {
+    performance_.emplace(file(), *character_, plays_[wanted.clip].play);
+  }
   listen();
   heat_largest_ = 0;
   made_ = wanted;
+}
+
+void Actor::rehearse(FoundGraph found, const std::vector<std::string>& packs) {
+  auto next = std::make_unique<Rehearsal>(source_.path, file(), std::move(found), packs);
+  if (rehearsal_) next->take(rehearsal_->kept());
+  rehearsal_ = std::move(next);
+  made_ = {};
+}
+
+// Moments of all clips that the graph plays, each where the character stands.
+Performance Actor::perform_graph() {
+  const Span<const Animation> clips = rehearsal_->behaviour().binding().clips;
+  const auto each = std::clamp(kMostMomentsOfAll / std::max(static_cast<int>(clips.size), 1), 1, kMomentsOfClip);
+  std::vector<std::pair<Play, float>> moments;
+  std::vector<float> heights;
+  for (const Animation& clip : clips) {
+    const Play play{clip, nullptr};
+    for (int i = 0; i < each && static_cast<int>(moments.size()) < kMostMomentsOfAll; ++i)
+      moments.emplace_back(play, clip.duration_s * static_cast<float>(i) / static_cast<float>(each));
+    for (const float height : Footprints(file(), play).heights()) heights.push_back(height);
+  }
+  if (moments.empty()) moments.emplace_back();
+  // As many as a performance looks at in that time.
+  const float rate = Performance::kMomentsPerSecond;
+  const auto pose = [&](float at_s) {
+    const auto& [play, time_s] = moments[std::min(static_cast<std::size_t>(at_s * rate), moments.size() - 1)];
+    character_->pose(play, time_s);
+  };
+  Performance out(file(), *character_, Moments{static_cast<float>(moments.size()) / rate, pose, true});
+  if (!heights.empty()) {
+    std::ranges::nth_element(heights, heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2));
+    out.set_ground_height(heights[heights.size() / 2]);
+  }
+  return out;
 }
 
 float Actor::rate_hz(const Settings& settings) const {
@@ -118,7 +158,7 @@ JointTransform Actor::local(std::size_t joint) const {
 
 const JointCurves* Actor::curves(const Settings& settings) {
   const Play& play = plays_[settings.clip].play;
-  if (joints_.empty() || play.duration_s <= 0) return nullptr;
+  if (rehearsal_ || joints_.empty() || play.duration_s <= 0) return nullptr;
   const Recorded wanted{settings.clip, settings.joint, rate_hz(settings)};
   if (recorded_ != wanted) {
     const NamedJoint& joint = joints_[settings.joint];
@@ -143,13 +183,16 @@ std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
 }
 
 void Actor::pose(const Settings& settings, float dt_s) {
-  make({settings.clip, settings.lod, settings.normals});
+  const std::uint32_t layers = rehearsal_ ? rehearsal_->behaviour().layers() : 0;
+  make({settings.clip, settings.lod, settings.normals, std::max(Character::kMostLayers, layers)});
   const bool any = !joints_.empty();
   character_->set_parameters(settings.parameters);
-  rig_.prepare(settings, any ? joints_[settings.joint].skeleton : 0, any ? joints_[settings.joint].joint : 0, dt_s);
+  rig_.prepare(settings, any ? joints_[settings.joint].skeleton : 0, any ? joints_[settings.joint].joint : 0, dt_s,
+               rehearsal_ ? rehearsal_->behaviour().world_from_model() : kIdentity);
   const float time_s = clip_time(settings.playback);
   const Play& first = plays_[settings.clip].play;
   times_.pose = milliseconds_of([&] {
+    if (rehearsal_) return rehearsal_->pose(*character_);
     if (settings.second == 0) return character_->pose(first, time_s);
     // In step: at the same share of their lengths.
     const Play& second = plays_[settings.second].play;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "commands/view/overlay/footprints.h"
 #include "commands/view/paint/painting.h"
 #include "commands/view/stage/recording.h"
+#include "commands/view/stage/rehearsal.h"
 #include "commands/view/stage/rigging.h"
 #include "commands/view/stage/view_settings.h"
 #include "render/figure.h"
@@ -38,6 +40,13 @@ class Actor {
   // Of a source, and what choose() made of it by `choice`. programs: of the studio. Throws Failure: what textures
   // throw. `gl` and `programs` outlive it.
   Actor(const Gl& gl, gles3::ProgramSet& programs, const Choice& choice, Source source, Chosen chosen);
+
+  // It plays this graph from now on, with clips of these packs as well; what is set and where it stands stays. Throws
+  // as Rehearsal; then all is as before.
+  void rehearse(FoundGraph found, const std::vector<std::string>& packs);
+  // Null: it plays clips.
+  Rehearsal* rehearsal() { return rehearsal_.get(); }
+  const Rehearsal* rehearsal() const { return rehearsal_.get(); }
 
   // The rest pose, each clip of the file, and what --clips chose.
   const std::vector<NamedPlay>& plays() const { return plays_; }
@@ -89,10 +98,12 @@ class Actor {
     std::size_t clip = 0;
     int lod = -1;
     AsNormals normals = AsNormals::blended;
+    std::uint32_t layers = 0;  // that poses hold at once
     bool operator==(const Made&) const = default;
   };
   void add_plays(Chosen chosen, const Choice& choice);
   void make(const Made& wanted);
+  Performance perform_graph();
   std::vector<Drawable> weighted(const Settings& settings, Shot& shot);
   std::vector<Drawable> painted(const Settings& settings, Shot& shot);
   std::vector<Drawable> heat(const Settings& settings, Shot& shot);
@@ -131,6 +142,7 @@ class Actor {
   float heat_largest_ = 0, heat_scale_ = 1;
   ActorTimes times_;
   std::optional<Painting> painting_;
+  std::unique_ptr<Rehearsal> rehearsal_;
 };
 
 }  // namespace marrow::tools

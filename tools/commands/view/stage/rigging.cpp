@@ -15,8 +15,10 @@ std::vector<std::uint16_t> chain_below(const Skeleton& skeleton, std::uint32_t j
   return out;
 }
 
-void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s) {
-  dt_s_ = dt_s;
+void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s,
+                  const Affine& world_from_model) {
+  frame_.dt_s = dt_s;
+  frame_.world_from_model = world_from_model;
   limits_ = settings.limits;
   weights_ = settings.weights;
   trouble_.clear();
@@ -59,15 +61,9 @@ void Rig::change(std::uint32_t skeleton, const Pose& pose) {
     check(local_to_model(pose.skeleton, pose.local, pose.model_from_joint));
   }
   if (reach_) reach_->apply(skeleton, pose);
-  if (swing_files_ && file_springs_.has(skeleton)) {
-    SpringFrame frame;
-    frame.dt_s = dt_s_;
-    file_springs_.swing(skeleton, frame, pose);
-  }
+  if (swing_files_ && file_springs_.has(skeleton)) file_springs_.swing(skeleton, frame_, pose);
   if (spring_joints_.empty() || skeleton != spring_skeleton_) return;
-  SpringFrame frame;
-  frame.dt_s = dt_s_;
-  check(simulate_springs(pose, frame, springs_));
+  check(simulate_springs(pose, frame_, springs_));
 }
 
 void Rig::weigh(std::uint32_t mesh, Span<float> weights) const {

@@ -23,7 +23,9 @@ class Rig {
   bool has_springs() const { return file_springs_.has_any(); }
 
   // For the next pose. skeleton, joint: that springs begin at. dt_s: since the last pose; 0: the springs stand still.
-  void prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s);
+  // world_from_model: where the character is by then.
+  void prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s,
+               const Affine& world_from_model = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
 
   // As Character::Change and Character::Weigh.
   void change(std::uint32_t skeleton, const Pose& pose);
@@ -46,7 +48,7 @@ class Rig {
   bool swing_files_ = false;
   AlignedBytes memory_;
   Springs springs_;
-  float dt_s_ = 0;
+  SpringFrame frame_;
   std::string trouble_;
 };
 

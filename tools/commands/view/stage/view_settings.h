@@ -44,6 +44,8 @@ struct Settings {
   bool playing = true;
   float rate_hz = 0;  // of frames; 0: the clip's own
 
+  std::size_t parameter = 0;  // of a graph: the number that keys change
+
   Deformer deformer = Deformer::ssd;
   SkinPath path = SkinPath::ubo;
   AsNormals normals = AsNormals::blended;
