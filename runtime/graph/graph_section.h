@@ -130,7 +130,7 @@ constexpr void fields(V& v, const GraphLayer& l) {
   v.any({"by", "a number or a flag; 0xFFFFFFFF none"}, l.by);
   v.any({"weight", "0 … 1"}, l.weight);
   v.any({"fade_s", "0 … 10⁶"}, l.fade_s);
-  v.any({"flags", "1 additive"}, l.flags);
+  v.any({"flags", "1 additive; 2 rotations as in model space"}, l.flags);
 }
 
 template <class V>

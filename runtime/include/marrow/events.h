@@ -28,8 +28,8 @@ struct EventHit {
 // backwards [after, before). So however time is cut into steps, each event is met exactly once each time that time goes
 // over it. `first`: this is the playback's first step, which meets the moment that it starts from, too. In a loop the
 // clip's end and its start are one moment: events at either are met together. A playback that turns round at an end
-// meets the events there once. An event that lasts a whole round of a loop, as a foot that stands, does not begin again:
-// only a first step meets it, once. After a jump of time_s by hand a step is a first one again.
+// meets the events there once. An event that lasts a whole round of a loop, as a foot that stands, does not begin
+// again: only a first step meets it, once. After a jump of time_s by hand a step is a first one again.
 //
 // out: gets as many as it holds. met: how many events were met; more than out.size if some had no room. A motion has
 // no more than motion.events.size of them, however long the step is. Counts stop where Playback::turns does.
