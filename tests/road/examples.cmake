@@ -52,10 +52,12 @@ if(DRAW)  # as large before the context is lost as after
 endif()
 
 # One program is any character: four rigs, each asked to go 1 m/s faster a second for 4 s, which is 7.97 m; the fox, in
-# centimetres, hardly ends its first step.
+# centimetres, hardly ends its first step, and is not heard.
 if(DEFINED ENV{MARROW_ASSETS})
   set(ASSETS $ENV{MARROW_ASSETS})
 endif()
+set(steps "left_[a-z]+ at .*right_[a-z]+ at .*")
+set(steps_of_Fox ".*")
 function(expect_hero rig)
   if(NOT EXISTS ${ASSETS}/${rig}.glb)
     message("hero: skipped, as there is no ${ASSETS}/${rig}.glb")
@@ -63,7 +65,7 @@ function(expect_hero rig)
   endif()
   execute_process(COMMAND ${MARROW} cook ${ASSETS}/${rig}.glb --root *=ground --mesh-codec none --images none
     -o ${sample}_hero.mrw COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_QUIET)
-  expect_printed(${HERO} "${sample}_hero.mrw;${ARGN}" "left_[a-z]+ at .*right_[a-z]+ at .*went 7\\.[79][0-9] m\n$")
+  expect_printed(${HERO} "${sample}_hero.mrw;${ARGN}" "${steps${heard}}went 7\\.[79][0-9] m\n$")
 endfunction()
 
 # The same character by a graph.
@@ -83,11 +85,13 @@ function(expect_behaviour rig idle walk run strike)
   file(WRITE ${sample}_behave.anim.toml "${text}")
   execute_process(COMMAND ${MARROW} cook ${ASSETS}/${rig}.glb --graph ${sample}_behave.anim.toml --root *=ground
     --mesh-codec none --images none -o ${sample}_behave.mrw COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_QUIET)
-  expect_printed(${BEHAVE} ${sample}_behave.mrw "left_[a-z]+ at .*right_[a-z]+ at .*went (7\\.[79]|8\\.0)[0-9] m\n$")
+  expect_printed(${BEHAVE} ${sample}_behave.mrw "${steps${heard}}went (7\\.[79]|8\\.0)[0-9] m\n$")
 endfunction()
 foreach(expect expect_hero expect_behaviour)
   cmake_language(CALL ${expect} pab pab_crossarms pab_walk_raw pab_run_raw pab_crackhead)
   cmake_language(CALL ${expect} KayKit_Knight Idle Walking_A Running_A 1H_Melee_Attack_Chop)
   cmake_language(CALL ${expect} godot_robot idle run walk shooting)  # as fast as their feet go
+  set(heard _of_Fox)
   cmake_language(CALL ${expect} Fox Survey Walk Run Survey)
+  set(heard)
 endforeach()
