@@ -78,7 +78,7 @@ void Behaviour::bind(const std::string& path, const File& file, std::span<const 
 void Behaviour::restart() {
   check(make_animator(binding_, options_, memory_, animator_));
   step_ = {};
-  world_from_model_ = kIdentity;
+  place_ = {};
   time_s_ = 0;
 }
 
@@ -132,20 +132,20 @@ float Behaviour::wanted(std::uint32_t parameter) const {
 
 const AnimatorStep& Behaviour::update(float dt_s) {
   check(update_animator(animator_, dt_s, step_));
-  world_from_model_ = move_root(world_from_model_, step_.root);
+  place_ = move_root(place_, step_.root);
   time_s_ += static_cast<double>(dt_s);
   return step_;
 }
 
 Behaviour::Moment Behaviour::moment() const {
-  return {{memory_.data(), memory_.data() + memory_.size()}, step_, world_from_model_, time_s_};
+  return {{memory_.data(), memory_.data() + memory_.size()}, step_, place_, time_s_};
 }
 
 void Behaviour::go_back(const Moment& moment) {
   // Of plain bytes that point into themselves, and stay where they are.
   std::memcpy(memory_.data(), moment.memory.data(), memory_.size());
   step_ = moment.step;
-  world_from_model_ = moment.world_from_model;
+  place_ = moment.place;
   time_s_ = moment.time_s;
 }
 
@@ -153,7 +153,7 @@ void Behaviour::pose(Character& character) {
   std::vector<AnimationLayer> layers;
   for (const ShownNode& n : shown())
     if (n.is_clip) layers.push_back({n.animation, n.time_s, n.weight});
-  character.pose(animator_, world_from_model_, layers);
+  character.pose(animator_, world_from_model(), layers);
 }
 
 std::vector<MachineNow> Behaviour::machines() const {

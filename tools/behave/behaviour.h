@@ -70,20 +70,21 @@ class Behaviour {
   const AnimatorStep& update(float dt_s);
   const AnimatorStep& last_step() const { return step_; }
   // Where the character's root has come to, from the origin on.
-  const Affine& world_from_model() const { return world_from_model_; }
+  const RootPlace& place() const { return place_; }
+  Affine world_from_model() const { return marrow::world_from_model(place_); }
   // Seconds of all updates.
   double time_s() const { return time_s_; }
   // As it was before the first update, at the origin.
   void restart();
   // Puts the root elsewhere.
-  void place(const Affine& world_from_model) { world_from_model_ = world_from_model; }
+  void place(const RootPlace& there) { place_ = there; }
 
   // All that it is in: the animator's state, and the poses that inertial fades lead away from, which are no part of
   // that.
   struct Moment {
     std::vector<std::byte> memory;
     AnimatorStep step;
-    Affine world_from_model = {};
+    RootPlace place;
     double time_s = 0;
   };
   Moment moment() const;
@@ -109,7 +110,7 @@ class Behaviour {
   GraphBinding binding_;
   Animator animator_;
   AnimatorStep step_;
-  Affine world_from_model_ = {};
+  RootPlace place_;
   double time_s_ = 0;
 };
 

@@ -1,13 +1,10 @@
 #include "cook/graph/read_graphs.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
-#include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
 #include "cook/graph/build_graph.h"
+#include "cook/scene/named_file.h"
 #include "text/nearest.h"
 
 namespace marrow::cook {
@@ -17,12 +14,7 @@ constexpr std::size_t kLargestFile = 1024 * 1024;
 
 BuiltGraph read_graph(const GraphRule& rule, std::vector<RawRead>& reads, Notes& notes) {
   if (!rule.text.empty()) return build_graph(parse_graph(rule.file, rule.text), notes);
-  std::error_code error;
-  if (std::filesystem::file_size(rule.file, error) > kLargestFile && !error)
-    throw tools::Failure(tools::Exit::usage, rule.file, "", "too large", "1 MiB is the limit");
-  const tools::AlignedBytes bytes = tools::read_file(rule.file);
-  reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(rule.file), error).string(),
-                   bytes.size(), tools::hash_of({bytes.data(), bytes.size()})});
+  const tools::AlignedBytes bytes = read_named_file(rule.file, {kLargestFile, "1 MiB is the limit"}, reads);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return build_graph(parse_graph(rule.file, text), notes);
 }

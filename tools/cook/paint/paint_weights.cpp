@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string_view>
@@ -11,10 +10,9 @@
 
 #include "common/decode.h"
 #include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
 #include "cook/paint/paint_file.h"
 #include "cook/paint/paint_places.h"
+#include "cook/scene/named_file.h"
 #include "deform/weights/set_weights.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -53,19 +51,11 @@ std::string name_of(const PaintRule& rule) {
   return tools::printable("paint " + rule.joint);
 }
 
-tools::AlignedBytes bytes_of_mask(const std::string& path, RawRead& read) {
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) > kMostMaskBytes && !error)
-    throw tools::Failure(tools::Exit::invalid, path, "", "too large for a mask",
-                         "export the picture again, at most 8192 pixels each way");
-  tools::AlignedBytes bytes = tools::read_file(path);
-  read = {std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string(), bytes.size(),
-          tools::hash_of({bytes.data(), bytes.size()})};
-  return bytes;
-}
+const LargestFile kLargestMask = {kMostMaskBytes, "export the picture again, at most 8192 pixels each way",
+                                  "too large for a mask", tools::Exit::invalid};
 
-Mask read_mask(const PaintRule& rule, RawRead& read) {
-  const tools::AlignedBytes bytes = bytes_of_mask(rule.file, read);
+Mask read_mask(const PaintRule& rule, std::vector<RawRead>& reads) {
+  const tools::AlignedBytes bytes = read_named_file(rule.file, kLargestMask, reads);
   const tools::Pixels pixels = tools::decode_image({bytes.data(), bytes.size()}, rule.file, name_of(rule));
   Mask mask{static_cast<std::size_t>(pixels.width), static_cast<std::size_t>(pixels.height), {}};
   mask.grey.resize(mask.width * mask.height);
@@ -117,9 +107,7 @@ void refuse_paint(const PaintRule& rule, const std::string& why, const std::stri
 }
 
 void apply(const RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases, Notes& notes) {
-  RawRead read;
-  const Mask mask = read_mask(rule, read);
-  notes.reads.push_back(read);
+  const Mask mask = read_mask(rule, notes.reads);
   bool has_joint = false, has_uvs = false;
   std::vector<RawWarning> without;
   for (Canvas& canvas : canvases) {
@@ -166,9 +154,7 @@ void apply_masks(std::vector<Canvas>& canvases) {
 }
 
 void apply_file(RawScene& scene, const PaintRule& rule, Notes& notes) {
-  RawRead read;
-  const tools::AlignedBytes bytes = bytes_of_mask(rule.file, read);
-  notes.reads.push_back(read);
+  const tools::AlignedBytes bytes = read_named_file(rule.file, kLargestMask, notes.reads);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   paint_places(scene, rule.file, read_painted(rule.file, text), rule.origin.must_fit, notes);
 }
@@ -176,9 +162,9 @@ void apply_file(RawScene& scene, const PaintRule& rule, Notes& notes) {
 }  // namespace
 
 RawRead read_of_mask(const std::string& path) {
-  RawRead read;
-  bytes_of_mask(path, read);
-  return read;
+  std::vector<RawRead> reads;
+  static_cast<void>(read_named_file(path, kLargestMask, reads));
+  return reads[0];
 }
 
 RawScene paint_weights(RawScene scene, const std::vector<PaintRule>& rules, Notes& notes) {

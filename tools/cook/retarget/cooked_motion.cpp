@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
 #include "common/load_mrw.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/scene/matrices.h"
+#include "cook/scene/named_file.h"
 #include "cook/scene/views.h"
 #include "deform/rotation_of_matrix.h"
 #include "marrow/sample.h"
@@ -99,13 +97,10 @@ RawClip keys_of(const Skeleton& skeleton, const Clip& clip, const std::vector<in
 }  // namespace
 
 RawScene read_cooked_motion(const std::string& path) {
-  tools::AlignedBytes bytes = tools::read_file(path);
   RawScene out;
+  tools::AlignedBytes bytes = read_named_file(path, {}, out.reads);
   out.source = path;
   out.source_bytes = bytes.size();
-  std::error_code error;
-  out.reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string(), bytes.size(),
-                       tools::hash_of({bytes.data(), bytes.size()})});
   const tools::LoadedFile loaded = tools::load_mrw(path, std::move(bytes));
   const Character character = view_character(path, loaded.file);
   if (character.skeletons.empty())

@@ -1,15 +1,13 @@
 #include "cook/retarget/retarget_map.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
+#include "cook/scene/named_file.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
 
@@ -100,12 +98,7 @@ RetargetMap parse_retarget_map(const std::string& path, std::string_view text) {
 }
 
 RetargetMap read_retarget_map(const std::string& path, std::vector<RawRead>& reads) {
-  std::error_code error;
-  if (std::filesystem::file_size(path, error) > kLargestMap && !error)
-    throw tools::Failure(tools::Exit::usage, path, "", "too large", "8 MiB is the limit");
-  const tools::AlignedBytes bytes = tools::read_file(path);
-  reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string(), bytes.size(),
-                   tools::hash_of({bytes.data(), bytes.size()})});
+  const tools::AlignedBytes bytes = read_named_file(path, {kLargestMap, "8 MiB is the limit"}, reads);
   return parse_retarget_map(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

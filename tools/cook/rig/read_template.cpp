@@ -12,8 +12,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/files.h"
-#include "common/hash.h"
+#include "cook/scene/named_file.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
 
@@ -185,11 +184,7 @@ SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& re
     throw tools::Failure(tools::Exit::usage, "--auto-skeleton", "",
                          "\"" + tools::printable(name) + "\" is neither built in nor a file",
                          "give humanoid, quadruped or a TEMPLATE.toml");
-  if (std::filesystem::file_size(name, error) > kLargestTemplate && !error)
-    throw tools::Failure(tools::Exit::usage, name, "", "too large", "64 KiB is the limit");
-  const tools::AlignedBytes bytes = tools::read_file(name);
-  reads.push_back({std::filesystem::weakly_canonical(std::filesystem::absolute(name), error).string(), bytes.size(),
-                   tools::hash_of({bytes.data(), bytes.size()})});
+  const tools::AlignedBytes bytes = read_named_file(name, {kLargestTemplate, "64 KiB is the limit"}, reads);
   return parse_template(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

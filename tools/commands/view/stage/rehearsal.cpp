@@ -36,7 +36,7 @@ void Rehearsal::begin() {
 
 void Rehearsal::restart() {
   Kept set = kept();
-  set.world_from_model = kIdentity;
+  set.place = {};
   take(set);
 }
 
@@ -70,7 +70,7 @@ void Rehearsal::remember(const Character& character) {
   for (const AnimatorEvent& e : step.events)
     for (std::uint32_t i = 0; i < e.count; ++i) events_.push_back({at_s, e.name, find_role(e.name)});
   for (const GroundPrint& print : feet_.prints(step, character)) prints_.push_back({at_s, print});
-  const Affine& root = behaviour_.world_from_model();
+  const Affine root = behaviour_.world_from_model();
   way_.push_back({at_s, {root.rows[0][3], root.rows[1][3], root.rows[2][3]}});
   forget_before(moment_s(0), events_);
   forget_before(at_s - kKept_s, prints_);
@@ -103,7 +103,7 @@ void Rehearsal::step(std::ptrdiff_t by) {
 
 Rehearsal::Kept Rehearsal::kept() const {
   Kept out;
-  out.world_from_model = behaviour_.world_from_model();
+  out.place = behaviour_.place();
   for (std::uint32_t p = 0; p < behaviour_.graph().parameters.size; ++p) {
     const ParameterKind kind = behaviour_.graph().parameters[p].kind;
     if (kind != ParameterKind::trigger) out.parameters[behaviour_.parameter_name(p)] = {kind, behaviour_.wanted(p)};
@@ -118,7 +118,7 @@ void Rehearsal::take(const Kept& kept) {
     if (found == kept.parameters.end() || found->second.first != behaviour_.graph().parameters[p].kind) continue;
     behaviour_.set(p, found->second.second);
   }
-  behaviour_.place(kept.world_from_model);
+  behaviour_.place(kept.place);
   begin();
 }
 

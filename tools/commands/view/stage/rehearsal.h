@@ -76,7 +76,7 @@ class Rehearsal {
   // What goes over to another graph: parameters by their names, and where the character stands.
   struct Kept {
     std::map<std::string, std::pair<ParameterKind, float>> parameters;
-    Affine world_from_model = {};
+    RootPlace place;
   };
   Kept kept() const;
   void take(const Kept& kept);
