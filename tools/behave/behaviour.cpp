@@ -8,7 +8,6 @@
 #include "common/files.h"
 #include "common/formats.h"
 #include "graph/animator_state.h"
-#include "math/affine.h"
 #include "pose/choose.h"
 #include "text/nearest.h"
 #include "text/printable.h"

@@ -17,9 +17,8 @@
 namespace marrow::tools {
 
 struct BehaviourArguments {
-  std::string graph;  // as find_graph() takes it
-  std::vector<std::string>
-      clips;  // packs that clips come from; of one name the first pack's counts, then the character's own
+  std::string graph;               // as find_graph() takes it
+  std::vector<std::string> clips;  // packs, by the order in which their clips count; the character's own come last
 };
 
 // What a machine is in.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "math/affine.h"
 
 namespace marrow::tools {
 namespace {
