@@ -28,7 +28,7 @@ marrow_tools_test(marrow_input_tests input
   unit/unpack/draco_bounds_test.cpp unit/unpack/memory_patterns_test.cpp
   unit/unpack/steps_test.cpp unit/unpack/tools_cap_test.cpp)
 # Without the cooker, so that what runs under sanitizers each time compiles soon.
-target_link_libraries(marrow_input_tests PRIVATE marrow_gltf marrow_options marrow_goldens nlohmann_json::nlohmann_json
+target_link_libraries(marrow_input_tests PRIVATE marrow_disk marrow_goldens nlohmann_json::nlohmann_json
   draco::draco meshoptimizer::meshoptimizer)
 
 marrow_tools_test(marrow_cook_tests cook
@@ -59,7 +59,7 @@ set_tests_properties(cook PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARD
 set_tests_properties(cook.1 PROPERTIES ENVIRONMENT "${not_twice};GTEST_TOTAL_SHARDS=2;GTEST_SHARD_INDEX=1")
 marrow_begin_first(cook cook.1)
 target_link_libraries(marrow_cook_tests PRIVATE marrow_goldens)
-target_link_libraries(marrow_cook_tests PRIVATE marrow_cook marrow_options marrow_export marrow_pose marrow_sample draco::draco
+target_link_libraries(marrow_cook_tests PRIVATE marrow_cook_on_disk marrow_options marrow_export marrow_pose marrow_sample draco::draco
   meshoptimizer::meshoptimizer)
 
 # Clips of one rig on others.
@@ -69,13 +69,13 @@ marrow_tools_test(marrow_retarget_tests retarget
   unit/cook/retarget/retarget_models_test.cpp
   unit/cook/retarget/retarget_pose_test.cpp
   unit/cook/retarget/retarget_test.cpp)
-target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook marrow_options)
+target_link_libraries(marrow_retarget_tests PRIVATE marrow_cook_on_disk marrow_options)
 
 # Graphs of behaviour, and animators.
 marrow_tools_test(marrow_graph_tests graph
   unit/graph/animator_test.cpp unit/graph/behaviours_acts_test.cpp unit/graph/behaviours_test.cpp unit/graph/graph_mistakes_test.cpp unit/graph/graph_morphs_test.cpp unit/graph/graph_text_test.cpp unit/graph/oracle.cpp unit/graph/oracle_cases_test.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
   unit/graph/oracle_pose.cpp unit/graph/oracle_random.cpp unit/graph/oracle_read.cpp unit/graph/oracle_test.cpp)
-target_link_libraries(marrow_graph_tests PRIVATE marrow_cook tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
+target_link_libraries(marrow_graph_tests PRIVATE marrow_cook_on_disk tomlplusplus::tomlplusplus nlohmann_json::nlohmann_json)
 # It plays minutes.
 set_source_files_properties(unit/graph/oracle.cpp unit/graph/oracle_machine.cpp unit/graph/oracle_motion.cpp
   unit/graph/oracle_pose.cpp PROPERTIES COMPILE_OPTIONS -O2 SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
@@ -83,7 +83,7 @@ set_source_files_properties(unit/graph/oracle.cpp unit/graph/oracle_machine.cpp 
 # Characters that behave by them, as commands have them, and the sample in the demo.
 marrow_tools_test(marrow_behave_tests behave unit/behave/behaviour_test.cpp unit/behave/script_test.cpp
   unit/story/story_test.cpp)
-target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook marrow_story)
+target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook_on_disk marrow_story)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow
@@ -131,7 +131,7 @@ marrow_tools_test(marrow_road_tests road
   road/cooked.cpp road/export_test.cpp road/feet_test.cpp road/outfits_test.cpp road/reference_test.cpp
   road/road_test.cpp road/sample_test.cpp road/scenes/made_scene.cpp road/scenes/random_scene.cpp
   road/scenes/scene_measure.cpp road/scenes/scenes_test.cpp road/split_test.cpp road/stated_errors_test.cpp)
-target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook marrow_export marrow_pose)
+target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook_on_disk marrow_export marrow_pose)
 
 marrow_tools_test(marrow_cli_tests cli
   cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp

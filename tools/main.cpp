@@ -10,8 +10,9 @@
 
 #include "commands/command.h"
 #include "common/failure.h"
+#include "common/thread_pool.h"
 #include "marrow/call_error.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "terminal/interrupt.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -110,6 +111,7 @@ int main(int argc, char** argv) {
   try {
     marrow::tools::end_cleanly_on_interrupt();
     marrow::set_call_error_handler(marrow::tools::print_call_error);
+    const marrow::tools::UseWork work({&marrow::tools::all_cores(), nullptr});
     const int code = marrow::tools::run(argc, argv);
     // What a pipe or a full disk refuses is known when everything has been handed over.
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

@@ -18,7 +18,7 @@
 #include "deform/look/folds.h"
 #include "deform/motion/motion_errors.h"
 #include "deform/surface.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 
 namespace marrow::tools {
 namespace {
@@ -133,7 +133,7 @@ std::shared_ptr<const cook::Learnt> fitted(const Study& study, const std::string
 }
 
 cook::LearnOptions fit_to(const std::string& truth) {
-  cook::Given given;
+  cook::Options given;
   given["as"] = {{"fit", {"--as", ""}}};
   given["truth"] = {{truth, {"--truth", ""}}};
   return cook::to_options(given).learn;

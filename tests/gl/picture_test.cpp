@@ -13,7 +13,7 @@
 #include <png.h>
 #include <unistd.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
 #include "gles3/palettes.h"
@@ -188,8 +188,8 @@ TEST_F(Picture, IsTheSameForAnyNumberOfThreads) {
 TEST_F(Picture, ShowsMoreJointsThanAPaletteTakes) {
   for (const std::size_t entries : {std::size_t{gles3::kPaletteJoints}, std::size_t{kMaxJoints}}) {
     cook::CookOptions options;
-    options.most_entries = entries;
-    options.mesh_codec = cook::MeshCodec::none;
+    options.mesh.most_entries = entries;
+    options.mesh.codec = cook::MeshCodec::none;
     const std::vector<std::byte> file = cook::cook_scene(Millipede(150).scene, options).file;
     std::ofstream(path("millipede.mrw"), std::ios::binary)
         .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));

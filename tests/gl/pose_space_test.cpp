@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
@@ -46,14 +46,14 @@ double farthest(const std::vector<float>& a, const std::vector<float>& b) {
 // The sample, taught by dual quaternions what one clip does.
 TEST(PoseSpace, OfTheSampleIsTheCpusInEveryWay) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.raw_clips = true;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.raw = true;
   options.learn.truth = cook::Truth::dual_quaternions;
   options.learn.pose_examples = 8;
   cook::RawScene scene = cook::read_gltf(newt_glb());
   std::erase_if(scene.clips, [](const auto& clip) { return clip.name != "twist"; });
   ASSERT_EQ(scene.clips.size(), 1u);
-  const cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
+  const cook::Result cooked = cook::cook_scene(std::move(scene), options);
   const tools::AlignedBytes bytes(cooked.file);
   File file;
   ASSERT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/load_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "gl/support/rendered.h"
 #include "render/clearest_side.h"
 #include "render/performance.h"
@@ -102,7 +102,7 @@ TEST_F(Viewpoints, HeatMapsHaveALegend) {
 TEST(ClearestSide, LooksAtWhatDiffers) {
   using namespace tools;
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
+  options.mesh.codec = MeshCodec::none;
   const auto bytes = cook_file(test::in_golden("elbow.gltf"), options).file;
   const LoadedFile loaded = load_mrw("elbow", AlignedBytes{std::span<const std::byte>(bytes)});
   tools::Character character(loaded.file);

@@ -7,24 +7,24 @@
 #include <gtest/gtest.h>
 
 #include "common/load_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "support/golden.h"
 #include "support/places.h"
 
 namespace marrow {
 namespace {
 
-cook::CookResult cook_file(const char* name, bool raw_clips, const std::vector<cook::AdditiveRule>& additive = {}) {
+cook::Result cook_file(const char* name, bool raw_clips, const std::vector<cook::AdditiveRule>& additive = {}) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.additive = additive;
-  options.keep_vertex_order = raw_clips;
-  options.raw_clips = raw_clips;
-  options.clip_shell = 0.03;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.additive = additive;
+  options.mesh.keep_vertex_order = raw_clips;
+  options.clips.raw = raw_clips;
+  options.clips.shell = 0.03;
   return cook::cook_file(test::in_golden(name), options);
 }
 
-void expect_golden(const cook::CookResult& cooked, const test::AlignedBlock& golden) {
+void expect_golden(const cook::Result& cooked, const test::AlignedBlock& golden) {
   ASSERT_EQ(cooked.file.size(), golden.size());
   for (std::size_t i = 0; i < golden.size(); ++i) ASSERT_EQ(cooked.file[i], golden.data()[i]) << "byte " << i;
 }
@@ -37,25 +37,25 @@ TEST(GoldenCook, GivesTheGoldenBytes) {
   expect_golden(cook_file("face.gltf", false, {{"speak", "first"}}), test::golden_channels_copy());
   cook::CookOptions pack;
   pack.clips_only = true;
-  pack.mesh_codec = cook::MeshCodec::none;
+  pack.mesh.codec = cook::MeshCodec::none;
   expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_pack_copy());
-  pack.mesh_codec = cook::MeshCodec::draco;
+  pack.mesh.codec = cook::MeshCodec::draco;
   expect_golden(cook::cook_file(test::in_golden("dance.gltf"), pack), test::golden_packed_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLooks) {
   cook::CookOptions options;
-  options.images = cook::Images::embed;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.keep = {"*"};
+  options.source.images = cook::Images::embed;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.prepare.keep = {"*"};
   expect_golden(cook::cook_file(test::in_golden("looks.gltf"), options), test::golden_looks_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfLevels) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.raw_clips = true;
-  options.lod = {{0.5, 8}, {0.25, 1}};
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.raw = true;
+  options.mesh.lod = {{0.5, 8}, {0.25, 1}};
   expect_golden(cook::cook_file(test::in_golden("tiny.gltf"), options), test::golden_lod_copy());
 }
 
@@ -69,27 +69,27 @@ TEST(GoldenCook, GivesTheGoldenBytesOfSprings) {
 
 TEST(GoldenCook, GivesTheGoldenBytesOfRoles) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
   options.motion.roots = {{"walk", cook::RootMotion::ground}};
   expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_roles_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfPoseMaps) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
-  options.pose_maps = {{test::in_golden("roles.gltf"), test::in_golden("maps.toml"), {}}};
+  options.mesh.codec = cook::MeshCodec::none;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
+  options.retarget.poses = {{test::in_golden("roles.gltf"), test::in_golden("maps.toml"), {}}};
   expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_maps_copy());
 }
 
 TEST(GoldenCook, GivesTheGoldenBytesOfGraphs) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
   options.motion.roots = {{"walk", cook::RootMotion::ground, {}}};
   options.graphs = {{test::in_golden("graph.toml"), {}, {}}};
   expect_golden(cook::cook_file(test::in_golden("roles.gltf"), options), test::golden_graph_copy());

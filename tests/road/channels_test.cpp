@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/sample.h"
 #include "road/cooked.h"
 #include "road/models.h"
@@ -64,9 +64,9 @@ TEST_P(Weights, AgreeWithTheReference) {
   Compared compared[2];
   for (const bool raw : {true, false}) {
     cook::CookOptions options;
-    options.mesh_codec = cook::MeshCodec::none;
-    options.raw_clips = raw;
-    const cook::CookResult cooked = cook::cook_file(GetParam(), options);
+    options.mesh.codec = cook::MeshCodec::none;
+    options.clips.raw = raw;
+    const cook::Result cooked = cook::cook_file(GetParam(), options);
     const AlignedBlock block(cooked.file.data(), cooked.file.size());
     File file;
     ASSERT_EQ(load(block, file), Status::ok);

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/scene/views.h"
 #include "marrow/local_to_model.h"
@@ -38,7 +38,7 @@ constexpr double kError = 1e-4, kShell = 0.03, kPerson = 2.0;
 // Meshes are not looked at here.
 cook::CookOptions without_meshes() {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
+  options.mesh.codec = cook::MeshCodec::none;
   return options;
 }
 
@@ -233,8 +233,8 @@ TEST(ClipPromise, IsOverriddenByJoint) {
   cook::Notes notes;
   constexpr double kLoose = 1e-3, kStrict = 2e-5;
   cook::CookOptions options = without_meshes();
-  options.clip_error.push_back({"", kLoose, false});
-  options.clip_error.push_back({"j*3", kStrict, false});
+  options.clips.error.push_back({"", kLoose, false});
+  options.clips.error.push_back({"j*3", kStrict, false});
   const cook::BuiltScene built = cook::build_scene(cook::read_gltf(path), options, notes);
   const Reference reference(path);
   const cook::BuiltSkeleton& joints = built.skeletons.at(0);

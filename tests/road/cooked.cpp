@@ -29,17 +29,17 @@ std::uint32_t next_animation(const File& file, std::uint32_t clip) {
 Cooked::Cooked(const std::string& path, cook::MeshCodec codec)
     : Cooked(path, [codec] {
         cook::CookOptions options;
-        options.mesh_codec = codec;
-        options.raw_clips = true;
+        options.mesh.codec = codec;
+        options.clips.raw = true;
         return options;
       }()) {}
 
 Cooked::Cooked(const std::string& path, cook::CookOptions options) {
-  options.keep_vertex_order = true;
-  const cook::CookResult result = cook::cook_file(path, options);
+  options.mesh.keep_vertex_order = true;
+  const cook::Result result = cook::cook_file(path, options);
   report_ = result.report;
   bytes_ = result.file.size();
-  if (options.mesh_codec == cook::MeshCodec::none) {
+  if (options.mesh.codec == cook::MeshCodec::none) {
     block_ = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
   } else {
     const tools::AlignedBytes unpacked = tools::unpacked(result.file, path);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "export/export.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
@@ -29,10 +29,10 @@ constexpr int kMoments = 16;
 struct ExportedModel {
   ExportedModel(const std::string& source, bool raw) {
     cook::CookOptions options;
-    options.keep_vertex_order = true;
-    options.mesh_codec = cook::MeshCodec::none;
-    options.raw_clips = raw;
-    const cook::CookResult cooked = cook::cook_file(source, options);
+    options.mesh.keep_vertex_order = true;
+    options.mesh.codec = cook::MeshCodec::none;
+    options.clips.raw = raw;
+    const cook::Result cooked = cook::cook_file(source, options);
     block = std::make_unique<AlignedBlock>(cooked.file.data(), cooked.file.size());
     if (load(*block, file) != Status::ok) throw std::runtime_error("cooked, but not loaded");
     std::string name = (fs::temp_directory_path() / "marrow_export_XXXXXX").string();

@@ -191,8 +191,8 @@ std::string write_whole() {
 
 cook::CookOptions plain() {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.raw_clips = true;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.raw = true;
   return options;
 }
 

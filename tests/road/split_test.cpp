@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "export/export.h"
 #include "pose/evaluate.h"
@@ -27,11 +27,11 @@ constexpr std::size_t kWhole = kMaxJoints;
 
 struct CookedParts {
   CookedParts(cook::RawScene scene, cook::CookOptions options, std::size_t most, MeshCodec codec = MeshCodec::none) {
-    options.most_entries = most;
-    options.mesh_codec = codec;
-    options.raw_clips = true;
-    options.keep_vertex_order = true;
-    const cook::CookResult result = cook::cook_scene(std::move(scene), options);
+    options.mesh.most_entries = most;
+    options.mesh.codec = codec;
+    options.clips.raw = true;
+    options.mesh.keep_vertex_order = true;
+    const cook::Result result = cook::cook_scene(std::move(scene), options);
     if (codec == MeshCodec::none) {
       block = std::make_unique<AlignedBlock>(result.file.data(), result.file.size());
     } else {
@@ -263,7 +263,7 @@ std::size_t open_edges(const File& file, std::uint32_t level) {
 
 TEST(Split, LevelsOfDetailStayClosed) {
   cook::CookOptions options;
-  options.lod = {{0.5, 8}, {0.2, 2}, {0.02, 1}};
+  options.mesh.lod = {{0.5, 8}, {0.2, 2}, {0.02, 1}};
   const cook::RawScene newt = cook::read_gltf(kNewt);
   const CookedParts whole(newt, options, kWhole), parts(newt, options, 24);
   for (std::uint32_t level = 0; level < 4; ++level) {
@@ -300,7 +300,7 @@ cook::RawScene sheet_with_patches() {
 // A part that has lost everything stays, with a triangle that shows nothing, and the others are as they should be.
 TEST(Split, PartsThatLoseAllTheirTrianglesAreStillThere) {
   cook::CookOptions options;
-  options.lod = {{0.02, 8}};
+  options.mesh.lod = {{0.02, 8}};
   for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
     const CookedParts parts(sheet_with_patches(), options, 2, codec);
     std::size_t still = 0, triangles = 0;

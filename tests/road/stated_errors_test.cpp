@@ -127,8 +127,8 @@ double stated(const Cooked& cooked, const char* list, const char* field) {
 
 cook::CookOptions lossless() {
   cook::CookOptions out;
-  out.mesh_codec = cook::MeshCodec::none;
-  out.raw_clips = true;
+  out.mesh.codec = cook::MeshCodec::none;
+  out.clips.raw = true;
   return out;
 }
 
@@ -170,7 +170,7 @@ TEST(StatedErrors, ClipsAreCountedFromTheSourcesRest) {
   const SourceFile file(far.d);
   const Reference reference(file.path);
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
+  options.mesh.codec = cook::MeshCodec::none;
   const Cooked cooked(file.path, options);
   EXPECT_EQ(cooked.report()["clips"][0]["codec"], "segments");
   const double said = stated(cooked, "clips", "max_vertex_error_m");
@@ -196,8 +196,8 @@ TEST(StatedErrors, WhatDrawsNothingDoesNotMeasureACharacter) {
     skin(d, joints, 1);
     const SourceFile file(d);
     cook::CookOptions options;
-    options.mesh_codec = cook::MeshCodec::none;
-    options.keep = keep;
+    options.mesh.codec = cook::MeshCodec::none;
+    options.prepare.keep = keep;
     const Cooked out(file.path, options);
     const bool warns = std::ranges::any_of(out.report()["warnings"],
                                            [](const auto& warning) { return warning["rule"] == "motion-of-nothing"; });
@@ -218,9 +218,9 @@ TEST(StatedErrors, LengthsThatAreGivenAreNeverReinterpreted) {
   skin(d, chain(d, -1, 100), 100);
   const SourceFile file(d);
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
+  options.mesh.codec = cook::MeshCodec::none;
   EXPECT_GT(clip_error(Reference(file.path), Cooked(file.path, options)), 2e-3);
-  options.clip_error.push_back({"", 1e-3, false});
+  options.clips.error.push_back({"", 1e-3, false});
   const Cooked strict(file.path, options);
   EXPECT_LE(stated(strict, "clips", "max_vertex_error_m"), 1e-3);
   EXPECT_LE(clip_error(Reference(file.path), strict), 1.1e-3 + 100 * 1e-6);
@@ -239,7 +239,7 @@ TEST(StatedErrors, RestCountsRoundedWeights) {
   const Reference reference(file.path);
   for (const cook::MeshCodec codec : {cook::MeshCodec::draco, cook::MeshCodec::meshopt}) {
     cook::CookOptions options;
-    options.mesh_codec = codec;
+    options.mesh.codec = codec;
     const Cooked cooked(file.path, options);
     const double real = rest_error(reference, cooked), said = stated(cooked, "meshes", "max_position_error_m");
     EXPECT_GT(real, 1e-4) << "weights move it";
@@ -312,8 +312,8 @@ TEST(StatedErrors, MorphTargetsAreReportedTruly) {
   for (const cook::MeshCodec codec : {cook::MeshCodec::none, cook::MeshCodec::draco})
     for (const bool raw : {true, false}) {
       cook::CookOptions options;
-      options.mesh_codec = codec;
-      options.raw_clips = raw;
+      options.mesh.codec = codec;
+      options.clips.raw = raw;
       const Cooked cooked(file.path, options);
       const std::uint32_t rest = cooked.file().clip_count();
       const double target = stated(cooked, "meshes", "max_target_error_m");
@@ -355,7 +355,7 @@ struct Swaying {
 
 cook::CookOptions clips_alone() {
   cook::CookOptions out;
-  out.mesh_codec = cook::MeshCodec::none;
+  out.mesh.codec = cook::MeshCodec::none;
   return out;
 }
 
@@ -383,7 +383,7 @@ TEST(StatedErrors, ClipsAreMeasuredAsTheyWeighMorphTargets) {
   const SourceFile file(of.d);
   const Reference reference(file.path);
   cook::CookOptions options = clips_alone();
-  options.clip_error.push_back({"", 0.1, false});
+  options.clips.error.push_back({"", 0.1, false});
   const Cooked cooked(file.path, options);
   std::vector<float> times_s;
   for (int i = 0; i < 40; ++i) times_s.push_back(0.71F + 0.00025F * static_cast<float>(i));
@@ -408,7 +408,7 @@ class OfAnotherUnit : public ::testing::Test {
   Cooked pack(const SourceFile& move) const {
     cook::CookOptions options;
     options.clips_only = true;
-    options.mesh_codec = cook::MeshCodec::none;
+    options.mesh.codec = cook::MeshCodec::none;
     options.onto = std::make_shared<const cook::Character>(cook::read_character(character_file_->path));
     return Cooked(move.path, options);
   }

@@ -2,9 +2,10 @@
 
 #include <charconv>
 
+#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/formats.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -15,7 +16,8 @@ namespace {
 FoundGraph cook_rule(const cook::GraphRule& rule) {
   cook::CookOptions options;
   options.graphs = {rule};
-  const cook::CookResult cooked = cook::cook_graphs(options);
+  DiskFiles files;
+  const cook::Result cooked = cook::cook_graphs(options, {files, nullptr, {}, nullptr});
   const auto memory =
       std::make_shared<LoadedFile>(load_mrw(rule.file, AlignedBytes(std::span<const std::byte>(cooked.file))));
   FoundGraph out{rule.file, memory->file, graphs_of(rule.file, memory->file).front(), {}, memory};

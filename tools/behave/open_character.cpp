@@ -4,9 +4,9 @@
 
 #include "common/failure.h"
 #include "common/formats.h"
-#include "cook/cook.h"
-#include "cook/read_source.h"
-#include "options/settings.h"
+#include "jobs/cook_on_disk.h"
+#include "jobs/cook_on_disk.h"
+#include "jobs/settings.h"
 
 namespace marrow::tools {
 namespace {
@@ -35,13 +35,13 @@ OpenedCharacter cook_in_memory(const std::string& path, const CookHere& how) {
   }
   cook::RawScene scene = cook::read_source(path, options);
   if (how.look) how.look(scene, options);
-  const cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
+  const cook::Result cooked = cook::cook_scene(std::move(scene), options);
   out.loaded = load_mrw(path, AlignedBytes(std::span<const std::byte>(cooked.file)));
   out.reads = {path};
   out.cooked_here = true;
   out.warnings = cooked.report["warnings"].size();
-  for (const cook::RawRead& read : cooked.reads)
-    if (read.path != path) out.reads.push_back(read.path);
+  for (const cook::Read& read : cooked.reads)
+    if (read.name != path) out.reads.push_back(read.name);
   if (!out.settings.empty()) out.reads.push_back(out.settings);
   return out;
 }

@@ -2,7 +2,7 @@
 // poses by layers that a game fills by hand; and a frame of a crowd.
 #include "bench/workload.h"
 #include "common/check_status.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "marrow/blend_space.h"
 #include "marrow/owned.h"
@@ -106,8 +106,8 @@ OwnedFile cooked(const char* text) {
         break;
       }
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.additive = {{"lean_left", "first", {}}, {"breathe", "first", {}}};
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.additive = {{"lean_left", "first", {}}, {"breathe", "first", {}}};
   options.motion.roots = {{"*", cook::RootMotion::ground, {}}};
   options.graphs = {{"bench.anim.toml", text, {}}};
   OwnedFile out;

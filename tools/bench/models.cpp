@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "sample/embedded.h"
 
@@ -44,7 +44,7 @@ const File& Models::get(const ModelSource& model) {
   for (cook::RawClip& clip : scene.clips)
     if (!wanted_[&model].contains(clip.name)) keep_first_keys(clip);
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
+  options.mesh.codec = cook::MeshCodec::none;
   loaded.bytes = AlignedBytes(std::span<const std::byte>(cook::cook_scene(std::move(scene), options).file));
   if (load({loaded.bytes.data(), loaded.bytes.size()}, loaded.file) != Status::ok)
     throw Failure(Exit::internal, model.file, "", "cannot be loaded once cooked", "please report this");
@@ -55,7 +55,7 @@ const std::vector<std::byte>& Models::packed(const ModelSource& model, const std
   const auto [at, is_new] = packed_.try_emplace({&model, codec});
   if (!is_new) return at->second;
   cook::CookOptions options;
-  options.mesh_codec = codec == "draco" ? cook::MeshCodec::draco : cook::MeshCodec::meshopt;
+  options.mesh.codec = codec == "draco" ? cook::MeshCodec::draco : cook::MeshCodec::meshopt;
   at->second = cook::cook_scene(read_model(model, folder_), options).file;
   return at->second;
 }

@@ -6,7 +6,7 @@ namespace marrow::tools {
 namespace {
 
 // One option of the table, as on the command line.
-void add_option(CLI::App* command, const cook::Option& option, cook::Given& given) {
+void add_option(CLI::App* command, const cook::Option& option, cook::Options& given) {
   const std::string flag = std::string("--") + option.name;
   const auto value_of = [flag](const std::string& text) { return cook::Value{text, {flag, ""}}; };
   if (option.kind == cook::OptionKind::flag) {
@@ -59,7 +59,7 @@ void add_cook_files(CLI::App* command, CookArguments& a) {
   command->add_option("--jobs", a.jobs, "threads; without it one a core")->check(CLI::Range(1u, 1024u))->type_name("N");
 }
 
-void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given) {
+void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Options& given) {
   for (const cook::Option& option : cook::option_table())
     if (names.empty() || std::ranges::find(names, option.name) != names.end()) add_option(command, option, given);
 }

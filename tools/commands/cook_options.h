@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "jobs/cooker.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 
 namespace marrow::tools {
 
@@ -15,6 +15,6 @@ namespace marrow::tools {
 void add_cook_files(CLI::App* command, CookArguments& a);
 
 // Options of these names, or without names all of them. What is given goes into `given`.
-void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Given& given);
+void add_cook_options(CLI::App* command, const std::vector<std::string>& names, cook::Options& given);
 
 }  // namespace marrow::tools

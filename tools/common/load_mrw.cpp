@@ -1,17 +1,12 @@
 #include "common/load_mrw.h"
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
 #include "common/unpack_mrw.h"
 #include "marrow/example_space.h"
 #include "marrow/unpack.h"
 
 namespace marrow::tools {
-
-LoadedFile load_mrw(const std::string& path) {
-  return load_mrw(path, read_file(path));
-}
 
 LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
   LoadedFile loaded;

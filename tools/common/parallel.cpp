@@ -1,89 +1,52 @@
 #include "common/parallel.h"
 
-#include <algorithm>
-#include <atomic>
-#include <exception>
-#include <future>
-#include <mutex>
-#include <thread>
-#include <vector>
+#include <utility>
+
+#include "common/failure.h"
 
 namespace marrow::tools {
 namespace {
 
-std::atomic<int>& spare() {
-  static std::atomic<int> threads{static_cast<int>(std::max(1u, std::thread::hardware_concurrency())) - 1};
-  return threads;
+thread_local const Work* work_here = nullptr;
+
+void expect_to_go_on(const Work* work) {
+  if (work != nullptr && work->stop != nullptr && *work->stop)
+    throw Failure(Exit::interrupted, "", "", "stopped", "the caller asked for it");
 }
+
+// As UseWork, of a work that outlives it.
+class Share {
+ public:
+  explicit Share(const Work* work) : before_(std::exchange(work_here, work)) {}
+  Share(const Share&) = delete;
+  Share& operator=(const Share&) = delete;
+  ~Share() { work_here = before_; }
+
+ private:
+  const Work* before_;
+};
 
 }  // namespace
 
-void set_thread_count(unsigned count) {
-  spare() = static_cast<int>(std::max(1u, count)) - 1;
+UseWork::UseWork(const Work& work) : work_(work), before_(std::exchange(work_here, &work_)) {}
+
+UseWork::~UseWork() {
+  work_here = before_;
 }
 
-bool take_thread() {
-  int free = spare();
-  while (free > 0)
-    if (spare().compare_exchange_weak(free, free - 1)) return true;
-  return false;
-}
-
-void give_back_thread() {
-  ++spare();
+void expect_to_go_on() {
+  expect_to_go_on(work_here);
 }
 
 void for_each_in_parallel(std::size_t count, const std::function<void(std::size_t)>& f) {
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  std::vector<std::future<void>> others;  // guarded by `mutex`
-  std::function<void()> work;
-  const auto share = [&] {
-    if (!take_thread()) return;
-    const auto help = [&work] {
-      struct GiveBack {
-        ~GiveBack() { give_back_thread(); }
-      } const at_end;
-      work();
-    };
-    try {
-      const std::lock_guard lock(mutex);
-      others.reserve(others.size() + 1);  // so that no helper is waited for in here
-      others.push_back(std::async(std::launch::async, help));
-    } catch (const std::exception&) {  // the system has no thread or no memory left; go on without
-      give_back_thread();
-    }
+  const Work* const work = work_here;
+  const auto one = [&](std::size_t i) {
+    const Share share(work);
+    expect_to_go_on(work);
+    f(i);
   };
-  work = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) {
-        if (next < count) share();
-        f(i);
-      }
-    } catch (...) {
-      next = count;
-      throw;
-    }
-  };
-  std::exception_ptr failure;
-  const auto keep_failure = [&](const auto& run) {
-    try {
-      run();
-    } catch (...) {
-      if (!failure) failure = std::current_exception();
-    }
-  };
-  keep_failure(work);
-  for (std::size_t i = 0;; ++i) {
-    std::future<void> other;
-    {
-      const std::lock_guard lock(mutex);
-      if (i == others.size()) break;
-      other = std::move(others[i]);
-    }
-    keep_failure([&] { other.get(); });
-  }
-  if (failure) std::rethrow_exception(failure);
+  if (work != nullptr && work->threads != nullptr) return work->threads->for_each(count, one);
+  for (std::size_t i = 0; i < count; ++i) one(i);
 }
 
 }  // namespace marrow::tools

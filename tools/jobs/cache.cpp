@@ -151,7 +151,7 @@ std::string Cache::file_of(const std::string& key, const char* extension) const 
   return (fs::path(folder_) / key.substr(0, 2) / (key + extension)).string();
 }
 
-std::optional<cook::CookResult> Cache::find(const std::string& path, const std::string& options) const {
+std::optional<cook::Result> Cache::find(const std::string& path, const std::string& options) const {
   const std::optional<AlignedBytes> scene = try_read(path);
   if (!scene) return std::nullopt;
   const std::string scene_hash = hash_of({scene->data(), scene->size()});
@@ -169,7 +169,7 @@ std::optional<cook::CookResult> Cache::find(const std::string& path, const std::
   const auto [end, error] = std::from_chars(body->data(), body->data() + body->size(), report_bytes);
   const std::size_t start = static_cast<std::size_t>(end - body->data()) + 1;
   if (error != std::errc() || start > body->size() || report_bytes > body->size() - start) return std::nullopt;
-  cook::CookResult result;
+  cook::Result result;
   result.report = ordered_json::parse(body->substr(start, report_bytes), nullptr, false);
   if (result.report.is_discarded()) return std::nullopt;
   const auto cooked = bytes_of(std::string_view(*body).substr(start + report_bytes));
@@ -184,12 +184,12 @@ std::optional<cook::CookResult> Cache::find(const std::string& path, const std::
   return result;
 }
 
-std::string Cache::store(const cook::CookResult& result, const std::string& options) const {
+std::string Cache::store(const cook::Result& result, const std::string& options) const {
   if (result.reads.empty()) return "";
   std::vector<Input> inputs;
   for (std::size_t i = 1; i < result.reads.size(); ++i) {
-    const cook::RawRead& read = result.reads[i];
-    inputs.push_back({relative_to_scene(result.reads[0].path, read.path), read.bytes, read.hash});
+    const cook::Read& read = result.reads[i];
+    inputs.push_back({relative_to_scene(result.reads[0].name, read.name), read.bytes, read.hash});
   }
   const std::string report = result.report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   std::string body = std::to_string(report.size()) + ' ' + report;

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 
 namespace marrow::tools {
 
@@ -20,10 +20,10 @@ class Cache {
   explicit Cache(std::string folder) : folder_(std::move(folder)) {}
 
   // What cooking `path` with options of this canonical text would give. Marks the entry as just used.
-  std::optional<cook::CookResult> find(const std::string& path, const std::string& options) const;
+  std::optional<cook::Result> find(const std::string& path, const std::string& options) const;
 
   // Safe to call from several threads. Returns why it could not be stored, or nothing.
-  std::string store(const cook::CookResult& result, const std::string& options) const;
+  std::string store(const cook::Result& result, const std::string& options) const;
 
   // Removes the files that were not used for longest until the rest has at most so many bytes.
   void shrink(std::uint64_t most_bytes) const;
@@ -33,7 +33,7 @@ class Cache {
   std::string folder_;
 };
 
-// What `path` names relative to the folder of `scene`, both as in CookResult::reads.
+// What `path` names relative to the folder of `scene`, both as in Result::reads.
 std::string relative_to_scene(const std::string& scene, const std::string& path);
 
 }  // namespace marrow::tools

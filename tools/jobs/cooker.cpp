@@ -11,12 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/hash.h"
-#include "cook/cook.h"
-#include "cook/paint/paint_weights.h"
-#include "cook/read_source.h"
+#include "common/thread_pool.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
@@ -30,8 +29,10 @@ double seconds_since(Clock::time_point start) {
 }
 
 std::string named_file_text(const Order& order, const char* option, const std::string& file) {
-  const cook::RawRead read = cook::read_of_mask(file);
-  return std::string("\n") + option + ' ' + relative_to_scene(order.job.in, read.path) + ' ' + read.hash;
+  DiskFiles disk;
+  const std::vector<std::byte> bytes = disk.read(file, cook::kMostBytes);
+  return std::string("\n") + option + ' ' + relative_to_scene(order.job.in, disk.full_name(file)) + ' ' +
+         hash_of(bytes);
 }
 
 // Masks and examples by where they are from the scene and by what they hold: their names in the options are from the
@@ -39,7 +40,7 @@ std::string named_file_text(const Order& order, const char* option, const std::s
 std::string named_files_text(const Order& order) {
   std::string out;
   const auto add = [&](const char* option, const std::string& file) { out += named_file_text(order, option, file); };
-  for (const cook::PaintRule& rule : order.options.weights.paint) add("paint", rule.file);
+  for (const cook::PaintRule& rule : order.options.prepare.weights.paint) add("paint", rule.file);
   if (!order.options.learn.examples_file.empty()) add("examples", order.options.learn.examples_file);
   return out;
 }
@@ -52,12 +53,26 @@ std::string files_of_clips_text(const Order& order) {
       for (const std::string& file : {rule.file, rule.map})
         if (!file.empty()) out += named_file_text(order, option, file);
   };
-  add("retarget", order.options.retarget);
-  add("pose-map", order.options.pose_maps);
+  add("retarget", order.options.retarget.clips);
+  add("pose-map", order.options.retarget.poses);
   for (const cook::GraphRule& rule : order.options.graphs)
     if (rule.text.empty()) out += named_file_text(order, "graph", rule.file);
   return out;
 }
+
+// How much the cooker has read.
+class CountingFiles : public DiskFiles {
+ public:
+  std::vector<std::byte> read(const std::string& path, std::uint64_t most) override {
+    std::vector<std::byte> bytes = DiskFiles::read(path, most);
+    bytes_ += bytes.size();
+    return bytes;
+  }
+  std::uint64_t bytes() const { return bytes_; }
+
+ private:
+  std::uint64_t bytes_ = 0;
+};
 
 Outcome failed(const CookJob& job, Exit code, std::string text) {
   if (!text.starts_with(job.in)) text = job.in + ": " + text;
@@ -74,9 +89,9 @@ std::uint64_t MemoryGate::half_of_memory() {
          static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))) / 2;
 }
 
-Order SettingsOf::order(const CookJob& job, const cook::Given& command_line) {
-  Order out{job, {}, "", given_.empty() ? cook::find_settings(job.in, job.root).value_or("") : given_};
-  cook::Given given;
+Order SettingsOf::order(const CookJob& job, const cook::Options& command_line) {
+  Order out{job, {}, {}, "", given_.empty() ? cook::find_settings(job.in, job.root).value_or("") : given_};
+  cook::Options given;
   if (!out.settings_file.empty()) {
     const auto [known, is_new] = known_.try_emplace(out.settings_file);
     if (is_new) known->second.settings = cook::read_settings(out.settings_file);
@@ -85,6 +100,7 @@ Order SettingsOf::order(const CookJob& job, const cook::Given& command_line) {
   cook::replace(given, command_line);
   out.options = cook::to_options(given);
   out.options_text = cook::canonical_text(given);
+  out.given = std::move(given);
   return out;
 }
 
@@ -104,7 +120,7 @@ void SettingsOf::warn_of_unused(const std::vector<std::string>& inputs) const {
   }
 }
 
-cook::Given for_many(cook::Given given) {
+cook::Options for_many(cook::Options given) {
   for (auto& [name, values] : given)
     for (cook::Value& value : values) value.origin.must_fit = false;
   return given;
@@ -114,24 +130,28 @@ Cook::Cook(const CookArguments& arguments) : a_(arguments) {
   if (!a_.cache.empty()) cache_.emplace(a_.cache);
 }
 
-Cook::Cooked Cook::cook(const Order& order) {
+Cook::Cooked Cook::cook(const Order& order, const Show& show) {
   const auto start = Clock::now();
   Cooked out;
-  std::optional<cook::CookResult> result;
-  cook::CookOptions options = order.options;
+  std::optional<cook::Result> result;
+  const cook::CookOptions& options = order.options;
   std::string options_text = order.options_text;
-  if (!options.skeleton_file.empty()) {
-    options.onto = std::make_shared<cook::Character>(cook::read_character(options.skeleton_file));
-    options_text += "\nskeleton " + options.onto->file + ' ' + options.onto->hash;
-  }
   if (cache_ && !options.clips_only) options_text += named_files_text(order);
   if (cache_) options_text += files_of_clips_text(order);
   if (cache_) result = cache_->find(order.job.in, options_text);
   out.outcome.from_cache = result.has_value();
   if (!result) {
-    cook::RawScene scene = cook::read_source(order.job.in, options);
-    const MemoryGate::Pass pass(memory_, scene.source_bytes << (2 * options.subdivide));
-    result = cook::cook_scene(std::move(scene), options);
+    CountingFiles files;
+    std::optional<MemoryGate::Pass> pass;  // once it is known how much has been read
+    const cook::Host host{files,
+                          &all_cores(),
+                          [&](cook::Stage stage, std::size_t done, std::size_t count) {
+                            if (stage == cook::Stage::prepare && !pass)
+                              pass.emplace(memory_, files.bytes() << (2 * options.mesh.subdivide));
+                            if (show) show(stage, done, count);
+                          },
+                          nullptr};
+    result = cook::cook(order.job.in, order.given, host);
     if (cache_) note_trouble(cache_->store(*result, options_text));
   }
   result->report["source"]["file"] = order.job.in;
@@ -172,15 +192,14 @@ bool Cook::is_there(const std::string& path, std::span<const std::byte> bytes) c
 
 std::vector<std::string> Cook::inputs_of(const Order& order, const Outcome& outcome) const {
   std::vector<std::string> inputs;
-  for (const cook::RawRead& read : outcome.reads) {
+  for (const cook::Read& read : outcome.reads) {
     if (inputs.empty()) {
-      inputs.push_back(read.path);
+      inputs.push_back(read.name);
       continue;
     }
-    const fs::path path = fs::path(order.job.in).parent_path() / relative_to_scene(order.job.in, read.path);
+    const fs::path path = fs::path(order.job.in).parent_path() / relative_to_scene(order.job.in, read.name);
     if (std::ranges::find(inputs, path.string()) == inputs.end()) inputs.push_back(path.string());
   }
-  if (!order.options.skeleton_file.empty()) inputs.push_back(order.options.skeleton_file);
   if (!order.settings_file.empty()) inputs.push_back(order.settings_file);
   return inputs;
 }
@@ -191,11 +210,11 @@ void Cook::end() {
 }
 
 // -o scene.bin is a slip of the hand that would cost an artist's file.
-void Cook::expect_not_read(const Order& order, const std::vector<cook::RawRead>& reads) const {
+void Cook::expect_not_read(const Order& order, const std::vector<cook::Read>& reads) const {
   for (const std::string& target : {order.job.out, a_.report, a_.depfile}) {
     std::error_code ignored;
-    for (const cook::RawRead& read : reads)
-      if (!target.empty() && fs::equivalent(target, read.path, ignored) && !ignored)
+    for (const cook::Read& read : reads)
+      if (!target.empty() && fs::equivalent(target, read.name, ignored) && !ignored)
         throw Failure(Exit::usage, target, "", "is an input", "it belongs to the scene; name another file to write");
   }
 }

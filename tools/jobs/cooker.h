@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -11,11 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "cook/scene/cook_options.h"
 #include "jobs/batch.h"
 #include "jobs/cache.h"
 #include "jobs/outcome.h"
-#include "options/options.h"
-#include "options/settings.h"
+#include "cook/options/options.h"
+#include "jobs/settings.h"
 
 namespace marrow::tools {
 
@@ -26,13 +28,14 @@ struct CookArguments {
   std::uint64_t cache_bytes = 1u << 30;
   unsigned jobs = 0;  // 0: one a core
   bool json = false;
-  cook::Given given;  // on the command line
+  cook::Options given;  // on the command line
 };
 
 // What is to be done with one input, all of it known before the first is read.
 struct Order {
   CookJob job;
-  cook::CookOptions options;
+  cook::Options given;
+  cook::CookOptions options;  // as they are read
   std::string options_text;   // canonical
   std::string settings_file;  // empty: none
 };
@@ -43,7 +46,7 @@ class SettingsOf {
   explicit SettingsOf(const std::string& given) : given_(given) {}
 
   // Throws what read_settings() and to_options() throw.
-  Order order(const CookJob& job, const cook::Given& command_line);
+  Order order(const CookJob& job, const cook::Options& command_line);
 
   // Where everything below the settings' folder was cooked, a rule that found nothing is a mistake; on stderr.
   void warn_of_unused(const std::vector<std::string>& inputs) const;
@@ -58,7 +61,7 @@ class SettingsOf {
 };
 
 // The same options for many files, of which each need not fit every one.
-cook::Given for_many(cook::Given given);
+cook::Options for_many(cook::Options given);
 
 // Lets scenes be built at the same time as long as what they need fits half the machine's memory; one always.
 class MemoryGate {
@@ -102,8 +105,10 @@ class Cook {
     Outcome outcome;
     std::vector<std::byte> file;
   };
+  // As cook::Host::progress.
+  using Show = std::function<void(cook::Stage stage, std::size_t done, std::size_t count)>;
   // Throws Failure. From any thread, like what follows but end().
-  Cooked cook(const Order& order);
+  Cooked cook(const Order& order, const Show& show = {});
   // Writes the output and makes its folder. Throws nothing: what went wrong is in the outcome.
   Outcome cook_into_folder(const Order& order);
 
@@ -116,7 +121,7 @@ class Cook {
   void end();
 
  private:
-  void expect_not_read(const Order& order, const std::vector<cook::RawRead>& reads) const;
+  void expect_not_read(const Order& order, const std::vector<cook::Read>& reads) const;
   void note_trouble(const std::string& text);
 
   const CookArguments& a_;

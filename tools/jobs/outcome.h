@@ -16,7 +16,7 @@ struct Outcome {
   Exit code = Exit::done;
   std::string failure;  // one line that names the input
   nlohmann::ordered_json report;
-  std::vector<cook::RawRead> reads;
+  std::vector<cook::Read> reads;
   double seconds = 0;
   bool from_cache = false;
 };

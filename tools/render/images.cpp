@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "common/disk_files.h"
 #include "common/failure.h"
-#include "cook/gltf/document/regular_file.h"
-#include "cook/gltf/document/uri.h"
+#include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/read.h"
 #include "text/printable.h"
 
@@ -49,13 +49,14 @@ Span<const std::byte> ImageFinder::file_bytes(std::uint32_t index) {
   std::vector<std::byte>& out = read_[index];
   const std::string uri = file_.image(index).uri, where = name_of(index);
   cook::gltf::Report report(path_);
-  const std::string relative = cook::gltf::decode_relative_uri(uri, where, report);
-  const std::string found = cook::gltf::resolve_in_folder(places_.folder, relative, where, report);
+  DiskFiles disk;
+  const std::string any_there = (fs::path(places_.folder) / "any").string();
+  const std::string found = cook::gltf::name_beside(&disk, any_there, uri, "image", where, report);
   std::error_code error;
   if (!fs::exists(found, error))
     throw Failure(Exit::io, path_, where, "no " + printable(uri) + " below \"" + places_.folder + '"',
                   "say where with --images-from");
-  if (out.empty()) out = cook::gltf::read_regular_file(found, cook::gltf::kLargestFile + 1, where, report);
+  if (out.empty()) out = cook::gltf::read_scene_file(disk, found, cook::kMostBytes + 1, where, report);
   return {out.data(), out.size()};
 }
 
@@ -80,8 +81,9 @@ const std::vector<cook::RawImage>& ImageFinder::source_images(const std::string&
   if (places_.source.empty())
     throw Failure(Exit::io, path_, where, "it lies inside the source, which is not beside the file",
                   "give --images-from SOURCE.glb, or cook with --images embed");
+  DiskFiles disk;
   try {
-    source_images_ = cook::read_gltf(places_.source, {.image_bytes = true}).images;
+    source_images_ = cook::read_gltf(places_.source, disk, {.image_bytes = true}).images;
   } catch (const Failure& failure) {
     throw Failure(failure.code(), path_, where, "its source cannot be read", failure.what());
   }

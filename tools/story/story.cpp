@@ -11,7 +11,7 @@
 
 #include "behave/behaviour.h"
 #include "common/files.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "sample/embedded.h"
 #include "story/adjust.h"
@@ -324,11 +324,11 @@ StoryFiles cook_story(const std::string& character) {
   cook::CookOptions options;
   options.clips_only = true;
   options.onto = std::make_shared<cook::Character>(cook::read_character(character));
-  options.mirror = {{"turn_right", "turn_left"}};
+  options.retarget.mirror = {{"turn_right", "turn_left"}};
   options.motion.roots = {{"*", cook::RootMotion::ground}};
   const std::span<const std::byte> graph = sample_graph();
   options.graphs = {{"newt.anim.toml", {reinterpret_cast<const char*>(graph.data()), graph.size()}}};
-  const cook::CookResult cooked = cook::cook_scene(cook::read_gltf("newt_moves.glb", sample_moves_glb()), options);
+  const cook::Result cooked = cook::cook_scene(cook::read_gltf("newt_moves.glb", sample_moves_glb()), options);
   const std::filesystem::path path = std::filesystem::path(character).replace_filename("newt_moves.mrw");
   write_file_atomically(path.string(), cooked.file);
   return {character, path.string()};

@@ -33,6 +33,22 @@ std::string place_of(const toml::source_region& region) {
   return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
 }
 
+std::string toml_quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7F) {
+      out += fmt::format("\\u{:04X}", byte);
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
 void TomlReader::fail(const toml::source_region& at, const std::string& rule, const std::string& advice) const {
   throw Failure(Exit::usage, path_, place_of(at), printable(rule), printable(advice));
 }

@@ -12,6 +12,9 @@ namespace marrow::tools {
 // "line:column".
 std::string place_of(const toml::source_region& region);
 
+// A string as TOML has it, within quotation marks.
+std::string toml_quoted(const std::string& text);
+
 // All throw Failure (usage) with the file, the place, what is wrong and what to do.
 class TomlReader {
  public:

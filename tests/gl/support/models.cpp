@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "support/places.h"
 
@@ -34,10 +34,10 @@ std::vector<std::string> model_paths() {
 std::optional<Model> cook_model(cook::RawScene scene, std::size_t palette) {
   const std::string path = scene.source;
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.raw_clips = true;  // poses are all that matters here, and compressing takes most of the time
-  options.most_entries = palette;
-  const cook::CookResult cooked = cook::cook_scene(std::move(scene), options);
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.raw = true;  // poses are all that matters here, and compressing takes most of the time
+  options.mesh.most_entries = palette;
+  const cook::Result cooked = cook::cook_scene(std::move(scene), options);
   Model model{fs::path(path).filename().string(), tools::AlignedBytes(cooked.file), {}};
   DataError error;
   if (load({model.bytes.data(), model.bytes.size()}, model.file, &error) == Status::ok) return model;

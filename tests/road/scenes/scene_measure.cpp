@@ -8,7 +8,7 @@
 
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
 #include "marrow/marrow.h"
@@ -36,7 +36,7 @@ void require(Status status) {
 
 // A cooked file as a game has it, and what was said about it.
 struct Loaded {
-  explicit Loaded(cook::CookResult result) : report(std::move(result.report)) {
+  explicit Loaded(cook::Result result) : report(std::move(result.report)) {
     std::vector<std::byte> bytes = std::move(result.file);
     if (is_packed({bytes.data(), bytes.size()})) {
       const tools::AlignedBytes unpacked = tools::unpacked(bytes, "scene.mrw");
@@ -224,7 +224,7 @@ class Comparison {
   Comparison(const RandomScene& scene, const Reference& reference, const std::vector<Moment>& moments, SceneErrors& out)
       : scene_(scene), reference_(reference), moments_(moments), out_(out) {}
 
-  double clip_error_m() const { return scene_.clip_error * reference_.diagonal(); }
+  double clip_error_m() const { return scene_.clips.error * reference_.diagonal(); }
   void run(Cooking how);
 
  private:
@@ -247,9 +247,9 @@ CookOptions Comparison::options(Cooking how) const {
   CookOptions out;
   out.effort = cook::Effort::fast;
   out.keep_vertex_order = true;
-  if (how == Cooking::lossless || how == Cooking::clips) out.mesh_codec = MeshCodec::none;
-  out.raw_clips = how == Cooking::lossless || how == Cooking::packed;
-  out.clip_error = {{"", clip_error_m(), false}};
+  if (how == Cooking::lossless || how == Cooking::clips) out.mesh.codec = MeshCodec::none;
+  out.clips.raw = how == Cooking::lossless || how == Cooking::packed;
+  out.clips.error = {{"", clip_error_m(), false}};
   return out;
 }
 
@@ -376,7 +376,7 @@ SceneErrors measure(const RandomScene& scene) {
     if (scene.additive.empty()) return out;
     // A change that cannot be had: the clips are looked at as they are.
     RandomScene plain = scene;
-    plain.additive.clear();
+    plain.clips.additive.clear();
     SceneErrors again = measure(plain);
     if (again.refused.empty()) again.refused = out.refused;
     return again;

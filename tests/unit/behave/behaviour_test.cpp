@@ -144,9 +144,9 @@ class BehaviourTest : public ::testing::Test {
       root.clips = "*";
       root.root = cook::RootMotion::ground;
       options.motion.roots = {root};
-      options.mesh_codec = cook::MeshCodec::none;
-      options.raw_clips = true;
-      const cook::CookResult cooked = cook::cook_file(test::in_source("tools/sample/newt.glb"), options);
+      options.mesh.codec = cook::MeshCodec::none;
+      options.clips.raw = true;
+      const cook::Result cooked = cook::cook_file(test::in_source("tools/sample/newt.glb"), options);
       return load_mrw("newt.mrw", AlignedBytes(std::span<const std::byte>(cooked.file)));
     }();
     return made;
@@ -216,7 +216,7 @@ TEST(FindGraph, ByNameNumberAndPack) {
   cook::CookOptions options;
   options.graphs = {{"a.toml", "output = \"walk\"", {}}, {"b.toml", "output = \"idle\"", {}}};
   const std::string pack = ::testing::TempDir() + "find_graph_pack.mrw";
-  const cook::CookResult cooked = cook::cook_graphs(options);
+  const cook::Result cooked = cook::cook_graphs(options);
   write_file_atomically(pack, std::span<const std::byte>(cooked.file));
   EXPECT_TRUE(cooked.report["warnings"].empty()) << "its clips come from elsewhere";
   EXPECT_EQ(std::string(find_graph("f", two.file, "b@" + pack).graph.name), "b");

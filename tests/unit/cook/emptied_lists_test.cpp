@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "deform/weights/auto_weights.h"
 #include "unit/cook/loaded_cook.h"
@@ -209,15 +209,15 @@ const Asked kAsked[] = {
     {"nothing", [](CookOptions&) {}},
     {"--mesh-codec meshopt --keep-vertex-order",
      [](CookOptions& o) {
-       o.mesh_codec = MeshCodec::meshopt;
-       o.keep_vertex_order = true;
+       o.mesh.codec = MeshCodec::meshopt;
+       o.mesh.keep_vertex_order = true;
      }},
     {"--mesh-codec none --keep * --images embed --scene 0",
      [](CookOptions& o) {
-       o.mesh_codec = MeshCodec::none;
-       o.keep = {"*"};
-       o.images = Images::embed;
-       o.scene.name = "0";
+       o.mesh.codec = MeshCodec::none;
+       o.prepare.keep = {"*"};
+       o.source.images = Images::embed;
+       o.source.scene.name = "0";
      }},
     {"--clips-only", [](CookOptions& o) { o.clips_only = true; }},
     {"--clips-only --skeleton",
@@ -226,21 +226,21 @@ const Asked kAsked[] = {
        o.onto = ada();
      }},
     {"--skeleton", [](CookOptions& o) { o.onto = ada(); }},
-    {"--auto-skeleton", [](CookOptions& o) { o.auto_skeleton = "humanoid"; }},
+    {"--auto-skeleton", [](CookOptions& o) { o.prepare.auto_skeleton = "humanoid"; }},
     {"--auto-weights --rebind --smooth-weights",
      [](CookOptions& o) {
-       o.weights.make = deform::WeightMethod::nearest;
-       o.weights.rebind = true;
-       o.weights.smooth_steps = 1;
+       o.prepare.weights.make = deform::WeightMethod::nearest;
+       o.prepare.weights.rebind = true;
+       o.prepare.weights.smooth_steps = 1;
      }},
     {"--weights-over-time",
      [](CookOptions& o) {
-       o.weights_over_time = {{"mood", "hips", "head"}};
+       o.prepare.weights_over_time = {{"mood", "hips", "head"}};
      }},
     {"--subdivide --lod",
      [](CookOptions& o) {
-       o.subdivide = 1;
-       o.lod = {{0.5, 2}};
+       o.mesh.subdivide = 1;
+       o.mesh.lod = {{0.5, 2}};
      }},
     {"--as fit --helpers auto --mwe --psd",
      [](CookOptions& o) {
@@ -252,14 +252,14 @@ const Asked kAsked[] = {
     {"--eigenskin", [](CookOptions& o) { o.learn.eigen_targets = 1; }},
     {"--additive",
      [](CookOptions& o) {
-       o.additive = {{"nod", "carry"}};
+       o.clips.additive = {{"nod", "carry"}};
      }},
     {"--roles",
      [](CookOptions& o) {
        o.roles = {{Role::head, "head"}, {Role::jaw, ""}};
      }},
     {"[[shapes]]", [](CookOptions& o) { o.shapes = {shapes()}; }},
-    {"--strict", [](CookOptions& o) { o.strict = true; }},
+    {"--strict", [](CookOptions& o) { o.source.strict = true; }},
 };
 
 struct Counts {
@@ -271,10 +271,10 @@ void try_one(const Emptied& emptied, const Asked& asked, Counts& counts) {
   SceneDocument d = full();
   emptied.change(d);
   CookOptions options;
-  options.raw_clips = std::string(asked.what) != "nothing";
+  options.clips.raw = std::string(asked.what) != "nothing";
   asked.ask(options);
   try {
-    const ReadOptions reading{options.images == Images::embed, options.scene, options.strict};
+    const ReadOptions reading{options.source.images == Images::embed, options.source.scene, options.source.strict};
     const LoadedCook cooked(cook_scene(read(d.b, reading), options));
     ++counts.cooked;
   } catch (const Failure& failure) {
@@ -307,7 +307,7 @@ TEST(EmptiedLists, LeaveTheOthersAlone) {
     SCOPED_TRACE(what);
     SceneDocument d = full();
     emptied.change(d);
-    const CookResult cooked = cook_scene(d.read(), {});
+    const Result cooked = cook_scene(d.read(), {});
     ASSERT_EQ(cooked.report["meshes"].size(), 1u);
     EXPECT_EQ(cooked.report["meshes"][0]["name"], what == "skinned points" ? "prop" : "Ada mesh");
     EXPECT_EQ(cooked.report["meshes"][0]["triangles"], 2);

@@ -3,14 +3,14 @@
 
 #include "common/aligned_bytes.h"
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/gltf/document.h"
 
 namespace marrow::cook {
 namespace {
 
 struct Cooked {
-  CookResult result;
+  Result result;
   tools::AlignedBytes block;
   File file;
 
@@ -20,7 +20,7 @@ struct Cooked {
   }
   static CookOptions with(const std::vector<std::string>& keep) {
     CookOptions options;
-    options.keep = keep;
+    options.prepare.keep = keep;
     return options;
   }
   std::size_t warnings(const std::string& rule) const {

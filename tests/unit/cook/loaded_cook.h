@@ -7,14 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/write/write_scene.h"
 #include "marrow/marrow.h"
 
 namespace marrow::cook {
 
 struct LoadedCook {
-  explicit LoadedCook(const CookResult& result) : report(result.report) {
+  explicit LoadedCook(const Result& result) : report(result.report) {
     bytes = format::kPackedMagic == magic(result.file) ? tools::unpacked(result.file, "")
                                                        : tools::AlignedBytes{std::span<const std::byte>(result.file)};
     EXPECT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);

@@ -6,10 +6,10 @@
 
 #include "common/failure.h"
 #include "common/hash.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "jobs/depfile.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {
@@ -34,7 +34,7 @@ TEST(Hash, IsXxh3) {
 }
 
 TEST(Options, CanonicalText) {
-  cook::Given first, second;
+  cook::Options first, second;
   first["clip-error"] = {{"1mm", {"--clip-error", ""}}};
   second["clip-error"] = {{"1mm", {"marrow.toml", "3:4"}}};
   EXPECT_EQ(cook::canonical_text(first), cook::canonical_text(second));
@@ -53,8 +53,8 @@ TEST(Options, CanonicalText) {
 TEST(SameBytes, Newt) {
   const auto cook_with = [](cook::MeshCodec codec) {
     cook::CookOptions options;
-    options.mesh_codec = codec;
-    options.raw_clips = codec != cook::MeshCodec::none;  // coded once
+    options.mesh.codec = codec;
+    options.clips.raw = codec != cook::MeshCodec::none;  // coded once
     return cook::cook_scene(cook::read_gltf("newt.glb", sample_glb()), options).file;
   };
   const std::vector<std::byte> none = cook_with(cook::MeshCodec::none), meshopt = cook_with(cook::MeshCodec::meshopt),

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/graph/build_graph.h"
 #include "cook/write/write_scene.h"
 #include "marrow/owned.h"
@@ -64,8 +64,8 @@ inline cook::RawScene graph_scene() {
 
 inline cook::CookOptions graph_options(const std::vector<GraphClipMade>& clips) {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.raw_clips = true;
+  options.mesh.codec = cook::MeshCodec::none;
+  options.clips.raw = true;
   for (const GraphClipMade& made : clips) {
     for (const auto& [name, time_s] : made.events) {
       cook::EventRule rule;
@@ -91,7 +91,7 @@ struct GraphRigMade {
 };
 inline GraphRigMade small_rig() {
   GraphRigMade out{kGraphClips, graph_scene(), graph_options(kGraphClips)};
-  out.options.additive = {{"lean", "first", {}}};
+  out.options.clips.additive = {{"lean", "first", {}}};
   return out;
 }
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "options/settings.h"
+#include "jobs/settings.h"
 
 namespace marrow::cook {
 namespace {
@@ -52,22 +52,22 @@ strict = true
   std::vector<bool> used;
   const CookOptions plain = to_options(settings_for(settings, "/project/foe.glb", used));
   EXPECT_EQ(used, (std::vector<bool>{false, false}));
-  ASSERT_EQ(plain.clip_error.size(), 2u);
-  EXPECT_EQ(plain.clip_error[1].error, 0.5e-3);
-  EXPECT_TRUE(plain.keep_vertex_order);
-  EXPECT_FALSE(plain.raw_clips || plain.strict);
-  EXPECT_EQ(plain.scene.name, "");
+  ASSERT_EQ(plain.clips.error.size(), 2u);
+  EXPECT_EQ(plain.clips.error[1].error, 0.5e-3);
+  EXPECT_TRUE(plain.mesh.keep_vertex_order);
+  EXPECT_FALSE(plain.clips.raw || plain.source.strict);
+  EXPECT_EQ(plain.source.scene.name, "");
 
   const CookOptions hero = to_options(settings_for(settings, "/project/chars/hero_low.glb", used));
   EXPECT_EQ(used, (std::vector<bool>{true, true}));
-  ASSERT_EQ(hero.clip_error.size(), 3u) << "a rule replaces the defaults of the same name";
-  EXPECT_EQ(hero.clip_error[1].error, 0.05e-3);
-  EXPECT_EQ(hero.clip_error[2].joints, "hand*");
-  EXPECT_FALSE(hero.clip_error[2].origin.must_fit);
+  ASSERT_EQ(hero.clips.error.size(), 3u) << "a rule replaces the defaults of the same name";
+  EXPECT_EQ(hero.clips.error[1].error, 0.05e-3);
+  EXPECT_EQ(hero.clips.error[2].joints, "hand*");
+  EXPECT_FALSE(hero.clips.error[2].origin.must_fit);
   ASSERT_EQ(hero.additive.size(), 1u);
   EXPECT_EQ(hero.additive[0].reference, "rest");
   EXPECT_EQ(hero.additive[0].origin.where, "8:13");
-  EXPECT_TRUE(hero.raw_clips);
+  EXPECT_TRUE(hero.clips.raw);
   EXPECT_FALSE(hero.keep_vertex_order);
   EXPECT_EQ(hero.scene.name, "attic");
   EXPECT_EQ(hero.scene.origin.where, "14:9");

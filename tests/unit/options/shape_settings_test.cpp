@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "options/settings.h"
+#include "jobs/settings.h"
 
 namespace marrow::cook {
 namespace {

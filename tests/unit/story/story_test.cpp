@@ -9,7 +9,7 @@
 
 #include "common/files.h"
 #include "common/load_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "story/story.h"
 #include "support/places.h"
@@ -27,8 +27,8 @@ class StoryTest : public ::testing::Test {
     static const Told* const kTold = [] {
       auto* const out = new Told;
       cook::CookOptions options;
-      options.mesh_codec = cook::MeshCodec::none;
-      options.raw_clips = true;
+      options.mesh.codec = cook::MeshCodec::none;
+      options.clips.raw = true;
       const std::string path = ::testing::TempDir() + "story_newt.mrw";
       write_file_atomically(path, cook::cook_file(test::newt_glb(), options).file);
       out->newt = load_mrw(path);

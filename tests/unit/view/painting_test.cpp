@@ -12,7 +12,7 @@
 #include "commands/view/paint/painting.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "deform/weights/place_tree.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
@@ -37,7 +37,7 @@ class PaintingTest : public ::testing::Test {
     return at(name);
   }
   static LoadedFile cook(const std::string& path, const cook::CookOptions& options) {
-    const cook::CookResult cooked = cook::cook_file(path, options);
+    const cook::Result cooked = cook::cook_file(path, options);
     AlignedBytes bytes(cooked.file.size());
     std::ranges::copy(cooked.file, bytes.data());
     return load_mrw(path, std::move(bytes));
@@ -139,8 +139,8 @@ TEST_F(PaintingTest, WhatIsSavedIsWhatIsCooked) {
   EXPECT_TRUE(painting.saved());
 
   cook::CookOptions options;
-  options.raw_clips = true;
-  options.weights.paint.push_back({"", at("newt.paint.json")});
+  options.clips.raw = true;
+  options.prepare.weights.paint.push_back({"", at("newt.paint.json")});
   const LoadedFile cooked = cook(test::newt_glb(), options);
   const Painting again(cooked.file, at("none.paint.json"));
   EXPECT_LT(largest_difference(painting.canvas(), again.canvas(), joints), 6e-4);
@@ -236,7 +236,7 @@ TEST_F(PaintingTest, WhatCannotBePaintedSaysWhy) {
   EXPECT_NE(Painting(rigid.loaded.file, at("c.json")).refusal().find("without a skin"), std::string::npos);
   cook::CookOptions helpers;
   helpers.learn.helpers = 4;
-  helpers.raw_clips = true;
+  helpers.clips.raw = true;
   const LoadedFile cooked = cook(test::newt_glb(), helpers);
   EXPECT_NE(Painting(cooked.file, at("h.json")).refusal().find("helpers"), std::string::npos);
 }

@@ -21,7 +21,7 @@
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
-#include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/learn/check_truth.h"
 #include "terminal/progress.h"
 #include "terminal/warnings.h"
@@ -230,9 +230,9 @@ void run_compare(const CompareArguments& a) {
   if (a.thesis ? !a.in.empty() && !a.sample.empty() : a.in.empty() == a.sample.empty())
     throw Failure(Exit::usage, "compare", "", "nothing to compare on, or two things",
                   "give IN.glb or --sample cylinder");
-  cook::Given given = a.given;
+  cook::Options given = a.given;
   given["as"] = {{"fit", {"--as", ""}}};
-  cook::LearnOptions options = cook::to_options(given).learn;
+  cook::LearnOptions options = cook::with_named_files(cook::to_options(given)).learn;
   expect_sensible(a, options);
   if (!a.given.contains("helpers")) options.helpers = cook::kAutoHelpers;
   if (a.thesis) return run_thesis(a, options);

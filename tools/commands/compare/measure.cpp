@@ -13,7 +13,7 @@
 #include "commands/compare/look/jumps.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
 #include "marrow/marrow.h"
@@ -326,9 +326,9 @@ void measure_cost(const Study& study, const Contestant& contestant, DeformerRow&
   cook::CookOptions options;
   options.learn = contestant.cooked;
   options.learn.known_elastic = study.source.elastic;
-  options.raw_clips = true;
-  options.most_entries = kMaxJoints;  // a mesh a primitive
-  const cook::CookResult cooked = cook::cook_scene(study.scene, options);
+  options.clips.raw = true;
+  options.mesh.most_entries = kMaxJoints;  // a mesh a primitive
+  const cook::Result cooked = cook::cook_scene(study.scene, options);
   const AlignedBytes unpacked = tools::unpacked(cooked.file, study.scene.source);
   File file;
   check(load({unpacked.data(), unpacked.size()}, file));

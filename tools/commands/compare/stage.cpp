@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/check_status.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/scene/matrices.h"
 #include "deform/surface.h"
 #include "image/jpeg.h"
@@ -37,10 +37,10 @@ Stage::Stage(const Study& study, int side) : study_(study) {
   const deform::SkinnedMesh& mesh = study.source.mesh;
   bind_normals_ = deform::vertex_normals(mesh.positions, mesh.indices);
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
-  options.most_entries = kMaxJoints;  // a mesh a primitive
+  options.mesh.codec = cook::MeshCodec::none;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
+  options.mesh.most_entries = kMaxJoints;  // a mesh a primitive
   cooked_ = cook::cook_scene(study.scene, options).file;
   bytes_ = AlignedBytes{std::span<const std::byte>(cooked_)};
   check(load({bytes_.data(), bytes_.size()}, file_));

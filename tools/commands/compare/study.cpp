@@ -146,7 +146,7 @@ Study study_scene(RawScene of, Holdout holdout, const LearnOptions& learn) {
   add_motion(skeleton, study);
   if (learn.truth == Truth::elastic) study.source.frames = frames_in_a_row(study.source, built, kFramesInARow);
   if (learn.truth == Truth::examples) {
-    study.source.shown = read_examples(learn.examples_file, {scene, mesh, skin, built, study.source}, notes.reads);
+    study.source.shown = read_examples(*learn.examples, {scene, mesh, skin, built, study.source});
     hold_out(study.source.shown, holdout, built, study);
     return study;
   }

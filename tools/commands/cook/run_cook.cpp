@@ -9,11 +9,13 @@
 
 #include <fmt/format.h>
 
+#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/formats.h"
 #include "common/parallel.h"
-#include "cook/cook.h"
+#include "common/thread_pool.h"
+#include "marrow/cook.h"
 #include "jobs/depfile.h"
 #include "terminal/progress.h"
 
@@ -45,14 +47,14 @@ int cook_one(const CookArguments& a) {
   expect_cooked_name(a.out);
   expect_all_writable(written);
   SettingsOf settings(a.settings);
-  Order order = settings.order(plan_one(a.inputs[0], a.out), a.given);
+  const Order order = settings.order(plan_one(a.inputs[0], a.out), a.given);
   Cook cook(a);
   const Cook::Cooked cooked = [&] {
     Progress progress;
     progress.show(0, 0, fs::path(a.inputs[0]).filename().string());
-    order.options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };
-    order.options.clip_progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "clips"); };
-    return cook.cook(order);
+    return cook.cook(order, [&](cook::Stage stage, std::size_t done, std::size_t count) {
+      if (count > 0) progress.show(done, count, stage == cook::Stage::learn ? "fitting" : "clips");
+    });
   }();
   const Outcome& outcome = cooked.outcome;
   print_warnings(order.job, outcome);
@@ -81,7 +83,7 @@ int cook_batch(const CookArguments& a) {
     read.push_back(job.in);
   }
   expect_distinct(written, read);
-  const cook::Given given = for_many(a.given);
+  const cook::Options given = for_many(a.given);
   SettingsOf settings(a.settings);
   std::vector<Order> orders;
   for (const CookJob& job : jobs) orders.push_back(settings.order(job, given));
@@ -131,17 +133,15 @@ int run_cook(const CookArguments& arguments) {
 }
 
 int cook_graph_pack(const CookArguments& a) {
-  for (const auto& [name, values] : a.given)
-    if (name != "graph")
-      throw Failure(Exit::usage, "--" + name, "", "graphs without a model", "name a model, or leave it out");
-  const cook::CookOptions options = cook::to_options(a.given);
+  const cook::CookOptions options = cook::to_graph_options(a.given);
   const std::vector<std::string> written = {a.out, a.report, a.depfile};
   std::vector<std::string> read;
   for (const cook::GraphRule& rule : options.graphs) read.push_back(rule.file);
   expect_distinct(written, read);
   expect_cooked_name(a.out);
   expect_all_writable(written);
-  cook::CookResult result = cook::cook_graphs(options);
+  DiskFiles files;
+  cook::Result result = cook::cook_graphs(a.given, {files, &all_cores(), {}, nullptr});
   result.report["output"]["file"] = a.out;
   Outcome outcome;
   outcome.report = std::move(result.report);

@@ -11,10 +11,12 @@
 #include "commands/demo/moves.h"
 #include "commands/demo/sheet.h"
 #include "commands/demo/story_movie.h"
+#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "common/load_mrw.h"
-#include "cook/cook.h"
+#include "common/thread_pool.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/named_clip.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
@@ -61,9 +63,11 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   options.learn.truth = cook::Truth::elastic;
   options.learn.helpers = cook::kAutoHelpers;
   progress.show(0, 0, stem);
-  options.learn.progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "fitting"); };
-  options.clip_progress = [&](std::size_t done, std::size_t count) { progress.show(done, count, "clips"); };
-  const cook::CookResult cooked = cook::cook_file(input, options);
+  DiskFiles files;
+  const auto tell = [&](cook::Stage stage, std::size_t done, std::size_t count) {
+    if (count > 0) progress.show(done, count, stage == cook::Stage::learn ? "fitting" : "clips");
+  };
+  const cook::Result cooked = cook::cook_source(input, options, {files, &all_cores(), tell, nullptr});
   const std::string mrw = (std::filesystem::path(arguments.directory) / (stem + ".mrw")).string();
   write_file_atomically(mrw, cooked.file);
   // Read back, so that what is shown is what the file holds.

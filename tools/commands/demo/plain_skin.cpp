@@ -6,7 +6,7 @@
 #include <map>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 
 namespace marrow::tools {
 namespace {
@@ -57,9 +57,9 @@ Failure not_the_same(const std::string& source) {
 
 PlainSkin::PlainSkin(const std::string& source, const File& file) : other_(file) {
   cook::CookOptions options;  // as precise as the other
-  options.mesh_codec = cook::MeshCodec::meshopt;
-  options.raw_clips = true;
-  options.images = cook::Images::none;
+  options.mesh.codec = cook::MeshCodec::meshopt;
+  options.clips.raw = true;
+  options.source.images = cook::Images::none;
   const std::vector<std::byte> bytes = cook::cook_file(source, options).file;
   loaded_ = load_mrw(source, AlignedBytes{std::span<const std::byte>(bytes)});
   character_ = std::make_unique<Character>(loaded_.file);

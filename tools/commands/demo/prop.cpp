@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "common/check_status.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 
 namespace marrow::tools {
 namespace {
 
 cook::CookOptions raw() {
   cook::CookOptions options;
-  options.mesh_codec = cook::MeshCodec::none;
+  options.mesh.codec = cook::MeshCodec::none;
   return options;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "common/failure.h"
-#include "options/read_value.h"
+#include "cook/options/read_value.h"
 #include "text/printable.h"
 
 namespace marrow::tools {

@@ -2,7 +2,7 @@
 
 #include "commands/command.h"
 #include "common/files.h"
-#include "cook/add_clips.h"
+#include "cook/retarget/add_clips.h"
 #include "jobs/batch.h"
 
 namespace marrow::tools {
@@ -25,7 +25,7 @@ void add_retarget(CLI::App& app, int&) {
       expect_distinct({map}, {character, source});
       expect_writable(map);
     }
-    const std::string text = cook::map_of(character, source);
+    const std::string text = cook::map_of(cook::read_character(character), cook::read_rig(source));
     if (map.empty()) {
       fmt::print("{}", text);
     } else {

@@ -17,6 +17,7 @@
 #include "common/files.h"
 #include "common/hash.h"
 #include "common/parallel.h"
+#include "common/thread_pool.h"
 #include "terminal/progress.h"
 
 namespace marrow::tools {
@@ -52,9 +53,9 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return std::mismatch(path.begin(), path.end(), folder.begin(), folder.end()).second == folder.end();
 }
 
-bool holds(const cook::RawRead& read) {
+bool holds(const cook::Read& read) {
   try {
-    const AlignedBytes bytes = read_file(read.path);
+    const AlignedBytes bytes = read_file(read.name);
     return bytes.size() >= read.bytes && hash_of({bytes.data(), static_cast<std::size_t>(read.bytes)}) == read.hash;
   } catch (const Failure&) {
     return false;
@@ -285,7 +286,7 @@ class Watch {
 
   const WatchArguments& a_;
   const bool is_batch_;
-  const cook::Given given_;
+  const cook::Options given_;
   FolderWatch folders_;
   Cook cook_;
   std::map<std::string, Known> known_;  // by input

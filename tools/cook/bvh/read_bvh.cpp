@@ -7,7 +7,7 @@
 #include "cook/bvh/bvh_hierarchy.h"
 #include "cook/bvh/bvh_motion.h"
 #include "cook/bvh/bvh_words.h"
-#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/scene_files.h"
 #include "text/safe_name.h"
 
 namespace marrow::cook {
@@ -40,10 +40,10 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, g
 
 }  // namespace
 
-RawScene read_bvh(const std::string& path) {
-  gltf::Report report(path);
-  const std::vector<std::byte> bytes = gltf::read_regular_file(path, gltf::kLargestFile + 1, "", report);
-  return read_scene(path, bytes, report);
+RawScene read_bvh(const std::string& name, Files& files) {
+  gltf::Report report(name);
+  const std::vector<std::byte> bytes = gltf::read_scene_file(files, name, kMostBytes + 1, "", report);
+  return read_scene(name, bytes, report);
 }
 
 RawScene read_bvh(const std::string& name, std::span<const std::byte> bytes) {

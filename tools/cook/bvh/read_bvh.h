@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cook/scene/raw.h"
+#include "marrow/cook_host.h"
 
 namespace marrow::cook {
 
@@ -14,9 +15,9 @@ namespace marrow::cook {
 //
 // The file is hostile until proven otherwise: what it takes in memory is bounded by what it holds.
 // Throws tools::Failure (io: cannot be read; invalid: is no whole BVH file; unsupported: a limit), located by the line.
-RawScene read_bvh(const std::string& path);
+RawScene read_bvh(const std::string& name, Files& files);
 
-// The same for a file in memory. `name` stands for the path.
+// The same for a file in memory. `name` is for failures and for the clip.
 RawScene read_bvh(const std::string& name, std::span<const std::byte> bytes);
 
 }  // namespace marrow::cook

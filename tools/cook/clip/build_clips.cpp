@@ -47,17 +47,17 @@ double scale_of_person(double largest) {
 }
 
 Promise make_promise(const BuiltSkeleton& skeleton, const Rig& rig, double diagonal, double largest,
-                     const CookOptions& options) {
+                     const ClipOptions& options) {
   const double scale = scale_of_person(largest);
   const double size = diagonal > 0 ? diagonal : largest;  // one joint has no extent
   Promise promise;
-  if (options.clip_shell) promise.shell = *options.clip_shell;
+  if (options.shell) promise.shell = *options.shell;
   promise.shell *= scale;  // where the error is looked at, not how large it may be
-  promise.of_vertices = !options.clip_shell;
+  promise.of_vertices = !options.shell;
   promise.error.resize(rig.size());
   promise.points.resize(rig.size());
   promise.reach.assign(rig.size(), promise.shell);
-  for (const ClipErrorRule& rule : options.clip_error)
+  for (const ClipErrorRule& rule : options.error)
     for (std::size_t j = 0; j < rig.size(); ++j)
       if (rule.joints.empty() || tools::fits(rule.joints, skeleton.joint_names[j]))
         promise.error[j] = rule.error * (rule.is_share ? size : rule.is_for_a_person ? scale : 1);
@@ -71,8 +71,8 @@ std::vector<std::string> joint_names(const std::vector<BuiltSkeleton>& skeletons
   return out;
 }
 
-void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const CookOptions& options, Notes& notes) {
-  for (const ClipErrorRule& rule : options.clip_error) {
+void check_clip_error_rules(const std::vector<BuiltSkeleton>& skeletons, const ClipOptions& options, Notes& notes) {
+  for (const ClipErrorRule& rule : options.error) {
     const auto fits = [&](const std::string& joint) { return tools::fits(rule.joints, joint); };
     const bool found = rule.joints.empty() || std::ranges::any_of(skeletons, [&](const BuiltSkeleton& skeleton) {
                          return std::ranges::any_of(skeleton.joint_names, fits);
@@ -115,7 +115,7 @@ void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
 // channels: a clip's, as they are.
 std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vector<BuiltClip>& channels,
                                   const std::vector<BuiltSkeleton>& skeletons, const Carried& carried,
-                                  const CookOptions& options) {
+                                  const ClipOptions& options, const deform::Progress& progress) {
   std::map<std::uint32_t, Rigged> rigged;
   for (const BuiltClip& clip : clips)
     rigged.try_emplace(clip.skeleton, Rigged{Rig(skeletons[clip.skeleton]), 0, {}, {}});
@@ -129,7 +129,7 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
     of.promise = make_promise(skeletons[skeleton], of.rig, of.diagonal_m, largest, options);
     hang_all(skeleton, carried, of);
   }
-  deform::Steps steps(options.clip_progress, clips.size());
+  deform::Steps steps(progress, clips.size());
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
     const Rigged& of = rigged.at(clips[i].skeleton);
     compress_clip(clips[i], skeletons[clips[i].skeleton], of.rig, of.promise, of.hung, options.effort, channels[i]);
@@ -141,7 +141,7 @@ std::vector<BuiltClip> compressed(std::vector<BuiltClip> clips, const std::vecto
 }  // namespace
 
 std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
-                                   const CookOptions& options, Notes& notes) {
+                                   const ClipOptions& options, Notes& notes) {
   std::vector<ClipPart> parts = split_clips(scene, built);
   std::vector<BuiltClip> clips;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -165,14 +165,14 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
     channels[i].duration_s = clips[i].duration_s;
     add_channels(parts[i].clip, true, channels[i]);
   }
-  if (options.raw_clips)
+  if (options.raw)
     for (BuiltClip& clip : clips) clip.raw_because = "--clip-codec raw";
-  if (!options.raw_clips) {
+  if (!options.raw) {
     check_clip_error_rules(built.skeletons, options, notes);
-    clips = compressed(std::move(clips), channels, built.skeletons, carried, options);
+    clips = compressed(std::move(clips), channels, built.skeletons, carried, options, notes.progress_of(Stage::clip));
   }
   for (std::size_t i = 0; i < clips.size(); ++i) {
-    add_channels(parts[i].clip, options.raw_clips, clips[i]);
+    add_channels(parts[i].clip, options.raw, clips[i]);
     if (!built.clips.empty()) clips[i].motion = built.clips[i].motion;
     clips[i].error.vertex_error_m +=
         morph_error_m(channels[i], clips[i], built.skeletons[clips[i].skeleton], carried.morphed);
@@ -182,8 +182,8 @@ std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& buil
 
 std::vector<BuiltClip> build_raw_clips(const RawScene& scene, const BuiltScene& built,
                                        const std::vector<AdditiveRule>& additive) {
-  CookOptions raw;
-  raw.raw_clips = true;
+  ClipOptions raw;
+  raw.raw = true;
   raw.additive = additive;
   Notes of_the_others;
   return build_clips(scene, built, {}, raw, of_the_others);

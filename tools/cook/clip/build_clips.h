@@ -20,7 +20,7 @@ struct Carried {
 // with their motions, or no clips. Roots' motion is taken out. Throws tools::Failure (usage) if an option names what
 // there is not.
 std::vector<BuiltClip> build_clips(const RawScene& scene, const BuiltScene& built, const Carried& carried,
-                                   const CookOptions& options, Notes& notes);
+                                   const ClipOptions& options, Notes& notes);
 // The same without compression and without notes, for those who look at poses.
 std::vector<BuiltClip> build_raw_clips(const RawScene& scene, const BuiltScene& built,
                                        const std::vector<AdditiveRule>& additive);

@@ -72,13 +72,13 @@ bool suits_draco(const OwnedStreams& s) {
   return s.streams.size() <= kMostDracoStreams && !meets_too_often(s, Meeting::place);
 }
 
-bool is_packed(const CookOptions& options) {
-  return options.mesh_codec != MeshCodec::none;
+bool is_packed(const MeshOptions& options) {
+  return options.codec != MeshCodec::none;
 }
 
 // Vertices as numbers; writes error.
 OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Binding>& bindings, std::size_t joint_count,
-                          const MeshGrid& grid, const CookOptions& options, const DeformerData& deformers,
+                          const MeshGrid& grid, const MeshOptions& options, const DeformerData& deformers,
                           MeshError& error) {
   OwnedStreams out = is_packed(options)
                          ? quantised_streams(primitive, bindings, joint_count, grid, options.precision, error)
@@ -88,14 +88,14 @@ OwnedStreams make_streams(const RawPrimitive& primitive, const std::vector<Bindi
 }
 
 // Of welded streams.
-void finish(OwnedStreams& streams, const MeshGrid& grid, const CookOptions& options, BuiltGeometry& out) {
+void finish(OwnedStreams& streams, const MeshGrid& grid, const MeshOptions& options, BuiltGeometry& out) {
   // A smoothed residual is what the file makes of its joints and their weights: more joints would be another guess.
   if (!grid.residual_source.is_all) merge_runs(streams);
   optimise_order(streams);
   if (is_packed(options)) {
-    const bool draco = options.mesh_codec != MeshCodec::meshopt && suits_draco(streams) &&
+    const bool draco = options.codec != MeshCodec::meshopt && suits_draco(streams) &&
                        !streams.has_collapsed;  // Draco drops triangles that name a vertex twice
-    const DracoAim aim = options.mesh_codec == MeshCodec::draco_smallest ? DracoAim::smallest : DracoAim::quick;
+    const DracoAim aim = options.codec == MeshCodec::draco_smallest ? DracoAim::smallest : DracoAim::quick;
     const auto encode = [&](OwnedStreams& s) { return draco ? encode_draco(s, aim) : encode_meshopt(s); };
     std::optional<PackedApart> apart = pack_apart(streams, grid.residual_source, encode);
     const std::vector<std::byte> encoded = apart ? std::move(apart->encoded) : encode(streams);
@@ -133,7 +133,7 @@ MeshError worst_of(const MeshError& a, const MeshError& b) {
 }
 
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             std::size_t joint_count, const MeshGrid& grid, const MeshOptions& options,
                              const DeformerData& deformers) {
   BuiltGeometry out;
   OwnedStreams streams = make_streams(primitive, bindings, joint_count, grid, options, deformers, out.error);
@@ -144,7 +144,7 @@ BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Bi
 
 std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                                             std::size_t joint_count, const std::vector<GeometryPart>& parts,
-                                            const MeshGrid& grid, const CookOptions& options,
+                                            const MeshGrid& grid, const MeshOptions& options,
                                             const DeformerData& deformers) {
   MeshError error;
   const OwnedStreams whole = make_streams(primitive, bindings, joint_count, grid, options, deformers, error);

@@ -16,7 +16,7 @@ namespace marrow::cook {
 // tools::Failure (internal), without a place, if that is not what was encoded. deformers: of the primitive's vertices
 // and bindings, a palette entry being a joint of those.
 BuiltGeometry build_geometry(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
-                             std::size_t joint_count, const MeshGrid& grid, const CookOptions& options,
+                             std::size_t joint_count, const MeshGrid& grid, const MeshOptions& options,
                              const DeformerData& deformers = {});
 // Of a primitive in parts: quantised as a whole, so that parts still touch where they do, and the rest part by part.
 struct GeometryPart {
@@ -25,7 +25,7 @@ struct GeometryPart {
 };
 std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const std::vector<Binding>& bindings,
                                             std::size_t joint_count, const std::vector<GeometryPart>& parts,
-                                            const MeshGrid& grid, const CookOptions& options,
+                                            const MeshGrid& grid, const MeshOptions& options,
                                             const DeformerData& deformers);
 
 }  // namespace marrow::cook

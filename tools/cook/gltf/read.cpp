@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "common/formats.h"
@@ -13,7 +11,7 @@
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
 #include "cook/gltf/document/model.h"
-#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/import/images.h"
 #include "cook/gltf/import/import.h"
 #include "cook/gltf/rules/rules.h"
@@ -126,7 +124,7 @@ void drop_nulls(Json& value) {
   }
 }
 
-Document read_document(const Container& container, const std::optional<std::string>& folder, Report& report) {
+Document read_document(const Container& container, Files* files, Report& report) {
   Json root = parse_json(container, report);
   if (const auto all = root.find("extensions"); all != root.end() && all->is_object())
     for (const char* name : kVrmExtensions)
@@ -137,7 +135,7 @@ Document read_document(const Container& container, const std::optional<std::stri
   check_image_uris(root, report);
   warn_of_ignored(root, report);
   Document document;
-  document.buffers = load_buffers(root, container, folder, report);
+  document.buffers = load_buffers(root, container, files, report);
   document.accessors = build_accessors(root, document.buffers, report);
   check_texture_coordinates(root, report);
   document.extensions_used = extensions_used(root);
@@ -175,11 +173,11 @@ bool draws_meshes(const tinygltf::Model& model) {
   return std::ranges::any_of(model.nodes, [](const tinygltf::Node& node) { return node.mesh >= 0; });
 }
 
-RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, const std::optional<std::string>& folder,
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, Files* files,
                     const ReadOptions& options, Report& report) {
   if (options.strict) report.mend_nothing("as --strict asks");
   const Container container = split_container(bytes, report);
-  const Document document = read_document(container, folder, report);
+  const Document document = read_document(container, files, report);
   const NodeGraph graph = check_nodes(document, find_scene(document.model, options.scene, report), report);
   check_skins(document, graph, report);
   check_meshes(document, report);
@@ -194,7 +192,7 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
   import_extras(document, scene.nodes, budget, report);
   import_limits(document, scene.nodes, report);
   Materials materials = import_materials(document.looks, report);
-  scene.images = import_images(document, materials, folder, options.image_bytes, budget, scene.source_bytes, report);
+  scene.images = import_images(document, materials, files, options.image_bytes, budget, scene.source_bytes, report);
   scene.meshes = import_meshes(document, materials, budget, report);
   scene.materials = std::move(materials.raw);
   scene.instances = import_instances(document, graph, scene.nodes, scene.meshes, scene.skins, report);
@@ -208,16 +206,16 @@ RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, c
 
 }  // namespace
 
-RawScene read_gltf(const std::string& path, const ReadOptions& options) {
-  Report report(path);
-  const std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, "@0", report);
-  tools::expect_gltf(path, bytes);
-  return read_scene(path, bytes, std::filesystem::path(path).parent_path().string(), options, report);
+RawScene read_gltf(const std::string& name, Files& files, const ReadOptions& options) {
+  Report report(name);
+  const std::vector<std::byte> bytes = read_scene_file(files, name, kMostBytes + 1, "@0", report);
+  tools::expect_gltf(name, bytes);
+  return read_scene(name, bytes, &files, options, report);
 }
 
 RawScene read_gltf(const std::string& name, std::span<const std::byte> bytes, const ReadOptions& options) {
   Report report(name);
-  return read_scene(name, bytes, std::nullopt, options, report);
+  return read_scene(name, bytes, nullptr, options, report);
 }
 
 }  // namespace marrow::cook

@@ -4,20 +4,10 @@
 #include <set>
 
 #include "cook/graph/build_graph.h"
-#include "cook/scene/named_file.h"
 #include "text/nearest.h"
 
 namespace marrow::cook {
 namespace {
-
-constexpr std::size_t kLargestFile = 1024 * 1024;
-
-BuiltGraph read_graph(const GraphRule& rule, std::vector<RawRead>& reads, Notes& notes) {
-  if (!rule.text.empty()) return build_graph(parse_graph(rule.file, rule.text), notes);
-  const tools::AlignedBytes bytes = read_named_file(rule.file, {kLargestFile, "1 MiB is the limit"}, reads);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  return build_graph(parse_graph(rule.file, text), notes);
-}
 
 void warn_of_missing(const BuiltGraph& graph, const std::string& file, const std::vector<BuiltClip>& clips,
                      Notes& notes) {
@@ -51,9 +41,9 @@ void warn_of_still(const BuiltGraph& graph, const std::string& file, const std::
 
 }  // namespace
 
-std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes) {
+std::vector<BuiltGraph> build_graphs(const std::vector<GraphRule>& rules, Notes& notes) {
   std::vector<BuiltGraph> out;
-  for (const GraphRule& rule : rules) out.push_back(read_graph(rule, reads, notes));
+  for (const GraphRule& rule : rules) out.push_back(build_graph(parse_graph(rule.file, rule.text), notes));
   return out;
 }
 

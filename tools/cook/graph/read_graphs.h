@@ -8,8 +8,8 @@
 
 namespace marrow::cook {
 
-// Reads and builds what the options ask for. Files are added to `reads`.
-std::vector<BuiltGraph> read_graphs(const std::vector<GraphRule>& rules, std::vector<RawRead>& reads, Notes& notes);
+// Builds what the options ask for, of files that have been read.
+std::vector<BuiltGraph> build_graphs(const std::vector<GraphRule>& rules, Notes& notes);
 
 // Notes clips of graphs that are not among the file's: they may come from a pack, so that this is no error. And those
 // that stand in a space at their own speed, and have none. graphs: of the rules, in their order.

@@ -9,7 +9,6 @@
 
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
-#include "cook/gltf/read.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "marrow/sample.h"
@@ -19,8 +18,8 @@ namespace {
 
 // What is read of the file.
 struct Sheet {
-  std::string path;
-  RawScene scene;
+  const std::string& path;
+  const RawScene& scene;
   BuiltScene built;
 
   [[noreturn]] void refuse(const std::string& where, const char* rule, const std::string& advice) const {
@@ -203,9 +202,8 @@ const RawInstance* skinned_like(const Sheet& sheet, const RawMesh& wanted) {
 
 }  // namespace
 
-std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown, std::vector<RawRead>& reads) {
-  Sheet sheet{path, read_gltf(path), {}};
-  reads.insert(reads.end(), sheet.scene.reads.begin(), sheet.scene.reads.end());
+std::vector<ShownPose> read_examples(const RawScene& examples, const Shown& shown) {
+  Sheet sheet{examples.source, examples, {}};
   std::vector<ShownPose> out;
   const RawInstance* const skinned = skinned_like(sheet, shown.mesh);
   if (skinned != nullptr) {

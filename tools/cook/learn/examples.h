@@ -25,8 +25,8 @@ struct Shown {
 // - meshes without a skin whose nodes have `extras` with "marrow.clip" and "marrow.time", of the character's clips: the
 //   surface as it is there, in the scene's space.
 // Throws tools::Failure (invalid) at the place in the file: what does not read; no example; other vertices; a joint, a
-// clip or a time that there is not; a position that is not finite. reads: what was read is added.
-std::vector<ShownPose> read_examples(const std::string& path, const Shown& shown, std::vector<RawRead>& reads);
+// clip or a time that there is not; a position that is not finite.
+std::vector<ShownPose> read_examples(const RawScene& examples, const Shown& shown);
 
 // Where the examples, and rest, put the vertices; not finite in poses that are none of them.
 deform::Deformer as_shown(const deform::SkinnedMesh& mesh, const std::vector<ShownPose>& examples);

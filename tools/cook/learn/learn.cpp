@@ -199,9 +199,9 @@ void remember_truth(const LearnOptions& options, const RawScene& scene, const Ra
   note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
 }
 
-std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes) {
+std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown) {
   if (options.truth != Truth::examples) return {};
-  return read_examples(options.examples_file, shown, notes.reads);
+  return read_examples(*options.examples, shown);
 }
 
 Trainees find_trainees(const DeformSource& source, const BuiltScene& built, const LearnOptions& options) {
@@ -232,14 +232,14 @@ void add_motion(const DeformSource& source, bool body, const std::vector<std::si
 }
 
 deform::FitOptions fit_options(const LearnOptions& options, const deform::ClosedForm& form,
-                               const deform::Surface& surface) {
+                               const deform::Surface& surface, const deform::Progress& progress) {
   deform::FitOptions fit;
   // In most poses of a range of motion most of the mesh is as in the bind pose, where SSD is exact.
   fit.keep_bind_pose = options.keep_bind_pose || options.helpers != 0;
   fit.weights = &form;
   fit.is_lift = options.truth != Truth::delta_mush;
   fit.most_joints = most_joints(options);
-  fit.progress = options.progress;
+  fit.progress = progress;
   if (!is_body(options)) return fit;
   constexpr double kUnseen = 1e-4;  // of the diagonal
   fit.ridges = {1e-4, 1e-5};
@@ -252,7 +252,7 @@ deform::FitOptions fit_options(const LearnOptions& options, const deform::Closed
 // out: has the helpers, which `form` refers to.
 void fit_to(const DeformSource& source, const deform::Coordinates& candidates, const deform::ClosedForm& form,
             std::vector<deform::TrainingPose> poses, const deform::Deformer& truth, const LearnOptions& options,
-            Learnt& out) {
+            const deform::Progress& progress, Learnt& out) {
   const deform::SkinnedMesh& mesh = source.mesh;
   const double size_m = deform::diagonal(mesh);
   const bool body = is_body(options);
@@ -265,7 +265,7 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
   add_motion(source, body, motion, poses);
   for (deform::TrainingPose& p : poses) deform::append_helpers(out.helpers, p.pose);
   deform::Fit fitted = deform::fit_coordinates(candidates, size_m, std::move(poses), truth, deform::ssd(mesh),
-                                               fit_options(options, form, surface));
+                                               fit_options(options, form, surface, progress));
   out.quality = fitted.quality;
   out.rms_m = fitted.rms * size_m;
   if (!(fitted.quality.share < 1)) {
@@ -289,7 +289,8 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
 
 }  // namespace
 
-Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options) {
+Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options,
+             const deform::Progress& progress) {
   const deform::SkinnedMesh& mesh = source.mesh;
   Learnt out = as_it_is(mesh);
   if (mesh.positions.empty() || !(deform::diagonal(mesh) > 0)) return out;
@@ -319,7 +320,7 @@ Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses
   const deform::Deformer truth = make_truth(source, options);
   if (fits) {
     add_helpers(deform::ClosedForm(reach, out.helpers, likeness), candidates);
-    fit_to(source, candidates, form, std::move(poses), truth, options, out);
+    fit_to(source, candidates, form, std::move(poses), truth, options, progress, out);
     return out;
   }
   out.coordinates = std::move(candidates);
@@ -390,7 +391,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
   const LearnOptions options = with_gentle_steps(given, source.mesh, pointer, notes);
   Trainees trained;
-  if (!smooths) source.shown = find_examples(options, {scene, mesh, skin, built, source}, notes);
+  if (!smooths) source.shown = find_examples(options, {scene, mesh, skin, built, source});
   if (!smooths) trained = find_trainees(source, built, options);
   if (fits) {
     drop_spoilt_poses(scene, skin, source.mesh, options.truth, pointer, trained.poses, notes);
@@ -401,7 +402,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   if (fits) remember_truth(options, scene, skin, mesh, source, notes);
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
-  const Learnt learnt = learn(source, std::move(trained.poses), options);
+  const Learnt learnt = learn(source, std::move(trained.poses), options, notes.progress_of(Stage::learn));
   report.held_out_share = learnt.quality.share;
   report.worse_share = learnt.quality.worse_share;
   if (fits && !(learnt.quality.share < 1)) {

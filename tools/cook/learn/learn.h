@@ -27,7 +27,7 @@ void remember_truth(const LearnOptions& options, const RawScene& scene, const Ra
                     DeformSource& source, Notes& notes, std::size_t most_bytes = deform::kRememberedBytes);
 
 // DeformSource::shown of a mesh: where examples are the truth they are read; else none.
-std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown, Notes& notes);
+std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown);
 // The poses to learn from: moments of clips, or examples, which `source` must have then.
 Trainees find_trainees(const DeformSource& source, const BuiltScene& built, const LearnOptions& options);
 
@@ -42,7 +42,8 @@ struct Learnt {
 };
 // Without a better result than SSD's, SSD's. poses: of the joints; helpers are added here. The lift takes
 // of poses how alike joints turn, and nothing else.
-Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options);
+Learnt learn(const DeformSource& source, std::vector<deform::TrainingPose> poses, const LearnOptions& options,
+             const deform::Progress& progress = {});
 
 // How finely files keep what a mesh of this size has learnt: to a half of what is left of the error, of a body to a
 // third, as more would fold small triangles; and never finer than a 16384th of the size.

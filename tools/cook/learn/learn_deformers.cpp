@@ -11,9 +11,9 @@ namespace marrow::cook {
 namespace {
 
 // The binding with the influences and weights that quantisation leaves; a mesh that is not packed keeps all.
-SkinBinding as_kept(const RawMesh& mesh, const SkinBinding& binding, const MeshGrid& grid, const CookOptions& options) {
+SkinBinding as_kept(const RawMesh& mesh, const SkinBinding& binding, const MeshGrid& grid, const MeshOptions& options) {
   SkinBinding out = binding;
-  if (options.mesh_codec == MeshCodec::none) return out;
+  if (options.codec == MeshCodec::none) return out;
   for (std::size_t p = 0; p < out.primitives.size(); ++p)
     for (std::size_t v = 0; v < out.primitives[p].size(); ++v) {
       const BoundVertex& vertex = binding.primitives[p][v];
@@ -74,23 +74,24 @@ std::uint32_t multi_weight_root(const DeformSource& source) {
 }
 
 LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin,
-                                const BuiltScene& built, const CookOptions& options, MeshGrid grid,
+                                const BuiltScene& built, const MeshOptions& options, const LearnOptions& wanted,
+                                MeshGrid grid,
                                 const SkinBinding& binding, Notes& notes) {
   LearntDeformers out;
-  if (!options.learn.multi_weights && options.learn.pose_examples == 0) return out;
+  if (!wanted.multi_weights && wanted.pose_examples == 0) return out;
   grid.residual_step = binding.residual_step_m;
   grid.residual_weight_step = binding.residual_weight_step;
   DeformSource source = deform_source(mesh, skin, as_kept(mesh, binding, grid, options), built);
   const std::string pointer = mesh.primitives.empty() ? "/meshes" : mesh.primitives.front().pointer;
   // Where animation space is learnt from the truth as well, all has been said.
   Notes said;
-  Notes& to_say = options.learn.animation_space == AnimationSpace::fit ? said : notes;
+  Notes& to_say = wanted.animation_space == AnimationSpace::fit ? said : notes;
   DeformSource original = source;  // what truths know: joints alone
   original.mesh = weighted_only(source.mesh);
   for (std::vector<deform::Influence>& influences : original.mesh.influences)
     influences = deform::on_joints(influences, binding.helpers, original.mesh.joint_count);
-  const LearnOptions learn = with_gentle_steps(options.learn, original.mesh, pointer, to_say);
-  source.shown = find_examples(learn, {scene, mesh, skin, built, source}, notes);
+  const LearnOptions learn = with_gentle_steps(wanted, original.mesh, pointer, to_say);
+  source.shown = find_examples(learn, {scene, mesh, skin, built, source});
   original.shown = source.shown;
   Trainees trained = find_trainees(source, built, learn);
   drop_spoilt_poses(scene, skin, original.mesh, learn.truth, pointer, trained.poses, to_say);
@@ -107,7 +108,7 @@ LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, cons
     out.multi_weights = begin_report(learn, trained);
     out.deformers.root = multi_weight_root(source);
     deform::MultiWeightOptions with;
-    with.progress = learn.progress;
+    with.progress = notes.progress_of(Stage::learn);
     deform::MultiWeightFit fit = deform::fit_multi_weights(source.mesh, out.deformers.root, trained.poses, truth, with);
     if (judge(fit.quality, "multi-weight enveloping", pointer, out.multi_weights, notes))
       out.deformers.multi_weights = std::move(fit.weights);
@@ -116,7 +117,7 @@ LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, cons
     out.pose_space = begin_report(learn, trained);
     deform::PoseSpaceOptions with;
     with.most_examples = static_cast<std::size_t>(learn.pose_examples);
-    with.progress = learn.progress;
+    with.progress = notes.progress_of(Stage::learn);
     deform::PoseSpaceFit fit = deform::fit_pose_space(weighted.mesh, source.parents, trained.poses, truth, with);
     if (judge(fit.quality, "pose-space deformation", pointer, out.pose_space, notes))
       out.deformers.pose_space = std::move(fit.space);

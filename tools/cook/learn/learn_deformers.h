@@ -17,7 +17,8 @@ struct LearntDeformers {
 // Fits what `options` ask for to the influences that the file will keep, once animation space has been learnt. Notes
 // each that is not shipped, as it does not beat SSD in poses left out. grid: of positions.
 LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin,
-                                const BuiltScene& built, const CookOptions& options, MeshGrid grid,
+                                const BuiltScene& built, const MeshOptions& options, const LearnOptions& wanted,
+                                MeshGrid grid,
                                 const SkinBinding& binding, Notes& notes);
 
 }  // namespace marrow::cook

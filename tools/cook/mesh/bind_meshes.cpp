@@ -22,14 +22,14 @@ const RawSkin& skin_of(const RawScene& scene, int skin) {
 
 // Bound, and learnt from its poses, once for all its primitives.
 void bind_mesh(const RawScene& scene, int number, int skin, const BuiltScene& built, const SceneScale& scale,
-               const CookOptions& options, BoundMeshes& out, Notes& notes) {
+               const MeshOptions& options, const LearnOptions& learn, BoundMeshes& out, Notes& notes) {
   const auto [at, is_new] = out.bindings.try_emplace({number, skin});
   if (!is_new) return;
   const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
   const RawSkin& onto = skin_of(scene, skin);
-  auto [binding, report] = learn_binding(scene, mesh, onto, built, options.learn, bind_to_skin(mesh, notes), notes);
+  auto [binding, report] = learn_binding(scene, mesh, onto, built, learn, bind_to_skin(mesh, notes), notes);
   const MeshGrid grid = mesh_grid(mesh, scale.of(scene, built, number), options);
-  LearntDeformers learnt = learn_deformers(scene, mesh, onto, built, options, grid, binding, notes);
+  LearntDeformers learnt = learn_deformers(scene, mesh, onto, built, options, learn, grid, binding, notes);
   binding.deformers = std::move(learnt.deformers);
   binding.report = static_cast<int>(out.learnt.size());
   report.multi_weights = learnt.multi_weights;
@@ -76,8 +76,8 @@ bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive) {
   return instance.skin != kNone && !primitive.influences.empty();
 }
 
-MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const CookOptions& options) {
-  if (options.mesh_codec == MeshCodec::none) return {};
+MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const MeshOptions& options) {
+  if (options.codec == MeshCodec::none) return {};
   constexpr double kSteps = (1 << 14) - 1;
   glm::dvec3 low(0), high(0);
   bool first = true;
@@ -99,13 +99,14 @@ MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const CookOptions& o
   return {low, step > 0 ? step : 1.0};
 }
 
-BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes) {
+BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const MeshOptions& options,
+                        const LearnOptions& learn, Notes& notes) {
   BoundMeshes out;
   const SceneScale scale(built.skeletons, scene);
   for (const RawInstance& instance : scene.instances)
     for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
       if (is_skinned(instance, primitive))
-        bind_mesh(scene, instance.mesh, instance.skin, built, scale, options, out, notes);
+        bind_mesh(scene, instance.mesh, instance.skin, built, scale, options, learn, out, notes);
   if (options.subdivide > 0) subdivide_meshes(scene, built, options.subdivide, out, notes);
   for (auto& [of, binding] : out.bindings)
     binding.part_of = split_primitives(scene.source, out.mesh(scene, of.first), skin_of(scene, of.second).joints.size(),

@@ -24,10 +24,11 @@ struct BoundMeshes {
 bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive);
 
 // One grid for all primitives of a mesh, so that where they touch they still do. scene_scale: see SceneScale.
-MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const CookOptions& options);
+MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const MeshOptions& options);
 
 // built: its skeletons and clips. Throws tools::Failure: unsupported for what needs too large a palette, invalid for
 // examples that do not fit.
-BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes);
+BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const MeshOptions& options,
+                        const LearnOptions& learn, Notes& notes);
 
 }  // namespace marrow::cook

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "common/distinct.h"
 #include "common/failure.h"
@@ -146,7 +147,7 @@ Bound bind_primitive(const RawPrimitive& primitive, std::size_t number, const Ra
 
 // Once for all its primitives.
 const std::vector<MeshLevel>& levels_of(const RawScene& scene, const RawMesh& mesh, int number, int skin,
-                                        const SkinBinding* binding, const CookOptions& options, const BuiltScene& built,
+                                        const SkinBinding* binding, const MeshOptions& options, const BuiltScene& built,
                                         Levels& levels, Notes& notes) {
   const auto [at, is_new] = levels.try_emplace({number, skin});
   if (is_new && !options.lod.empty())
@@ -181,7 +182,7 @@ class Geometries {
 };
 
 // The parts of one task.
-std::vector<BuiltGeometry> build_task(const std::string& source, const Task& task, CookOptions options) {
+std::vector<BuiltGeometry> build_task(const std::string& source, const Task& task, MeshOptions options) {
   options.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
   try {
     if (!task.parts.empty())
@@ -196,7 +197,7 @@ std::vector<BuiltGeometry> build_task(const std::string& source, const Task& tas
 // On all cores; returns for each task which geometries its parts have become, of those that differ. So many at a time,
 // for what is the same need not be kept.
 std::vector<std::vector<std::uint32_t>> build_tasks(const std::string& source, const std::vector<Task>& tasks,
-                                                    const CookOptions& options,
+                                                    const MeshOptions& options,
                                                     std::vector<BuiltGeometry>& geometries) {
   constexpr std::size_t kAtATime = 1024;
   Geometries distinct(geometries);
@@ -264,7 +265,7 @@ struct Drawn {
 };
 
 Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMeshes& bound_meshes,
-                  const CookOptions& options, Notes& notes) {
+                  const MeshOptions& options, Notes& notes) {
   Drawn out;
   BoundPrimitives bound;
   const SceneScale scale(built.skeletons, scene);
@@ -297,6 +298,21 @@ Drawn draw_meshes(const RawScene& scene, const BuiltScene& built, const BoundMes
   return out;
 }
 
+// Tells meshes apart that differ in their vertices or in what these hang on.
+std::string key_of(const BuiltMesh& mesh) {
+  std::string key;
+  const auto add = [&](const auto* first, std::size_t count) {
+    key.append(reinterpret_cast<const char*>(first), count * sizeof *first);
+  };
+  add(&mesh.geometry, 1);
+  add(&mesh.skeleton, 1);
+  add(mesh.joints.data(), mesh.joints.size());
+  add(mesh.inverse_bind.data(), mesh.inverse_bind.size());
+  add(mesh.helpers.data(), mesh.helpers.size());
+  add(mesh.helper_centres.data(), mesh.helper_centres.size());
+  return key;
+}
+
 }  // namespace
 
 std::vector<Mesh> full_meshes(const BuiltMeshes& built) {
@@ -305,8 +321,9 @@ std::vector<Mesh> full_meshes(const BuiltMeshes& built) {
   return out;
 }
 
-BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes) {
-  BoundMeshes bound = bind_meshes(scene, built, options, notes);
+BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const MeshOptions& options,
+                         const LearnOptions& learn, Notes& notes) {
+  BoundMeshes bound = bind_meshes(scene, built, options, learn, notes);
   Drawn drawn = draw_meshes(scene, built, bound, options, notes);
   BuiltMeshes out{{}, std::move(bound.learnt), std::move(drawn.meshes)};
   const std::vector<std::vector<std::uint32_t>> geometries =
@@ -315,6 +332,17 @@ BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const C
     mesh.geometry = geometries[mesh.geometry][mesh.part];
     for (BuiltLod& lod : mesh.lods) lod.geometry = geometries[lod.geometry][mesh.part];
     mesh.targets.resize(out.geometries[mesh.geometry].target_count);
+  }
+  return out;
+}
+
+std::vector<Mesh> distinct_views(const BuiltMeshes& built) {
+  std::vector<Mesh> out;
+  std::unordered_set<std::string> seen;
+  for (const BuiltMesh& mesh : built.meshes) {
+    if (!seen.insert(key_of(mesh)).second) continue;
+    out.push_back(view(mesh, built.geometries[mesh.geometry]));
+    for (const BuiltLod& lod : mesh.lods) out.push_back(view(mesh, built.geometries[lod.geometry]));
   }
   return out;
 }

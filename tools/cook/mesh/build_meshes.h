@@ -17,8 +17,11 @@ struct BuiltMeshes {
 
 // Points into `built`, without levels of detail.
 std::vector<Mesh> full_meshes(const BuiltMeshes& built);
+// With levels of detail: each once that moves otherwise than those before it.
+std::vector<Mesh> distinct_views(const BuiltMeshes& built);
 
 // built: its skeletons and clips. Throws tools::Failure as bind_meshes() and build_geometry(), at the primitive.
-BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const CookOptions& options, Notes& notes);
+BuiltMeshes build_meshes(const RawScene& scene, const BuiltScene& built, const MeshOptions& options,
+                         const LearnOptions& learn, Notes& notes);
 
 }  // namespace marrow::cook

@@ -204,4 +204,10 @@ std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& 
   return out;
 }
 
+void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, const MotionOptions& options,
+                     BuiltScene& built, Notes& notes) {
+  std::vector<BuiltMotion> motions = build_motions(scene, built, meshes, options, notes);
+  for (std::size_t i = 0; i < motions.size(); ++i) built.clips[i].motion = std::move(motions[i]);
+}
+
 }  // namespace marrow::cook

@@ -16,4 +16,8 @@ namespace marrow::cook {
 std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const std::vector<Mesh>& meshes,
                                        const MotionOptions& options, Notes& notes);
 
+// The same, into the clips of `built`.
+void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, const MotionOptions& options,
+                     BuiltScene& built, Notes& notes);
+
 }  // namespace marrow::cook

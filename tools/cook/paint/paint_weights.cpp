@@ -12,15 +12,12 @@
 #include "common/failure.h"
 #include "cook/paint/paint_file.h"
 #include "cook/paint/paint_places.h"
-#include "cook/scene/named_file.h"
 #include "deform/weights/set_weights.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
 namespace marrow::cook {
 namespace {
-
-constexpr std::uintmax_t kMostMaskBytes = 512'000'000;  // 8192 × 8192 pixels of 16-bit RGBA, not compressed
 
 struct Mask {
   std::size_t width = 0, height = 0;
@@ -51,12 +48,8 @@ std::string name_of(const PaintRule& rule) {
   return tools::printable("paint " + rule.joint);
 }
 
-const LargestFile kLargestMask = {kMostMaskBytes, "export the picture again, at most 8192 pixels each way",
-                                  "too large for a mask", tools::Exit::invalid};
-
-Mask read_mask(const PaintRule& rule, std::vector<RawRead>& reads) {
-  const tools::AlignedBytes bytes = read_named_file(rule.file, kLargestMask, reads);
-  const tools::Pixels pixels = tools::decode_image({bytes.data(), bytes.size()}, rule.file, name_of(rule));
+Mask read_mask(const PaintRule& rule) {
+  const tools::Pixels pixels = tools::decode_image(*rule.bytes, rule.file, name_of(rule));
   Mask mask{static_cast<std::size_t>(pixels.width), static_cast<std::size_t>(pixels.height), {}};
   mask.grey.resize(mask.width * mask.height);
   for (std::size_t i = 0; i < mask.grey.size(); ++i) {
@@ -107,7 +100,7 @@ void refuse_paint(const PaintRule& rule, const std::string& why, const std::stri
 }
 
 void apply(const RawScene& scene, const PaintRule& rule, std::vector<Canvas>& canvases, Notes& notes) {
-  const Mask mask = read_mask(rule, notes.reads);
+  const Mask mask = read_mask(rule);
   bool has_joint = false, has_uvs = false;
   std::vector<RawWarning> without;
   for (Canvas& canvas : canvases) {
@@ -154,18 +147,11 @@ void apply_masks(std::vector<Canvas>& canvases) {
 }
 
 void apply_file(RawScene& scene, const PaintRule& rule, Notes& notes) {
-  const tools::AlignedBytes bytes = read_named_file(rule.file, kLargestMask, notes.reads);
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const std::string_view text(reinterpret_cast<const char*>(rule.bytes->data()), rule.bytes->size());
   paint_places(scene, rule.file, read_painted(rule.file, text), rule.origin.must_fit, notes);
 }
 
 }  // namespace
-
-RawRead read_of_mask(const std::string& path) {
-  std::vector<RawRead> reads;
-  static_cast<void>(read_named_file(path, kLargestMask, reads));
-  return reads[0];
-}
 
 RawScene paint_weights(RawScene scene, const std::vector<PaintRule>& rules, Notes& notes) {
   std::vector<Canvas> all = canvases(scene);

@@ -6,7 +6,6 @@
 
 #include "common/failure.h"
 #include "cook/prepare/bind_bones.h"
-#include "cook/rig/read_template.h"
 #include "deform/rig/auto_skeleton.h"
 
 namespace marrow::cook {
@@ -103,8 +102,8 @@ std::vector<int> add_joints(const deform::SkeletonTemplate& skeleton, const std:
 
 }  // namespace
 
-RiggedScene add_skeleton(RawScene scene, const std::string& name, Notes& notes) {
-  const deform::SkeletonTemplate skeleton = read_template(name, notes.reads);
+RiggedScene add_skeleton(RawScene scene, const std::string& name, const deform::SkeletonTemplate& skeleton,
+                         Notes& notes) {
   const std::vector<glm::dmat4> rest = rest_of_nodes(scene);
   RiggedScene out;
   Drawn drawn;

@@ -5,6 +5,7 @@
 
 #include "cook/prepare/bind_weights.h"
 #include "cook/scene/raw.h"
+#include "deform/rig/skeleton_template.h"
 
 namespace marrow::cook {
 
@@ -13,10 +14,11 @@ struct RiggedScene {
   MadeSkeleton made;
 };
 
-// Puts a template, as read_template() knows it by name, into all meshes that are drawn, as they rest: nodes that are
+// Puts a template, called `name`, into all meshes that are drawn, as they rest: nodes that are
 // joints, and nothing bound to them yet. Skins, clips of nodes, springs and limits are gone, and warnings say so.
 // Throws tools::Failure: invalid for meshes without an inside, of several parts, or that the template does not fit;
-// unsupported for too many vertices; for the template as read_template() does.
-RiggedScene add_skeleton(RawScene scene, const std::string& name, Notes& notes);
+// unsupported for too many vertices.
+RiggedScene add_skeleton(RawScene scene, const std::string& name, const deform::SkeletonTemplate& skeleton,
+                         Notes& notes);
 
 }  // namespace marrow::cook

@@ -94,11 +94,11 @@ void check_subdivision(const RawScene& scene, int steps) {
   }
 }
 
-RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes) {
+RawScene prepare_scene(RawScene scene, const PrepareOptions& options, Notes& notes) {
   if (scene.instances.empty() && !scene.draws_elsewhere) scene = place_unplaced_meshes(std::move(scene), notes);
   scene = without_empty_meshes(std::move(scene));
-  if (!options.auto_skeleton.empty()) {
-    RiggedScene rigged = add_skeleton(std::move(scene), options.auto_skeleton, notes);
+  if (options.skeleton) {
+    RiggedScene rigged = add_skeleton(std::move(scene), options.auto_skeleton, *options.skeleton, notes);
     scene = bind_to(rigged.made, std::move(rigged.scene), options.weights, notes);
   } else if (options.weights.any()) {
     scene = bind_weights(std::move(scene), options.weights, notes);
@@ -106,7 +106,6 @@ RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes)
   if (!options.weights_over_time.empty()) scene = weights_over_time(std::move(scene), options.weights_over_time, notes);
   scene = without_idle_motion(std::move(scene), options.keep, notes);
   check_something_to_cook(scene, notes);
-  if (options.subdivide > 0) check_subdivision(scene, options.subdivide);
   return scene;
 }
 

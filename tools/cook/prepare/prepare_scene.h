@@ -9,7 +9,7 @@ namespace marrow::cook {
 // A new scene: meshes that no node draws are placed, what has no triangles is not drawn, meshes without weights get
 // those that the options ask for. Notes what it mends. Throws tools::Failure (invalid: nothing to cook; usage: an
 // option fits nothing; unsupported: a limit).
-RawScene prepare_scene(RawScene scene, const CookOptions& options, Notes& notes);
+RawScene prepare_scene(RawScene scene, const PrepareOptions& options, Notes& notes);
 
 // Throws tools::Failure (unsupported) if what is drawn would be too much after so many steps of subdivision.
 void check_subdivision(const RawScene& scene, int steps);

@@ -8,10 +8,10 @@
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
+#include "common/hash.h"
 #include "common/load_mrw.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/scene/matrices.h"
-#include "cook/scene/named_file.h"
 #include "cook/scene/views.h"
 #include "deform/rotation_of_matrix.h"
 #include "marrow/sample.h"
@@ -96,12 +96,13 @@ RawClip keys_of(const Skeleton& skeleton, const Clip& clip, const std::vector<in
 
 }  // namespace
 
-RawScene read_cooked_motion(const std::string& path) {
+RawScene read_cooked_motion(const std::string& path, Files& files) {
   RawScene out;
-  tools::AlignedBytes bytes = read_named_file(path, {}, out.reads);
+  const std::vector<std::byte> bytes = files.read(path, kMostBytes);
+  out.reads.push_back({files.full_name(path), bytes.size(), tools::hash_of(bytes)});
   out.source = path;
   out.source_bytes = bytes.size();
-  const tools::LoadedFile loaded = tools::load_mrw(path, std::move(bytes));
+  const tools::LoadedFile loaded = tools::load_mrw(path, tools::AlignedBytes(std::span<const std::byte>(bytes)));
   const Character character = view_character(path, loaded.file);
   if (character.skeletons.empty())
     throw tools::Failure(tools::Exit::invalid, path, "", "no skeleton",

@@ -7,9 +7,9 @@
 #include <toml++/toml.h>
 
 #include "common/failure.h"
-#include "cook/scene/named_file.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
+#include "toml/toml_reader.h"
 
 namespace marrow::cook {
 namespace {
@@ -48,28 +48,11 @@ MappedJoint read_joint(const MapFailure& fail, const std::string& joint, const t
   return out;
 }
 
-// As TOML has it, within quotation marks.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\u{:04X}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
-}
-
 std::string value_text(const RigPairing& pairing, const Counterpart& at) {
   const std::vector<std::string>& names = pairing.rig_skeleton.joint_names;
-  const std::string name = quoted(names[to_index(at.node)]);
+  const std::string name = tools::toml_quoted(names[to_index(at.node)]);
   if (at.other == kNone) return name;
-  return fmt::format("[{}, {}, {:.6g}]", name, quoted(names[to_index(at.other)]), at.share);
+  return fmt::format("[{}, {}, {:.6g}]", name, tools::toml_quoted(names[to_index(at.other)]), at.share);
 }
 
 }  // namespace
@@ -97,11 +80,6 @@ RetargetMap parse_retarget_map(const std::string& path, std::string_view text) {
   return out;
 }
 
-RetargetMap read_retarget_map(const std::string& path, std::vector<RawRead>& reads) {
-  const tools::AlignedBytes bytes = read_named_file(path, {kLargestMap, "8 MiB is the limit"}, reads);
-  return parse_retarget_map(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 std::string retarget_map_text(const Character& character, const RawScene& source, const RigPairing& pairing) {
   const BuiltSkeleton& skeleton = character.skeletons[pairing.skeleton];
   std::string out = fmt::format(
@@ -112,7 +90,7 @@ std::string retarget_map_text(const Character& character, const RawScene& source
   std::set<int> used;
   for (std::size_t j = 0; j < pairing.pairs.size(); ++j) {
     const Counterpart& at = pairing.pairs[j];
-    const std::string name = quoted(skeleton.joint_names[j]);
+    const std::string name = tools::toml_quoted(skeleton.joint_names[j]);
     if (!at.is_there() || !names.insert(name).second) {
       out += "# " + name + " = \"\"\n";
       continue;
@@ -125,7 +103,7 @@ std::string retarget_map_text(const Character& character, const RawScene& source
     if (used.contains(static_cast<int>(j))) continue;
     if (is_first) out += fmt::format("\n# Of {} nothing turns as:\n", tools::printable(source.source));
     is_first = false;
-    out += "# " + quoted(pairing.rig_skeleton.joint_names[j]) + "\n";
+    out += "# " + tools::toml_quoted(pairing.rig_skeleton.joint_names[j]) + "\n";
   }
   return out;
 }

@@ -10,9 +10,8 @@
 
 namespace marrow::cook {
 
-// A table [joints]: JOINT = "SOURCE", or JOINT = ["SOURCE", "OTHER", SHARE] for one between two. `reads` then says what
-// was read. Throws tools::Failure: io, and usage, located by line and column, for what is no such file.
-RetargetMap read_retarget_map(const std::string& path, std::vector<RawRead>& reads);
+// A table [joints]: JOINT = "SOURCE", or JOINT = ["SOURCE", "OTHER", SHARE] for one between two. Throws tools::Failure
+// (usage), located by line and column, for what is no such file.
 RetargetMap parse_retarget_map(const std::string& path, std::string_view text);
 
 // A map that says what pair_with() has found, joint by joint of the character; those without a counterpart and the

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "cook/scene/named_file.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
 
@@ -174,18 +172,6 @@ SkeletonTemplate parse_template(const std::string& path, std::string_view text) 
     reader.fail(place_in(e.source()), "no TOML", std::string(e.description()));
   }
   return reader.read(root);
-}
-
-SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& reads) {
-  const std::string_view builtin = builtin_template(name);
-  if (!builtin.empty()) return parse_template(name, builtin);
-  std::error_code error;
-  if (!std::filesystem::exists(name, error))
-    throw tools::Failure(tools::Exit::usage, "--auto-skeleton", "",
-                         "\"" + tools::printable(name) + "\" is neither built in nor a file",
-                         "give humanoid, quadruped or a TEMPLATE.toml");
-  const tools::AlignedBytes bytes = read_named_file(name, {kLargestTemplate, "64 KiB is the limit"}, reads);
-  return parse_template(name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace marrow::cook

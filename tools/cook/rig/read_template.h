@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "cook/scene/raw.h"
 #include "deform/rig/skeleton_template.h"
 
 namespace marrow::cook {
@@ -14,9 +13,5 @@ std::string_view builtin_template(std::string_view name);
 
 // Throws tools::Failure (usage), located.
 deform::SkeletonTemplate parse_template(const std::string& path, std::string_view text);
-
-// One that is built in, or else the file of that path, of which `reads` then says what was read. Throws likewise, and
-// as tools::read_file() does.
-deform::SkeletonTemplate read_template(const std::string& name, std::vector<RawRead>& reads);
 
 }  // namespace marrow::cook

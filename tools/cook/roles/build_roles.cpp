@@ -84,4 +84,10 @@ std::vector<BuiltRoles> build_roles(const RawScene& scene, const BuiltScene& bui
   return out;
 }
 
+void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const std::vector<RoleRule>& rules,
+                BuiltScene& built, Notes& notes) {
+  std::vector<BuiltRoles> roles = build_roles(scene, built, meshes, rules, notes);
+  for (std::size_t s = 0; s < roles.size(); ++s) built.skeletons[s].roles = std::move(roles[s]);
+}
+
 }  // namespace marrow::cook

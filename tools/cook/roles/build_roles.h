@@ -15,4 +15,8 @@ namespace marrow::cook {
 std::vector<BuiltRoles> build_roles(const RawScene& scene, const BuiltScene& built, const std::vector<Mesh>& meshes,
                                     const std::vector<RoleRule>& rules, Notes& notes);
 
+// The same, into the skeletons of `built`.
+void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const std::vector<RoleRule>& rules,
+                BuiltScene& built, Notes& notes);
+
 }  // namespace marrow::cook

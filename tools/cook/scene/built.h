@@ -271,7 +271,6 @@ struct Character {
   std::vector<Mesh> meshes = {};           // of every level of detail
   std::vector<MorphedMesh> morphed = {};   // those with targets
   std::shared_ptr<const void> holds = {};  // what they point into
-  std::string hash = {};                   // of all of it
 };
 
 struct BuiltScene {

@@ -9,7 +9,8 @@
 
 #include "deform/deformers.h"
 #include "deform/elastic/elastic_options.h"
-#include "deform/fit/progress.h"
+#include "deform/rig/skeleton_template.h"
+#include "marrow/cook_host.h"
 #include "marrow/file.h"
 #include "marrow/roles.h"
 #include "text/event_text.h"
@@ -21,16 +22,14 @@ enum class WeightMethod;
 namespace marrow::cook {
 
 struct Character;
+struct RawScene;
+struct RetargetMap;
+
+// A file that an option names, once it has been read.
+using NamedBytes = std::shared_ptr<const std::vector<std::byte>>;
 
 inline constexpr int kMostSubdivisions = 3;
 inline constexpr std::size_t kMostLods = 15;
-
-// Where a rule was given, as failures say it, and whether it is a mistake if it fits nothing: a rule for many files
-// need not fit each.
-struct RuleOrigin {
-  std::string file, where;  // "--additive", ""; "marrow.toml", "12:7"
-  bool must_fit = true;
-};
 
 // Which scene of the source is cooked.
 struct SceneChoice {
@@ -59,6 +58,7 @@ struct PaintRule {
   std::string joint;  // its name; empty: the file says which
   std::string file;   // a grey-scale PNG of the joint; without one what read_painted() reads
   RuleOrigin origin = {"--paint", ""};
+  NamedBytes bytes = {};
 };
 
 // Weights of a joint that go over to another by a number that clips move.
@@ -105,6 +105,7 @@ struct LearnOptions {
   deform::ElasticOptions elastic;
   deform::Deformer known_elastic;  // that truth of the only mesh, where it has been made
   std::string examples_file;
+  std::shared_ptr<const RawScene> examples;  // that file
   int helpers = 0;     // between the joints that vertices share, at most; or kAutoHelpers
   int influences = 0;  // that a vertex may have, more where its weights need them; 0: 4, with helpers 5
   bool keep_bind_pose = false;
@@ -112,7 +113,6 @@ struct LearnOptions {
   bool multi_weights = false;
   int pose_examples = 0;      // of pose space, at most; 0: none
   int eigen_targets = 0;      // morph targets by EigenSkin, at most; 0: none
-  deform::Progress progress;  // of each fit
 };
 
 // A shape at a point of a space, see marrow/example_space.h.
@@ -146,8 +146,10 @@ struct RoleRule {
 // Another file's rig, whose clips or poses are put onto the skeletons of this one.
 struct RetargetRule {
   std::string file;
-  std::string map;  // a file that pairs joints, see read_retarget_map(); empty: by roles and names
+  std::string map;  // a file that pairs joints, see parse_retarget_map(); empty: by roles and names
   RuleOrigin origin = {"--retarget", ""};
+  std::shared_ptr<const RawScene> rig = {};
+  std::shared_ptr<const RetargetMap> pairs = {};  // of `map`
 };
 
 // A clip that is the mirror of another.
@@ -159,7 +161,7 @@ struct MirrorRule {
 // A graph of behaviour, see build_graph().
 struct GraphRule {
   std::string file;
-  std::string text = {};  // of a file that is not read; empty: it is
+  std::string text = {};  // of the file
   RuleOrigin origin = {"--graph", ""};
 };
 
@@ -211,41 +213,63 @@ enum class MeshCodec { draco, draco_smallest, meshopt, none };
 // What becomes of the source's images.
 enum class Images { reference, embed, none };
 
-struct CookOptions {
+struct SourceOptions {
+  SceneChoice scene;
+  Images images = Images::reference;
+  bool strict = false;  // refuse what would be mended
+};
+
+struct PrepareOptions {
+  std::string auto_skeleton;  // a template's name; empty: the file's own skeletons
+  std::shared_ptr<const deform::SkeletonTemplate> skeleton;  // that template
+  WeightOptions weights;
+  std::vector<WeightsOverTime> weights_over_time;
+  std::vector<std::string> keep;  // names of nodes, with wildcards, to keep although they may be no joints
+};
+
+struct ClipOptions {
   Effort effort = Effort::normal;
-  MeshCodec mesh_codec = MeshCodec::draco;
+  bool raw = false;                    // keep clips' keys as they are
+  std::vector<AdditiveRule> additive;  // the last that fits a clip counts
+  // The last that fits a joint counts; the first fits all.
+  std::vector<ClipErrorRule> error = {{"", 1e-4, false, true}};
+  std::optional<double> shell;  // metres: clips keep their promise there; none: at the vertices too
+};
+
+struct MeshOptions {
+  MeshCodec codec = MeshCodec::draco;
   int subdivide = 0;  // steps of Loop's scheme, 0 … kMostSubdivisions
   // How far quantisation may move vertices, in metres or, if is_share, of the mesh's longest side.
   double position_error = 0;  // 0: as 14 bits on the longest side
   bool position_error_is_share = false;
   MeshPrecision precision;
-  LearnOptions learn;
-  std::vector<LodRule> lod;            // ever coarser, at most kMostLods
-  std::size_t most_entries = 341;      // palette entries of a mesh; primitives with more are split
-  std::vector<AdditiveRule> additive;  // the last that fits a clip counts
-  bool raw_clips = false;              // keep clips' keys as they are
-  // The last that fits a joint counts; the first fits all.
-  std::vector<ClipErrorRule> clip_error = {{"", 1e-4, false, true}};
-  std::optional<double> clip_shell;       // metres: clips keep their promise there; none: at the vertices too
-  bool clips_only = false;                // a clip pack
-  std::string skeleton_file;              // the file of `onto`, for whoever reads it
-  std::shared_ptr<const Character> onto;  // that a pack or an outfit is for; null: own skeletons
-  bool keep_vertex_order = false;         // remember where every vertex of the source went
-  bool strict = false;                    // refuse what would be mended of the source
-  SceneChoice scene;
-  Images images = Images::reference;
-  std::vector<std::string> keep;  // names of nodes, with wildcards as above, to keep although they may be no joints
-  WeightOptions weights;
-  std::vector<WeightsOverTime> weights_over_time;
-  std::string auto_skeleton;  // a template's name, see read_template(); empty: the file's own skeletons
-  std::vector<ShapeRule> shapes;
-  std::vector<RoleRule> roles;  // in place of those that are found
-  std::vector<RetargetRule> retarget;
-  std::vector<RetargetRule> pose_maps;  // poses, while a game runs
-  std::vector<MirrorRule> mirror;       // after `retarget`, one after the other
+  std::vector<LodRule> lod;         // ever coarser, at most kMostLods
+  std::size_t most_entries = 341;   // palette entries of a mesh; primitives with more are split
+  bool keep_vertex_order = false;   // remember where every vertex of the source went
+};
+
+// Clips and poses of other rigs, and mirrors.
+struct RetargetOptions {
+  std::vector<RetargetRule> clips;
+  std::vector<RetargetRule> poses;  // while a game runs
+  std::vector<MirrorRule> mirror;   // after `clips`, one after the other
+};
+
+// What is asked of each stage. Files that it names are read by read_named_files(), and stand beside their names then.
+struct CookOptions {
+  SourceOptions source;
+  PrepareOptions prepare;
+  RetargetOptions retarget;
+  ClipOptions clips;
   MotionOptions motion;
+  MeshOptions mesh;
+  LearnOptions learn;
+  std::vector<RoleRule> roles;  // in place of those that are found
+  std::vector<ShapeRule> shapes;
   std::vector<GraphRule> graphs;
-  deform::Progress clip_progress;  // of clips that are compressed
+  bool clips_only = false;                // a clip pack
+  std::string skeleton_file;              // the file of `onto`
+  std::shared_ptr<const Character> onto;  // that a pack or an outfit is for; null: own skeletons
 };
 
 }  // namespace marrow::cook

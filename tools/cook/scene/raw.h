@@ -18,6 +18,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "deform/fit/progress.h"
+#include "marrow/cook_host.h"
 #include "marrow/file.h"
 #include "marrow/limits.h"
 #include "text/event_text.h"
@@ -187,17 +189,23 @@ struct RawWarning {
   std::string text;     // one sentence
 };
 
-// A file that was read, or its first bytes.
-struct RawRead {
-  std::string path;  // the scene's own as given, others canonical
-  std::uint64_t bytes = 0;
-  std::string hash;  // tools::hash_of those bytes
-};
-
-// What stages say beside their results, in the order in which they say it.
+// What stages say beside their results, warnings in the order in which they say them.
 struct Notes {
   std::vector<RawWarning> warnings;
-  std::vector<RawRead> reads;  // files that options name
+  const Host* host = nullptr;  // who waits; null: nobody
+
+  // Throws tools::Failure (interrupted) if the work is to stop.
+  void begin(Stage stage) const {
+    tools::expect_to_go_on();
+    tell(stage, 0, 0);
+  }
+  void tell(Stage stage, std::size_t done, std::size_t count) const {
+    if (host != nullptr && host->progress) host->progress(stage, done, count);
+  }
+  // Of parts of a stage; while the notes live.
+  deform::Progress progress_of(Stage stage) const {
+    return [this, stage](std::size_t done, std::size_t count) { tell(stage, done, count); };
+  }
 };
 
 struct RawScene {
@@ -215,7 +223,7 @@ struct RawScene {
   std::vector<RawSpring> springs;
   std::vector<RawCollider> colliders;  // at most kMaxSpringColliders
   std::vector<RawWarning> warnings;    // of whoever read it
-  std::vector<RawRead> reads;          // the scene's own file first; empty for a scene in memory
+  std::vector<Read> reads;          // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

@@ -38,4 +38,9 @@ std::vector<std::vector<JointLimit>> build_limits(const RawScene& scene, const B
   return out;
 }
 
+void set_limits(const RawScene& scene, BuiltScene& built, Notes& notes) {
+  std::vector<std::vector<JointLimit>> limits = build_limits(scene, built, notes);
+  for (std::size_t s = 0; s < limits.size(); ++s) built.skeletons[s].limits = std::move(limits[s]);
+}
+
 }  // namespace marrow::cook

@@ -63,4 +63,9 @@ std::vector<BuiltSprings> build_springs(const RawScene& scene, const BuiltScene&
   return out;
 }
 
+void set_springs(const RawScene& scene, BuiltScene& built, Notes& notes) {
+  std::vector<BuiltSprings> springs = build_springs(scene, built, notes);
+  for (std::size_t s = 0; s < springs.size(); ++s) built.skeletons[s].springs = std::move(springs[s]);
+}
+
 }  // namespace marrow::cook

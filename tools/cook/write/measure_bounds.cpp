@@ -51,11 +51,11 @@ struct Cast {
 };
 
 // Characters that play a file's clips, one a level of detail.
-class Stage {
+class PoseStage {
  public:
   // whole: null, or all animations of the file. Then its skeletons play together, which spaces of example shapes look
   // at; else each for itself, which takes no longer however many others there are.
-  Stage(const File& file, const Animations* whole) : file_(file), examples_(file), whole_(whole) {
+  PoseStage(const File& file, const Animations* whole) : file_(file), examples_(file), whole_(whole) {
     std::size_t levels = 0;
     bool in_as = false;
     for (std::uint32_t m = 0; m < file.mesh_count(); ++m) {
@@ -230,7 +230,7 @@ void centre_of(const format::BoundsCodes& codes, double (&out)[3]) {
 // The radii of the meshes' spheres, each about the centre of its decoded box. Every moment is posed twice at most,
 // however many meshes there are: first for those that may reach furthest in it, then for those that may go beyond what
 // was found.
-std::vector<double> measure_radii(Stage& stage, const Moments& moments, const std::vector<Motion>& motions) {
+std::vector<double> measure_radii(PoseStage& stage, const Moments& moments, const std::vector<Motion>& motions) {
   struct Centre {
     double at[3];
   };
@@ -264,7 +264,7 @@ std::vector<double> measure_radii(Stage& stage, const Moments& moments, const st
   return radii;
 }
 
-std::vector<Motion> measure_clip(Stage& stage, const Cast& cast, std::uint32_t clip, const Moments& moments) {
+std::vector<Motion> measure_clip(PoseStage& stage, const Cast& cast, std::uint32_t clip, const Moments& moments) {
   stage.choose(cast, clip);
   std::vector<Motion> out(cast.meshes.size());
   std::vector<std::size_t> all(out.size());
@@ -286,18 +286,18 @@ std::vector<Motion> measure_clip(Stage& stage, const Cast& cast, std::uint32_t c
 class Stages {
  public:
   Stages(const File& file, const Animations* whole) : file_(file), whole_(whole) {}
-  std::unique_ptr<Stage> take() {
+  std::unique_ptr<PoseStage> take() {
     {
       const std::lock_guard lock(mutex_);
       if (!free_.empty()) {
-        std::unique_ptr<Stage> out = std::move(free_.back());
+        std::unique_ptr<PoseStage> out = std::move(free_.back());
         free_.pop_back();
         return out;
       }
     }
-    return std::make_unique<Stage>(file_, whole_);
+    return std::make_unique<PoseStage>(file_, whole_);
   }
-  void give_back(std::unique_ptr<Stage> stage) {
+  void give_back(std::unique_ptr<PoseStage> stage) {
     const std::lock_guard lock(mutex_);
     free_.push_back(std::move(stage));
   }
@@ -306,7 +306,7 @@ class Stages {
   const File& file_;
   const Animations* whole_;
   std::mutex mutex_;
-  std::vector<std::unique_ptr<Stage>> free_;
+  std::vector<std::unique_ptr<PoseStage>> free_;
 };
 
 std::vector<Cast> casts_of(const File& file) {
@@ -412,7 +412,7 @@ std::vector<MeasuredBounds> measure_bounds(const tools::AlignedBytes& bytes) {
     made.header = {s, static_cast<std::uint32_t>(cast.clips.size()), static_cast<std::uint32_t>(cast.meshes.size())};
     made.codes.resize(cast.clips.size() * cast.meshes.size());
     tools::for_each_in_parallel(cast.clips.size(), [&](std::size_t i) {
-      std::unique_ptr<Stage> stage = stages.take();
+      std::unique_ptr<PoseStage> stage = stages.take();
       const std::vector<Motion> motions = measure_clip(*stage, cast, cast.clips[i], moments_for(cast.clips[i]));
       for (std::size_t m = 0; m < motions.size(); ++m) made.codes[i * motions.size() + m] = motions[m].codes;
       stages.give_back(std::move(stage));

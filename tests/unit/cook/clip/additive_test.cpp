@@ -19,7 +19,7 @@ struct Popup {
   }
   LoadedCook cook(const std::string& reference) {
     CookOptions options;
-    options.additive = {{"popup", reference}};
+    options.clips.additive = {{"popup", reference}};
     return LoadedCook(cook_scene(d.read(), options));
   }
   SceneDocument d;

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/read_source.h"
+#include "jobs/cook_on_disk.h"
 
 namespace marrow::cook {
 namespace {
@@ -251,7 +251,7 @@ TEST(BvhRead, AFileThatIsNotThereHasNoLines) {
 
 TEST(BvhRead, HasNoScenesToChooseFrom) {
   CookOptions options;
-  options.scene.name = "attic";
+  options.source.scene.name = "attic";
   const auto code_of = [&] {
     try {
       read_source("/nowhere/walk.bvh", options);
@@ -261,7 +261,7 @@ TEST(BvhRead, HasNoScenesToChooseFrom) {
     return Exit::done;
   };
   EXPECT_EQ(code_of(), Exit::usage);
-  options.scene.origin.must_fit = false;
+  options.source.scene.origin.must_fit = false;
   EXPECT_EQ(code_of(), Exit::io) << "a rule for many files";
 }
 

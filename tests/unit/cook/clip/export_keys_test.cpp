@@ -25,7 +25,7 @@ RawScene read_back(const tools::Exported& exported) {
 
 CookOptions raw() {
   CookOptions options;
-  options.raw_clips = true;
+  options.clips.raw = true;
   return options;
 }
 

@@ -52,8 +52,8 @@ TEST(TinyNumbers, AreZeroInTheFile) {
   for (const bool raw : {false, true})
     for (const MeshCodec codec : {MeshCodec::none, MeshCodec::meshopt}) {
       CookOptions options;
-      options.raw_clips = raw;
-      options.mesh_codec = codec;
+      options.clips.raw = raw;
+      options.mesh.codec = codec;
       const LoadedCook cooked(cook_scene(d.read(), options));
       const Skeleton skeleton = cooked.file.skeleton(0);
       EXPECT_EQ(count_below(1e-15F, skeleton.rest, skeleton.soa_size()), 0u);
@@ -81,10 +81,10 @@ TEST(TinyNumbers, AreNotInPosesOfPab) {
   const std::filesystem::path path = std::filesystem::path(test::assets_folder()) / "pab.glb";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "not there: " << path;
   CookOptions options;
-  options.mesh_codec = MeshCodec::meshopt;
-  options.images = Images::none;
-  options.clip_error.push_back({});
-  options.clip_error.back().error = 1e-3;
+  options.mesh.codec = MeshCodec::meshopt;
+  options.source.images = Images::none;
+  options.clips.error.push_back({});
+  options.clips.error.back().error = 1e-3;
   const LoadedCook cooked(cook_file(path.string(), options));
   const Skeleton skeleton = cooked.file.skeleton(0);
   EXPECT_EQ(count_below(1e-15F, skeleton.rest, skeleton.soa_size()), 0u);

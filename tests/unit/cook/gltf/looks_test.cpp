@@ -3,7 +3,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/gltf/document.h"
 
 namespace marrow::cook {
@@ -40,7 +40,7 @@ RawScene read_embedded(Builder& b) {
 
 // A cooked file and the view of it.
 struct Cooked {
-  CookResult result;
+  Result result;
   tools::AlignedBytes block;
   File file;
 
@@ -57,7 +57,7 @@ struct Cooked {
 
 CookOptions with(Images images) {
   CookOptions options;
-  options.images = images;
+  options.source.images = images;
   return options;
 }
 

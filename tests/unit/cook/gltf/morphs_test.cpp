@@ -8,7 +8,7 @@
 
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/geometry/build_geometry.h"
 #include "cook/gltf/read.h"
 #include "support/double_math.h"
@@ -167,8 +167,8 @@ RawPrimitive strip(double most_turn) {
 TEST(Morphs, AreSparseAndExactToHalfAStep) {
   const RawPrimitive p = strip(1.5);
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.keep_vertex_order = true;
+  options.mesh.codec = MeshCodec::none;
+  options.mesh.keep_vertex_order = true;
   const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}, {}}), 1, {}, options);
   const std::byte* const base = built.section.data();
   const format::GeometryLayout geometry = layout(built.header);
@@ -240,8 +240,8 @@ TEST(Morphs, NoNormalsAreMade) {
   primitive["targets"] = {{{"POSITION", b.positions({0, 0, 0, 0, 0, 0, 0, -1, 1})}}};
   RawScene scene = read(b);
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  const CookResult cooked = cook_scene(scene, options);
+  options.mesh.codec = MeshCodec::none;
+  const Result cooked = cook_scene(scene, options);
   const tools::AlignedBytes block{std::span<const std::byte>(cooked.file)};
   File file;
   ASSERT_EQ(load({block.data(), block.size()}, file), Status::ok);
@@ -260,8 +260,8 @@ TEST(Morphs, BlocksThatDoNotAscendAreRefused) {
   scene.meshes[0].weights.resize(3);
   scene.instances.push_back({0, 0, kNone, scene.meshes[0].weights});
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  const CookResult cooked = cook_scene(scene, options);
+  options.mesh.codec = MeshCodec::none;
+  const Result cooked = cook_scene(scene, options);
   tools::AlignedBytes block{std::span<const std::byte>(cooked.file)};
   File file;
   ASSERT_EQ(load({block.data(), block.size()}, file), Status::ok);

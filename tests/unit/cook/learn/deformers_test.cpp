@@ -79,8 +79,8 @@ struct FittedCylinder {
 
 BuiltGeometry build_fitted(const FittedCylinder& source, const DeformerData& data, MeshCodec codec) {
   CookOptions options;
-  options.mesh_codec = codec;
-  options.keep_vertex_order = true;
+  options.mesh.codec = codec;
+  options.mesh.keep_vertex_order = true;
   const MeshGrid grid{glm::dvec3(-8), FittedCylinder::kStep};
   return build_geometry(source.primitive, source.bindings, 2, grid, options, data);
 }

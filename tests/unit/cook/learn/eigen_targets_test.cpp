@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/scene/node_motion.h"
 #include "deform/deformers.h"
 #include "marrow/morph.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {
@@ -221,7 +221,7 @@ TEST(EigenTargets, CookedAndPosed) {
 
 TEST(EigenTargets, AsAnOption) {
   const auto with = [](std::vector<std::pair<std::string, std::string>> given) {
-    Given out;
+    Options out;
     for (const auto& [name, text] : given) out[name] = {{text, {"--" + name, ""}}};
     return to_options(out);
   };

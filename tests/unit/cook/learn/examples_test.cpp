@@ -10,7 +10,7 @@
 
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "support/places.h"
@@ -93,7 +93,7 @@ struct Character {
   }
   std::vector<ShownPose> read(const Json& document) const {
     const ExampleFile file(document);
-    std::vector<RawRead> reads;
+    std::vector<Read> reads;
     const std::vector<ShownPose> out =
         read_examples(file.path, {scene, scene.meshes[0], scene.skins[0], built, source}, reads);
     EXPECT_EQ(reads.size(), 1u);
@@ -151,7 +151,7 @@ TEST(Examples, AreFollowed) {
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::examples;
   options.learn.examples_file = file.path;
-  const CookResult cooked = cook_file(kElbow, options);
+  const Result cooked = cook_file(kElbow, options);
   const auto& learnt = cooked.report["meshes"][0]["animation_space"];
   EXPECT_EQ(learnt["kind"], "fit");
   EXPECT_EQ(learnt["truth"], "examples");
@@ -161,7 +161,7 @@ TEST(Examples, AreFollowed) {
   EXPECT_LT(learnt["held_out_share"], 0.6);
   // A cache and a depfile must know of it.
   ASSERT_EQ(cooked.reads.size(), 2u);
-  EXPECT_NE(cooked.reads[1].path.find("marrow_examples_test.gltf"), std::string::npos);
+  EXPECT_NE(cooked.reads[1].name.find("marrow_examples_test.gltf"), std::string::npos);
 }
 
 TEST(Examples, WhatIsWrongIsNamed) {

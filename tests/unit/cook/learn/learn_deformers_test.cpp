@@ -76,9 +76,9 @@ RawScene moving_cylinder() {
 
 CookOptions options_for(MeshCodec codec) {
   CookOptions options;
-  options.mesh_codec = codec;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
+  options.mesh.codec = codec;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
   options.learn.truth = Truth::dual_quaternions;
   options.learn.multi_weights = true;
   options.learn.pose_examples = 6;
@@ -254,7 +254,7 @@ TEST(LearnDeformers, StandBesideAnimationSpace) {
 TEST(LearnDeformers, WhatIsNoBetterIsNotShipped) {
   const RawScene still = cylinder_scene({glm::dquat(1, 0, 0, 0), glm::dquat(1, 0, 0, 0)});
   CookOptions options = options_for(MeshCodec::draco);
-  const CookResult learnt = cook_scene(still, options);
+  const Result learnt = cook_scene(still, options);
   options.learn = {};
   EXPECT_EQ(learnt.file, cook_scene(still, options).file);
   int warnings = 0;

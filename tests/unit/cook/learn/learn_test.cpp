@@ -29,9 +29,9 @@ constexpr Truth kTruths[] = {Truth::dual_quaternions, Truth::centres_of_rotation
 
 CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
   CookOptions options;
-  options.keep_vertex_order = true;
-  options.raw_clips = true;
-  options.mesh_codec = codec;
+  options.mesh.keep_vertex_order = true;
+  options.clips.raw = true;
+  options.mesh.codec = codec;
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
   options.learn.helpers = kAutoHelpers;
@@ -39,8 +39,8 @@ CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
 }
 
 // A fit of the newt takes seconds, and minutes under sanitizers: each once.
-const CookResult& fitted(MeshCodec codec) {
-  static std::map<MeshCodec, CookResult> made;
+const Result& fitted(MeshCodec codec) {
+  static std::map<MeshCodec, Result> made;
   const auto at = made.find(codec);
   return at != made.end() ? at->second
                           : made.emplace(codec, cook_file(kNewt, fitted_to_dual_quaternions(codec))).first->second;
@@ -55,7 +55,7 @@ struct Errors {
 Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
   const RawScene raw = read_gltf(kNewt);
   CookOptions plain;
-  plain.raw_clips = true;
+  plain.clips.raw = true;
   Notes notes;
   const BuiltScene built = build_scene(raw, plain, notes);
   Errors out;
@@ -229,7 +229,7 @@ TEST(Learn, ClipsAreFolds) {
     RawScene raw = two_joint_scene();
     for (std::uint32_t c = 0; c < clips; ++c) raw.clips.push_back({"clip" + std::to_string(c), {turning(1)}, {}});
     CookOptions plain;
-    plain.raw_clips = true;
+    plain.clips.raw = true;
     Notes notes;
     const BuiltScene built = build_scene(raw, plain, notes);
     const DeformSource source = deform_source(raw.meshes[0], raw.skins[0], bind_to_skin(raw.meshes[0], notes), built);
@@ -244,7 +244,7 @@ TEST(Learn, ClipsAreFolds) {
   }
 }
 
-std::vector<std::string> warnings_of(const CookResult& result, const std::string& rule) {
+std::vector<std::string> warnings_of(const Result& result, const std::string& rule) {
   std::vector<std::string> out;
   for (const auto& w : result.report["warnings"])
     if (w["rule"] == rule) out.push_back(w["text"]);
@@ -273,7 +273,7 @@ TEST(Learn, LeavesOutWhereAJointHasNoRotationAndNamesIt) {
       CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
       options.learn.truth = truth;
       options.learn.multi_weights = true;  // says it no second time
-      const CookResult result = cook_scene(scene, options);
+      const Result result = cook_scene(scene, options);
       LoadedCook of_finite_numbers(result);  // load() refuses what is not finite
       const std::vector<std::string> said = warnings_of(result, "joint-without-rotation");
       ASSERT_EQ(said.size(), truth == Truth::delta_mush ? 0u : 1u);
@@ -336,7 +336,7 @@ TEST(Learn, HelpersAreWorseThanSsdInNoPoseOfTheRangeOfMotion) {
   }
   const RawScene scene = read_gltf(model);
   CookOptions plain;
-  plain.raw_clips = true;
+  plain.clips.raw = true;
   Notes notes;
   const BuiltScene built = build_scene(scene, plain, notes);
   std::size_t skinned = 0, poses = 0, helpers = 0;
@@ -369,7 +369,7 @@ TEST(Learn, HelpersAreWorseThanSsdInNoPoseOfTheRangeOfMotion) {
 // Angles between the two joints in the poses that are made up.
 std::vector<double> made_up_turns(RawScene scene, bool wide) {
   CookOptions plain;
-  plain.raw_clips = true;
+  plain.clips.raw = true;
   Notes notes;
   const BuiltScene built = build_scene(scene, plain, notes);
   const DeformSource source =

@@ -11,7 +11,7 @@
 
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/unpack.h"
 #include "support/double_math.h"
 #include "support/pose_file.h"
@@ -84,10 +84,10 @@ struct Loaded {
 };
 
 Loaded cook_and_load(RawScene scene, const CookOptions& options) {
-  const CookResult cooked = cook_scene(std::move(scene), options);
+  const Result cooked = cook_scene(std::move(scene), options);
   const std::span<const std::byte> bytes(cooked.file);
   const bool packed = is_packed({bytes.data(), bytes.size()});
-  EXPECT_EQ(packed, options.mesh_codec != MeshCodec::none);
+  EXPECT_EQ(packed, options.mesh.codec != MeshCodec::none);
   Loaded out;
   out.bytes = packed ? tools::unpacked(bytes, "test") : tools::AlignedBytes(bytes);
   DataError error;
@@ -149,10 +149,10 @@ TEST(Codecs, PositionErrorsAreInTheScenesUnits) {
         scene.nodes.emplace_back().scale = scale;
       }
       CookOptions options;
-      options.mesh_codec = MeshCodec::meshopt;
-      options.keep_vertex_order = true;
-      options.position_error = kMost;
-      options.precision.weight_error = 1e-6;
+      options.mesh.codec = MeshCodec::meshopt;
+      options.mesh.keep_vertex_order = true;
+      options.mesh.position_error = kMost;
+      options.mesh.precision.weight_error = 1e-6;
       const Loaded cooked = cook_and_load(std::move(scene), options);
       const double stated = cooked.report["meshes"][0]["max_position_error_m"].get<double>();
       const double found = farthest_from(cooked, source.positions, map);
@@ -224,7 +224,7 @@ void expect_surface(const RawPrimitive& source, const Loaded& loaded, const Cook
   const Geometry& g = mesh.geometry;
   ASSERT_EQ(g.source_slots.size, source.positions.size());
   const double position_error = loaded.report["meshes"][0]["max_position_error_m"].get<double>();
-  const bool exact = options.mesh_codec == MeshCodec::none;
+  const bool exact = options.mesh.codec == MeshCodec::none;
   EXPECT_EQ(position_error == 0, exact);
   std::size_t compared = 0;
   for (std::size_t v = 0; v < source.positions.size(); ++v) {
@@ -242,14 +242,14 @@ void expect_surface(const RawPrimitive& source, const Loaded& loaded, const Cook
     for (std::size_t c = 0; c < 3 && g.normals != nullptr; ++c)
       angle += double{g.normals[slot / 4 * 12 + 4 * c + slot % 4]} * double{source.normals[v][static_cast<int>(c)]};
     if (g.normals != nullptr && !source.normals.empty()) {
-      ASSERT_LE(std::acos(std::min(1.0, angle)) * 180 / kPi, exact ? 0.05 : options.precision.normal_error_deg + 0.05);
+      ASSERT_LE(std::acos(std::min(1.0, angle)) * 180 / kPi, exact ? 0.05 : options.mesh.precision.normal_error_deg + 0.05);
     }
     if (!source.tangents.empty()) {
       ASSERT_EQ(g.tangents[slot / 4 * 16 + 12 + slot % 4], source.tangents[v].w);
     }
     for (std::size_t c = 0; c < 2 && !source.uvs.empty(); ++c)
       ASSERT_NEAR(g.uvs[2 * slot + c], source.uvs[v][static_cast<int>(c)],
-                  exact ? 0.0 : options.precision.uv_error * 1.001);
+                  exact ? 0.0 : options.mesh.precision.uv_error * 1.001);
     for (std::size_t c = 0; c < 4 && !source.colours.empty(); ++c)
       ASSERT_EQ(g.colours[4 * slot + c], std::lround(source.colours[v][static_cast<int>(c)] * 255));
     if (source.influences.empty()) continue;
@@ -259,7 +259,7 @@ void expect_surface(const RawPrimitive& source, const Loaded& loaded, const Cook
     for (const RawInfluence& i : source.influences[v]) want[static_cast<int>(i.joint)] += double{i.weight} / sum;
     std::map<int, double> got = weights_of(mesh, slot);
     for (const auto& [joint, weight] : want) {
-      ASSERT_NEAR(got[joint], weight, exact ? 1e-6 : options.precision.weight_error) << v << " joint " << joint;
+      ASSERT_NEAR(got[joint], weight, exact ? 1e-6 : options.mesh.precision.weight_error) << v << " joint " << joint;
       got.erase(joint);
     }
     ASSERT_TRUE(got.empty()) << v << ": a joint that the source does not name";
@@ -292,8 +292,8 @@ class Codec : public ::testing::TestWithParam<MeshCodec> {
  protected:
   CookOptions options() const {
     CookOptions o;
-    o.mesh_codec = GetParam();
-    o.keep_vertex_order = true;
+    o.mesh.codec = GetParam();
+    o.mesh.keep_vertex_order = true;
     return o;
   }
   Loaded expect_round_trip(const RawPrimitive& source, int joints) {
@@ -406,8 +406,8 @@ TEST_P(Codec, KeepsOneTriangleOfAMeshWithoutArea) {
 }
 
 TEST_P(Codec, MakesTheSameBytesAgain) {
-  const CookResult a = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());
-  const CookResult b = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());
+  const Result a = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());
+  const Result b = cook_scene(scene_of(tube(20, 9, 4, 4), 4), options());
   EXPECT_EQ(a.file, b.file);
 }
 
@@ -416,17 +416,17 @@ TEST(MeshPrecision, IsKept) {
   std::size_t last = 0;
   for (const double error_m : {1e-2, 1e-3, 1e-4, 1e-5}) {
     CookOptions options;
-    options.keep_vertex_order = true;
-    options.position_error = error_m;
-    options.precision = {error_m * 1e3, error_m, std::min(0.1, 10 * error_m)};
+    options.mesh.keep_vertex_order = true;
+    options.mesh.position_error = error_m;
+    options.mesh.precision = {error_m * 1e3, error_m, std::min(0.1, 10 * error_m)};
     const Loaded loaded = cook_and_load(scene_of(source, 4), options);
     expect_surface(source, loaded, options);
     const auto& report = loaded.report["meshes"][0];
     EXPECT_LE(report["max_position_error_m"].get<double>(), error_m);
     EXPECT_GT(report["max_position_error_m"].get<double>(), error_m / 4) << "no finer than asked for";
-    EXPECT_LE(report["max_normal_error_deg"].get<double>(), options.precision.normal_error_deg);
-    EXPECT_LE(report["max_uv_error"].get<double>(), options.precision.uv_error * 1.0001);
-    EXPECT_LE(report["max_weight_error"].get<double>(), options.precision.weight_error);
+    EXPECT_LE(report["max_normal_error_deg"].get<double>(), options.mesh.precision.normal_error_deg);
+    EXPECT_LE(report["max_uv_error"].get<double>(), options.mesh.precision.uv_error * 1.0001);
+    EXPECT_LE(report["max_weight_error"].get<double>(), options.mesh.precision.weight_error);
     EXPECT_GT(loaded.cooked_bytes, last);
     last = loaded.cooked_bytes;
   }
@@ -439,7 +439,7 @@ TEST(MeshPrecision, PartsOfAMeshMeet) {
   right.pointer = "/meshes/0/primitives/1";
   scene.meshes[0].primitives.push_back(right);
   CookOptions options;
-  options.keep_vertex_order = true;
+  options.mesh.keep_vertex_order = true;
   const Loaded loaded = cook_and_load(std::move(scene), options);
   ASSERT_EQ(loaded.file.mesh_count(), 2u);
   const Geometry a = loaded.file.mesh(0).geometry, b = loaded.file.mesh(1).geometry;
@@ -449,10 +449,10 @@ TEST(MeshPrecision, PartsOfAMeshMeet) {
 
 TEST(PackedFile, TheSmallestIsTheSameSurfaceInNoMoreBytes) {
   CookOptions options;
-  options.keep_vertex_order = true;
+  options.mesh.keep_vertex_order = true;
   const RawPrimitive source = tube(40, 30, 3, 3);
   const Loaded quick = cook_and_load(scene_of(source, 3), options);
-  options.mesh_codec = MeshCodec::draco_smallest;
+  options.mesh.codec = MeshCodec::draco_smallest;
   const Loaded smallest = cook_and_load(scene_of(source, 3), options);
   EXPECT_LE(smallest.cooked_bytes, quick.cooked_bytes);
   expect_surface(source, smallest, options);
@@ -463,8 +463,8 @@ TEST(PackedFile, TheSmallestIsTheSameSurfaceInNoMoreBytes) {
 TEST(PackedFile, DamageIsRefusedOrHarmless) {
   for (const MeshCodec codec : {MeshCodec::draco, MeshCodec::meshopt}) {
     CookOptions options;
-    options.mesh_codec = codec;
-    const CookResult cooked = cook_scene(scene_of(tube(10, 7, 3, 3), 3), options);
+    options.mesh.codec = codec;
+    const Result cooked = cook_scene(scene_of(tube(10, 7, 3, 3), 3), options);
     std::mt19937 random(7);
     std::size_t refused = 0, harmless = 0;
     for (int i = 0; i < 1500; ++i) {

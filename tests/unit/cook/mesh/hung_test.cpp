@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/aligned_bytes.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "marrow/character.h"
 #include "marrow/skin.h"
@@ -24,9 +24,9 @@ enum class By { ssd, as };
 class CookedScene {
  public:
   CookedScene(RawScene scene, CookOptions options, bool raw_clips, std::uint32_t level) {
-    options.mesh_codec = MeshCodec::none;
-    options.raw_clips = raw_clips;
-    CookResult result = cook_scene(std::move(scene), options);
+    options.mesh.codec = MeshCodec::none;
+    options.clips.raw = raw_clips;
+    Result result = cook_scene(std::move(scene), options);
     report = std::move(result.report);
     file_bytes_ = tools::AlignedBytes(result.file);
     EXPECT_EQ(load({file_bytes_.data(), file_bytes_.size()}, file), Status::ok);
@@ -91,7 +91,7 @@ TEST(Hung, EveryDeformerAndLevelKeepsThePromise) {
   options.learn.animation_space = AnimationSpace::fit;
   options.learn.truth = Truth::dual_quaternions;
   options.learn.helpers = kAutoHelpers;
-  options.lod = {{0.5, kMaxInfluences}};
+  options.mesh.lod = {{0.5, kMaxInfluences}};
   const RawScene elbow = read_gltf(test::in_golden("elbow.gltf"));
   const CookedScene cooked(elbow, options, true, 0);
   ASSERT_FALSE(cooked.file.mesh(0).helpers.empty());
@@ -132,7 +132,7 @@ RawScene flag() {
 TEST(Hung, MorphTargetsCountAtWeightOne) {
   EXPECT_LE(worst_of(flag(), {}, 0, By::ssd, 1), 1.1 * kError);
   CookOptions at_joints;
-  at_joints.clip_shell = 0.03;
+  at_joints.clips.shell = 0.03;
   const CookedScene shell(flag(), at_joints, false, 0);
   EXPECT_GT(shell.report["clips"][0]["max_vertex_error_m"].get<double>(), 10 * kError) << "it does not keep itself";
 }

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 
@@ -20,8 +20,8 @@ namespace {
 
 CookOptions levels(const std::string& lod, MeshCodec codec = MeshCodec::none) {
   CookOptions options = to_options({{"lod", {{lod, {"--lod", ""}}}}});
-  options.mesh_codec = codec;
-  options.raw_clips = true;
+  options.mesh.codec = codec;
+  options.clips.raw = true;
   return options;
 }
 
@@ -165,7 +165,7 @@ TEST(Lod, SaysWhatCannotBeReached) {
 
 TEST(Lod, KeepsTheSourcesOrderOfTheFullMeshAlone) {
   CookOptions options = levels("0.5");
-  options.keep_vertex_order = true;
+  options.mesh.keep_vertex_order = true;
   const LoadedCook cooked(cook_file(test::in_golden("tiny.gltf"), options));
   EXPECT_GT(cooked.file.mesh(0).geometry.source_slots.size, 0u);
   EXPECT_EQ(cooked.file.mesh(0, 1).geometry.source_slots.size, 0u);
@@ -173,11 +173,11 @@ TEST(Lod, KeepsTheSourcesOrderOfTheFullMeshAlone) {
 
 TEST(Lod, OptionIsReadWhole) {
   const CookOptions options = levels("0.5,0.25:2,1e-3:1");
-  ASSERT_EQ(options.lod.size(), 3u);
-  EXPECT_EQ(options.lod[0].ratio, 0.5);
-  EXPECT_EQ(options.lod[0].influences, std::size_t{kMaxInfluences});
-  EXPECT_EQ(options.lod[1].influences, 2u);
-  EXPECT_EQ(options.lod[2].ratio, 1e-3);
+  ASSERT_EQ(options.mesh.lod.size(), 3u);
+  EXPECT_EQ(options.mesh.lod[0].ratio, 0.5);
+  EXPECT_EQ(options.mesh.lod[0].influences, std::size_t{kMaxInfluences});
+  EXPECT_EQ(options.mesh.lod[1].influences, 2u);
+  EXPECT_EQ(options.mesh.lod[2].ratio, 1e-3);
   for (const char* const bad :
        {"", "1", "0", "-0.5", "0.5,", "0.5,0.5", "0.25,0.5", "0.5:0", "0.5:9", "0.5:", "0.5;0.2", "nan", "inf", "0.5x",
         ",0.5", "0.5:2:3", "0.9,0.8,0.7,0.6,0.5,0.4,0.3,0.2,0.1,0.09,0.08,0.07,0.06,0.05,0.04,0.03"})

@@ -149,7 +149,7 @@ TEST(ResidualApart, SmoothingAloneTakesHardlyMoreThanLinearBlendSkinning) {
   const CylinderSource source;
   for (const MeshCodec codec : {MeshCodec::draco, MeshCodec::meshopt}) {
     CookOptions options;
-    options.mesh_codec = codec;
+    options.mesh.codec = codec;
     MeshGrid apart = source.grid, among = source.grid;
     among.residual_source = {};
     const auto bytes = [&](const std::vector<Binding>& bindings, const MeshGrid& grid) {

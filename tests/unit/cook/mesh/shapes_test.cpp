@@ -5,7 +5,7 @@
 
 #include "common/shape_weights.h"
 #include "cook/mesh/build_examples.h"
-#include "options/settings.h"
+#include "jobs/settings.h"
 #include "support/golden.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
@@ -15,7 +15,7 @@ namespace {
 
 CookOptions options_with(const std::string& toml) {
   CookOptions out = to_options(parse_settings("marrow.toml", toml).defaults);
-  out.mesh_codec = MeshCodec::none;
+  out.mesh.codec = MeshCodec::none;
   return out;
 }
 
@@ -28,8 +28,8 @@ std::string golden_settings() {
 
 TEST(Shapes, GiveTheGoldenBytes) {
   CookOptions options = options_with(golden_settings());
-  options.raw_clips = options.keep_vertex_order = true;
-  const CookResult cooked = cook_file(test::in_golden("face.gltf"), options);
+  options.clips.raw = options.mesh.keep_vertex_order = true;
+  const Result cooked = cook_file(test::in_golden("face.gltf"), options);
   const test::AlignedBlock golden = test::golden_shapes_copy();
   ASSERT_EQ(cooked.file.size(), golden.size());
   for (std::size_t i = 0; i < golden.size(); ++i) ASSERT_EQ(cooked.file[i], golden.data()[i]) << "byte " << i;
@@ -38,7 +38,7 @@ TEST(Shapes, GiveTheGoldenBytes) {
 // A packed file unpacks to the same sections, and one without shapes is what it was.
 TEST(Shapes, GoThroughPackedFiles) {
   CookOptions options = options_with(golden_settings());
-  options.mesh_codec = MeshCodec::draco;
+  options.mesh.codec = MeshCodec::draco;
   const LoadedCook packed(cook_file(test::in_golden("face.gltf"), options));
   ExampleSpace space;
   ASSERT_EQ(packed.file.example_space_count(), 1u);

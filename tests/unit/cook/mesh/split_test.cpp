@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/cook.h"
-#include "options/options.h"
+#include "jobs/cook_on_disk.h"
+#include "cook/options/options.h"
 #include "support/millipede.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"
@@ -124,9 +124,9 @@ TEST(Split, ManyTrianglesTakeNoTime) {
 
 CookOptions with_palette(std::size_t most) {
   CookOptions options;
-  options.most_entries = most;
-  options.raw_clips = true;
-  options.mesh_codec = MeshCodec::none;
+  options.mesh.most_entries = most;
+  options.clips.raw = true;
+  options.mesh.codec = MeshCodec::none;
   return options;
 }
 
@@ -162,8 +162,8 @@ TEST(Split, TheReportSaysIntoWhat) {
 TEST(Split, SameBytesEveryTime) {
   const test::Millipede millipede(30);
   CookOptions options = with_palette(24);
-  options.mesh_codec = MeshCodec::meshopt;
-  options.lod = {{0.5, 8}, {0.1, 2}};
+  options.mesh.codec = MeshCodec::meshopt;
+  options.mesh.lod = {{0.5, 8}, {0.1, 2}};
   EXPECT_EQ(cook_scene(millipede.scene, options).file, cook_scene(millipede.scene, options).file);
 }
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/mesh/subdivide_mesh.h"
 #include "support/places.h"
@@ -66,9 +66,9 @@ struct Welded {
 
 CookOptions finer(int steps, MeshCodec codec = MeshCodec::none, bool fits = true) {
   CookOptions options;
-  options.subdivide = steps;
-  options.mesh_codec = codec;
-  options.raw_clips = true;
+  options.mesh.subdivide = steps;
+  options.mesh.codec = codec;
+  options.clips.raw = true;
   if (fits) {
     options.learn.animation_space = AnimationSpace::fit;
     options.learn.truth = Truth::dual_quaternions;
@@ -216,7 +216,7 @@ TEST(CookSubdivide, SeamsStayClosed) {
 class FinerCodecs : public testing::TestWithParam<MeshCodec> {};
 
 TEST_P(FinerCodecs, FourTimesTheTriangles) {
-  const CookResult before = cook_file(kTiny, finer(0, GetParam(), false));
+  const Result before = cook_file(kTiny, finer(0, GetParam(), false));
   std::size_t times = 1;
   for (int steps = 1; steps <= kMostSubdivisions; ++steps) {
     const LoadedCook after(cook_file(kTiny, finer(steps, GetParam(), false)));
@@ -236,7 +236,7 @@ INSTANTIATE_TEST_SUITE_P(Codecs, FinerCodecs, testing::Values(MeshCodec::none, M
 // Levels are of the finer mesh.
 TEST(CookSubdivide, LevelsOfDetailFollow) {
   CookOptions options = finer(1, MeshCodec::none, false);
-  options.lod = {{0.25}};
+  options.mesh.lod = {{0.25}};
   const LoadedCook fine(cook_file(kNewtSource, options));
   const std::size_t triangles = fine.report["meshes"][0]["triangles"];
   EXPECT_NEAR(fine.file.mesh(0, 1).geometry.index_count, 0.75 * static_cast<double>(triangles), 12);

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "common/aligned_bytes.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
 
@@ -67,9 +67,9 @@ class Contacts : public ::testing::TestWithParam<MarkedClip> {
     const std::filesystem::path path = std::filesystem::path(test::assets_folder()) / GetParam().file;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "not there: " << path;
     CookOptions options;
-    options.mesh_codec = MeshCodec::none;
-    options.images = Images::none;
-    options.raw_clips = true;
+    options.mesh.codec = MeshCodec::none;
+    options.source.images = Images::none;
+    options.clips.raw = true;
     const std::vector<std::byte> bytes = cook_file(path.string(), options).file;
     ASSERT_EQ(make_owned(Span<const std::byte>(bytes.data(), bytes.size()), file_), Status::ok);
     for (std::uint32_t c = 0; c < file_.clip_count(); ++c)

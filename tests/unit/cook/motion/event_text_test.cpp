@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/cook.h"
-#include "options/options.h"
+#include "jobs/cook_on_disk.h"
+#include "cook/options/options.h"
 #include "support/places.h"
 #include "text/event_text.h"
 #include "unit/cook/loaded_cook.h"
@@ -35,10 +35,10 @@ TEST(EventText, IsRead) {
 
 void refuse(const char* option, const char* value, const char* rule) {
   try {
-    Given given;
+    Options given;
     given[option] = {{value, {"--" + std::string(option), ""}}};
     CookOptions options = to_options(given);
-    options.mesh_codec = MeshCodec::none;
+    options.mesh.codec = MeshCodec::none;
     cook_file(test::in_golden("roles.gltf"), options);
     ADD_FAILURE() << option << " " << value;
   } catch (const tools::Failure& failure) {

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "cook/cook.h"
-#include "cook/read_source.h"
+#include "jobs/cook_on_disk.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
 
@@ -18,9 +18,9 @@ namespace {
 
 CookOptions plain() {
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.images = Images::none;
-  options.raw_clips = true;
+  options.mesh.codec = MeshCodec::none;
+  options.source.images = Images::none;
+  options.clips.raw = true;
   return options;
 }
 

@@ -10,12 +10,12 @@
 
 #include <glm/geometric.hpp>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/prepare/bind_bones.h"
 #include "cook/retarget/plan/pair_joints.h"
 #include "cook/rig/read_template.h"
 #include "deform/weights/auto_weights.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "unit/cook/scene_document.h"
 #include "unit/deform/bodies.h"
 
@@ -106,8 +106,8 @@ TEST(AddSkeleton, WhereANodeDrawsTheMesh) {
 
 CookOptions options_of(const std::string& name) {
   CookOptions options;
-  options.auto_skeleton = name;
-  options.mesh_codec = MeshCodec::none;
+  options.prepare.auto_skeleton = name;
+  options.mesh.codec = MeshCodec::none;
   return options;
 }
 
@@ -119,7 +119,7 @@ TEST(AddSkeleton, TakesTheFilesPlace) {
   d.b.root["skins"].push_back({{"joints", {root, tip}}});
   d.clip("walk");
   d.turn(tip, {0, 1});
-  const CookResult cooked = cook_scene(d.read(), options_of("humanoid"));
+  const Result cooked = cook_scene(d.read(), options_of("humanoid"));
   const auto has = [&](const std::string& rule) {
     return std::ranges::any_of(cooked.report["warnings"], [&](const auto& w) { return w["rule"] == rule; });
   };
@@ -157,8 +157,8 @@ TEST(AddSkeleton, BindsWhatItMade) {
 
 TEST(AddSkeleton, SameBytesEveryTime) {
   const Body body = test::quadruped_body();
-  const CookResult first = cook_scene(document(body).read(), options_of("quadruped"));
-  const CookResult second = cook_scene(document(body).read(), options_of("quadruped"));
+  const Result first = cook_scene(document(body).read(), options_of("quadruped"));
+  const Result second = cook_scene(document(body).read(), options_of("quadruped"));
   EXPECT_EQ(first.file, second.file);
   EXPECT_EQ(first.report["warnings"], second.report["warnings"]);
 }
@@ -267,7 +267,7 @@ TEST(SkeletonTemplate, OfAFileIsAnInput) {
   const std::string path = fs::temp_directory_path() / ("marrow-template-" + std::to_string(getpid()) + ".toml");
   const std::string text(builtin_template("humanoid"));
   std::ofstream(path) << text;
-  std::vector<RawRead> reads;
+  std::vector<Read> reads;
   EXPECT_EQ(read_template(path, reads).size(), 27U);
   ASSERT_EQ(reads.size(), 1U);
   EXPECT_EQ(reads[0].bytes, text.size());
@@ -279,14 +279,14 @@ TEST(SkeletonTemplate, OfAFileIsAnInput) {
 
 TEST(SkeletonOptions, AsText) {
   const auto given = [](const std::string& text) {
-    return Given{{"auto-skeleton", {{text, {"--auto-skeleton", ""}}}}};
+    return Options{{"auto-skeleton", {{text, {"--auto-skeleton", ""}}}}};
   };
   EXPECT_EQ(to_options(given("humanoid")).auto_skeleton, "humanoid");
   EXPECT_EQ(to_options(given("a/b.toml")).auto_skeleton, "a/b.toml");
   EXPECT_TRUE(to_options(given("none")).auto_skeleton.empty());
   EXPECT_THROW(to_options(given("")), Failure);
   for (const auto& [name, text] : {std::pair{"clips-only", "true"}, {"skeleton", "hero.mrw"}}) {
-    Given both = given("humanoid");
+    Options both = given("humanoid");
     both[name] = {{text, {std::string("--") + name, ""}}};
     EXPECT_THROW(to_options(both), Failure) << name;
     both["auto-skeleton"][0].text = "none";

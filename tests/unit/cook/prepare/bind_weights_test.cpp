@@ -10,11 +10,11 @@
 
 #include <glm/matrix.hpp>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
 #include "deform/weights/auto_weights.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -183,8 +183,8 @@ TEST(BindWeights, WithoutASkinNodesThatClipsMoveAreJoints) {
   expect_near(glm::dvec3(scene.skins[0].inverse_bind[1][3]), {0, -4, 0});
   expect_bound(scene.meshes[0].primitives[0]);
   CookOptions options;
-  options.weights = make();
-  const CookResult cooked = cook_scene(d.read(), options);
+  options.prepare.weights = make();
+  const Result cooked = cook_scene(d.read(), options);
   EXPECT_EQ(cooked.report["meshes"][0]["joints"], 2);
 }
 
@@ -423,10 +423,10 @@ TEST_F(Paint, WhatCannotBePainted) {
 TEST_F(Paint, AMaskIsAnInput) {
   const std::string file = write("bar.gltf", d_.text());
   CookOptions options;
-  options.weights = painting("end", mask());
-  const CookResult result = cook_file(file, options);
+  options.prepare.weights = painting("end", mask());
+  const Result result = cook_file(file, options);
   ASSERT_EQ(result.reads.size(), 2U);
-  EXPECT_EQ(fs::path(result.reads[1].path).filename(), "mask.png");
+  EXPECT_EQ(fs::path(result.reads[1].name).filename(), "mask.png");
   EXPECT_EQ(result.reads[1].bytes, fs::file_size(folder_ / "mask.png"));
   EXPECT_EQ(result.reads[1].hash, read_of_mask(mask()).hash);
 }

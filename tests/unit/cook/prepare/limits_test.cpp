@@ -121,7 +121,7 @@ TEST(CookLimits, OfNodesThatAreNoJointsAreLeftOut) {
   Builder b = cook::skinned();
   b.root["nodes"].push_back({{"name", "lamp"}, {"extras", {{"marrow", {{"limits", {{"speed", 1}}}}}}}});
   b.root["scenes"][0]["nodes"].push_back(3);
-  CookResult result = cook_scene(read(b), {});
+  Result result = cook_scene(read(b), {});
   const LoadedCook cooked(result);
   EXPECT_TRUE(cooked.file.skeleton(0).limits.empty());
   std::size_t warned = 0;
@@ -196,7 +196,7 @@ TEST(CookLimits, OfTheSampleAreKeptByItsClips) {
 
 TEST(CookLimits, AreTheSameInAPackedFile) {
   CookOptions plain;
-  plain.mesh_codec = MeshCodec::none;
+  plain.mesh.codec = MeshCodec::none;
   const RawScene scene = [] {
     Builder b = limited(Json::parse(kExamples[2].limits));
     return read(b);

@@ -143,7 +143,7 @@ TEST(Mirrors, OnePoseWrittenTwoWaysBlendsToItself) {
   d.keys(joints[1], "rotation", {0, 1}, {0, 1, 0, 0, 0, 1, 0, 0});
   for (const bool raw : {false, true}) {
     CookOptions options;
-    options.raw_clips = raw;
+    options.clips.raw = raw;
     const LoadedCook cooked(cook_scene(d.read(), options));
     const Skeleton skeleton = cooked.file.skeleton(0);
     std::vector<SoaTransform> z(skeleton.soa_size()), x(z), mixed(z);

@@ -1,7 +1,7 @@
 // Hair and clothes for a body: what is matched with what, what is left out, and what is refused.
 #include <memory>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "unit/cook/scene_document.h"
@@ -38,7 +38,7 @@ struct Hat {
   BuiltScene build(const Character& body = ada_and_bob()) {
     CookOptions options;
     options.onto = std::make_shared<const Character>(body);
-    options.mesh_codec = MeshCodec::none;
+    options.mesh.codec = MeshCodec::none;
     RawScene scene = d.read();
     notes = {scene.warnings, {}};
     return build_scene(std::move(scene), options, notes);

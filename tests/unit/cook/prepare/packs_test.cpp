@@ -1,7 +1,7 @@
 // Clip packs from glTF: for the file's own skeletons, and for a character's by the names of its joints.
 #include <memory>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/write/write_scene.h"
@@ -61,7 +61,7 @@ TEST(Packs, KeepTheirPromiseAtTheCharactersVertices) {
   const double at_vertices = vertex_error();
   EXPECT_GT(at_vertices, 0);
   EXPECT_LE(at_vertices, 1e-4);
-  options.clip_shell = 1e-4;  // at the joints alone
+  options.clips.shell = 1e-4;  // at the joints alone
   EXPECT_GT(vertex_error(), 1e-4) << "measured, if not kept";
 }
 
@@ -98,7 +98,7 @@ TEST(Packs, NodesAreMatchedByName) {
   ASSERT_EQ(built.clips.size(), 1u);
   EXPECT_TRUE(a.notes.warnings.empty());
   CookOptions raw = pack_options(ada());
-  raw.raw_clips = true;
+  raw.clips.raw = true;
   const BuiltScene kept = a.build(raw);
   ASSERT_EQ(kept.clips.at(0).tracks.size(), 1u);
   EXPECT_EQ(kept.clips[0].tracks[0].joint, 3u) << "the arm's place in Ada";
@@ -180,7 +180,7 @@ TEST(Packs, WhatStandsOtherwiseIsHeldThere) {
   a.d.clip("wave");
   a.d.turn(a.arm, {0, 1});
   CookOptions options = pack_options(ada());
-  options.raw_clips = true;
+  options.clips.raw = true;
   const BuiltScene built = a.build(options);
   EXPECT_TRUE(warns(a.notes, "rest-pose-differs"));
   ASSERT_EQ(built.clips.at(0).tracks.size(), 2u);

@@ -7,10 +7,10 @@
 
 #include <unistd.h>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/paint/paint_places.h"
 #include "cook/paint/paint_weights.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

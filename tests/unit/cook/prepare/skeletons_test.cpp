@@ -1,7 +1,7 @@
 // Which nodes become which skeletons, and how a clip of several becomes one each.
 #include <algorithm>
 
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/choose.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
@@ -105,7 +105,7 @@ TEST(Skeletons, TargetsAndWeaponsGoWithTheirCharacter) {
   d.carry(target, {0, 1});
   d.carry(ball, {0, 1});  // is neither's
   CookOptions options;
-  options.keep = {"target"};
+  options.prepare.keep = {"target"};
   const BuiltScene built = build(d, options);
   EXPECT_EQ(skeleton_names(built), (Names{"Ada", "Bob", "ball"}));
   EXPECT_EQ(built.skeletons[0].joint_names, (Names{"hips", "sword", "spine", "head", "arm"}));
@@ -128,7 +128,7 @@ TEST(Skeletons, WhatCarriesNothingIsNoJoint) {
   EXPECT_EQ(built.skeletons.size(), 1u);
   EXPECT_TRUE(warns(notes, "motion-of-nothing", "/nodes/" + std::to_string(rig)));
   CookOptions options;
-  options.keep = {"cam*", "socket"};
+  options.prepare.keep = {"cam*", "socket"};
   Notes none;
   EXPECT_EQ(build_scene(d.read(), options, none).skeletons.at(0).joint_names,
             (Names{"hips", "rig", "cart", "spine", "camera", "head", "arm", "socket"}));
@@ -203,13 +203,13 @@ TEST(Skeletons, AdditiveClipsTakeTheReferenceOfTheirOwnSkeleton) {
   d.clip("stand");
   d.carry(a[2], {0, 1});
   CookOptions options;
-  options.additive = {{"aim", "stand"}};
+  options.clips.additive = {{"aim", "stand"}};
   const BuiltScene built = build(d, options);
   EXPECT_EQ(clip_names(built), (Names{"aim/0", "aim/1", "stand/0"}));
   ASSERT_EQ(built.clips[0].reference.size(), 1u);
   EXPECT_EQ(built.clips[0].reference[0].translation[1][2], 0.0f) << "the head as \"stand\" begins";
   EXPECT_TRUE(built.clips[1].reference.empty()) << "\"stand\" leaves Bob at rest";
-  options.additive = {{"aim", "no such clip"}};
+  options.clips.additive = {{"aim", "no such clip"}};
   EXPECT_THROW(build(d, options), Failure);
 }
 

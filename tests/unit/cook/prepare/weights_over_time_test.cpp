@@ -8,9 +8,9 @@
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/scene/node_motion.h"
-#include "options/options.h"
+#include "cook/options/options.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
 
@@ -228,7 +228,7 @@ TEST(WeightsOverTime, OneChannelForTwoJoints) {
 
 TEST(WeightsOverTime, AsAnOption) {
   const auto given = [](const std::string& text) {
-    return to_options(Given{{"weights-over-time", {{text, {"--weights-over-time", ""}}}}}).weights_over_time.at(0);
+    return to_options(Options{{"weights-over-time", {{text, {"--weights-over-time", ""}}}}}).weights_over_time.at(0);
   };
   const WeightsOverTime plain = given("hero.loose=mixamorig:Spine,pole");
   EXPECT_EQ(plain.channel, "hero.loose");
@@ -246,7 +246,7 @@ TEST(WeightsOverTime, AsAnOption) {
 // All the way: what the cooked file's vertices do at the end of the clip.
 TEST(WeightsOverTime, CookedAndPosed) {
   CookOptions options;
-  options.weights_over_time = {rule()};
+  options.prepare.weights_over_time = {rule()};
   const LoadedCook cooked(cook_scene(strip(), options));
   const Skins skins = skins_at(cooked.file, 0, 2, cooked.file.mesh(0));
   // The pole at (2, 0) has turned by 90°: (x, y) goes to (2 - y, x - 2).

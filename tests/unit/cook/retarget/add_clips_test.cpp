@@ -1,5 +1,5 @@
 // Clips of other files in a cooked file, the whole way: the sample character's own clips, put onto itself.
-#include "cook/add_clips.h"
+#include "cook/retarget/add_clips.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -16,9 +16,9 @@ namespace {
 
 CookOptions plain() {
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.images = Images::none;
-  options.raw_clips = true;
+  options.mesh.codec = MeshCodec::none;
+  options.source.images = Images::none;
+  options.clips.raw = true;
   return options;
 }
 
@@ -58,8 +58,8 @@ std::uint32_t index_of(const File& file, const std::string& name) {
 
 TEST(AddClips, OntoItselfAClipStaysAsItIs) {
   CookOptions options = plain();
-  options.retarget = {{test::newt_glb(), "", {}}};
-  options.mirror = {{"other", "walk", {}}, {"again", "other", {}}};
+  options.retarget.clips = {{test::newt_glb(), "", {}}};
+  options.retarget.mirror = {{"other", "walk", {}}, {"again", "other", {}}};
   const LoadedCook cooked(cook_file(test::newt_glb(), options));
   const LoadedCook before(cook_file(test::newt_glb(), plain()));
   EXPECT_EQ(cooked.file.skeleton(0).joint_count, before.file.skeleton(0).joint_count);
@@ -74,8 +74,8 @@ TEST(AddClips, OntoItselfAClipStaysAsItIs) {
 
 TEST(AddClips, PacksHaveTheAddedClipsAlone) {
   CookOptions options = plain();
-  options.retarget = {{test::newt_glb(), "", {}}};
-  options.mirror = {{"other", "walk", {}}};
+  options.retarget.clips = {{test::newt_glb(), "", {}}};
+  options.retarget.mirror = {{"other", "walk", {}}};
   options.clips_only = true;
   std::vector<std::string> expected = clip_names(LoadedCook(cook_file(test::newt_glb(), plain())).file);
   expected.push_back("other");
@@ -90,9 +90,9 @@ TEST(AddClips, CookedFilesAreSourcesToo) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "retarget_source.mrw";
   tools::write_file_atomically(path.string(), std::span<const std::byte>(cook_file(test::newt_glb(), plain()).file));
   CookOptions options = plain();
-  options.retarget = {{path.string(), "", {}}};
-  const CookResult result = cook_file(test::newt_glb(), options);
-  EXPECT_TRUE(std::ranges::any_of(result.reads, [&](const RawRead& read) {
+  options.retarget.clips = {{path.string(), "", {}}};
+  const Result result = cook_file(test::newt_glb(), options);
+  EXPECT_TRUE(std::ranges::any_of(result.reads, [&](const Read& read) {
     return read.path == std::filesystem::weakly_canonical(path).string();
   }));
   const LoadedCook cooked(result);
@@ -105,7 +105,7 @@ TEST(AddClips, MapsAreWrittenAndRead) {
   const std::string map = map_of(test::newt_glb(), test::newt_glb());
   std::ofstream(path) << map;
   CookOptions options = plain();
-  options.retarget = {{test::newt_glb(), path.string(), {}}};
+  options.retarget.clips = {{test::newt_glb(), path.string(), {}}};
   const LoadedCook cooked(cook_file(test::newt_glb(), options));
   EXPECT_LE(apart(cooked.file, index_of(cooked.file, "walk"), index_of(cooked.file, "newt.walk")), 0.01);
   std::ofstream(path) << map << "\"nobody\" = \"noone\"\n";

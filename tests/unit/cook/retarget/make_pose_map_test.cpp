@@ -263,9 +263,9 @@ TEST(MakePoseMap, WhatRestsHungUpIsWhereItSays) {
 
 CookOptions for_models() {
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.images = Images::none;
-  options.raw_clips = true;
+  options.mesh.codec = MeshCodec::none;
+  options.source.images = Images::none;
+  options.clips.raw = true;
   return options;
 }
 
@@ -294,7 +294,7 @@ TEST(MakePoseMap, OfARealModelIsWhatTheCookerMakes) {
   const Clip walk = rig.file.clip(rig.file.find_clip("pab_walk_raw"));
   for (const char* const name : {"mannequiny", "KayKit_Knight"}) {
     CookOptions options = for_models();
-    options.retarget = options.pose_maps = {{source, "", {}}};
+    options.retarget.clips = options.retarget.poses = {{source, "", {}}};
     const LoadedCook hero(cook_file(test::assets_folder() + "/" + name + ".glb", options));
     ASSERT_EQ(hero.file.pose_map_count(), 1u);
     const PoseMap map = hero.file.pose_map(hero.file.find_pose_map("pab"));

@@ -120,7 +120,7 @@ inline RawScene read_body(const std::vector<Joint>& body = kBody, const Motion& 
 
 inline CookOptions raw() {
   CookOptions options;
-  options.raw_clips = true;
+  options.clips.raw = true;
   return options;
 }
 

@@ -10,9 +10,9 @@ namespace {
 
 CookOptions plain() {
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.images = Images::none;
-  options.raw_clips = true;
+  options.mesh.codec = MeshCodec::none;
+  options.source.images = Images::none;
+  options.clips.raw = true;
   return options;
 }
 
@@ -30,7 +30,7 @@ TEST(RetargetModels, FeetStandAndHandsMeet) {
                          Bar{"KayKit_Knight", 20, 10, 15}, Bar{"ruby", 10, 10, 15}}) {
     const std::string path = test::assets_folder() + "/" + bar.file + ".glb";
     CookOptions options = plain();
-    options.retarget = {{source_path, "", {}}};
+    options.retarget.clips = {{source_path, "", {}}};
     const MeasuredBody target(path, options);
     for (const char* const clip : clips) {
       const HowCarried how = compare_bodies(source, source.clip(clip), target, target.clip(clip));
@@ -50,7 +50,7 @@ TEST(RetargetModels, FeetThatSwingStayOutOfTheGround) {
   if (!std::filesystem::exists(source_path)) GTEST_SKIP() << "no models; name their folder in MARROW_ASSETS";
   const MeasuredBody source(source_path, plain());
   CookOptions options = plain();
-  options.retarget = {{source_path, "", {}}};
+  options.retarget.clips = {{source_path, "", {}}};
   const MeasuredBody target(test::assets_folder() + "/KayKit_Knight.glb", options);
   const auto lowest = [](const MeasuredBody& body, const char* clip, float step_s) {
     const std::uint32_t at = body.clip(clip);

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/aligned_bytes.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "support/places.h"
 #include "unit/cook/roles/bodies_with_roles.h"
@@ -288,9 +288,9 @@ RoleTable expected_of(const Model& model) {
 
 CookOptions quick() {
   CookOptions options;
-  options.mesh_codec = MeshCodec::none;
-  options.raw_clips = true;
-  options.images = Images::none;
+  options.mesh.codec = MeshCodec::none;
+  options.clips.raw = true;
+  options.source.images = Images::none;
   return options;
 }
 
@@ -331,7 +331,7 @@ TEST(RoleModels, AreAsInTheirTables) {
       continue;
     }
     SCOPED_TRACE(model.file);
-    const CookResult cooked = cook_file(path.string(), quick());
+    const Result cooked = cook_file(path.string(), quick());
     const tools::AlignedBytes bytes(cooked.file);
     File file;
     ASSERT_EQ(load({bytes.data(), bytes.size()}, file), Status::ok);

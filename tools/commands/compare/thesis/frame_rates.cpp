@@ -8,7 +8,7 @@
 #include "bench/vertices.h"
 #include "commands/compare/thesis/tube.h"
 #include "common/check_status.h"
-#include "cook/cook.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/learn/learn.h"
 #include "deform/before_ssd.h"
 #include "deform/deformers.h"
@@ -131,7 +131,7 @@ class LearntKernels {
   static AlignedBytes cooked(const Tube& tube, const cook::LearnOptions& learn) {
     cook::CookOptions options;
     options.learn = learn;
-    options.mesh_codec = cook::MeshCodec::none;
+    options.mesh.codec = cook::MeshCodec::none;
     return AlignedBytes{std::span<const std::byte>(cook::cook_scene(tube.scene(), options).file)};
   }
 

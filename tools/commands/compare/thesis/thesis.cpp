@@ -9,7 +9,7 @@
 
 #include "common/failure.h"
 #include "common/files.h"
-#include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "cook/learn/check_truth.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"

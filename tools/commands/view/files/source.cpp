@@ -28,7 +28,7 @@ Source open_source(const std::string& path, const SourceOptions& options) {
   how.takes_roots = options.takes_roots;
   // A skeleton that is made takes the place of skins.
   how.look = [&](const cook::RawScene& scene, const cook::CookOptions& by) {
-    if (by.auto_skeleton.empty()) source.skins = skin_joints(scene);
+    if (by.prepare.auto_skeleton.empty()) source.skins = skin_joints(scene);
   };
   static_cast<OpenedCharacter&>(source) = open_character(path, how);
   source.images = source.cooked_here && options.images_from.empty() ? places_beside(path)

@@ -4,13 +4,13 @@
 #include <map>
 
 #include "cook/gltf/document/meshopt_view.h"
-#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/document/uri.h"
 
 namespace marrow::cook::gltf {
 namespace {
 
-constexpr std::uint64_t kMostExternalBytes = kLargestFile;
+constexpr std::uint64_t kMostExternalBytes = kMostBytes;
 // What compressed views may unfold to: so many bytes, and so many times the file's.
 constexpr std::uint64_t kFreeUnfolding = std::uint64_t{1} << 25;
 constexpr std::uint64_t kMostUnfolding = 16;
@@ -24,8 +24,8 @@ std::uint64_t count_or(const Json& object, const char* name, std::uint64_t fallb
 
 class Loader {
  public:
-  Loader(const Container& container, const std::optional<std::string>& folder, Report& report)
-      : container_(container), folder_(folder), report_(report) {}
+  Loader(const Container& container, Files* files, Report& report)
+      : container_(container), files_(files), report_(report) {}
 
   void add_buffer(const Json& buffer, std::size_t index) {
     const std::string where = pointer("buffers", index);
@@ -137,14 +137,12 @@ class Loader {
   }
 
   std::span<const std::byte> file_bytes(const std::string& uri, std::uint64_t length, const std::string& where) {
-    const std::string relative = decode_relative_uri(uri, where, report_);
-    if (!folder_) report_.unreadable(where, "cannot read", "a scene in memory has no folder; embed the buffer");
-    const std::string path = resolve_in_folder(*folder_, relative, where, report_);
+    const std::string path = name_beside(files_, report_.file(), uri, "buffer", where, report_);
     const auto known = owned_of_path_.find(path);
     if (known != owned_of_path_.end() && result.owned[known->second].size() >= length) {
       return result.owned[known->second];
     }
-    std::vector<std::byte> bytes = read_regular_file(path, length, where, report_);
+    std::vector<std::byte> bytes = read_scene_file(*files_, path, length, where, report_);
     result.external_bytes += bytes.size();
     if (result.external_bytes > kMostExternalBytes) {
       report_.unsupported(where, "buffers too large", "split the scene; 2 GiB is the limit");
@@ -154,7 +152,7 @@ class Loader {
   }
 
   const Container& container_;
-  const std::optional<std::string>& folder_;
+  Files* files_;
   Report& report_;
   std::map<std::string, std::size_t> owned_of_path_;
   std::vector<std::uint64_t> declared_length_;
@@ -163,9 +161,8 @@ class Loader {
 
 }  // namespace
 
-Buffers load_buffers(const Json& root, const Container& container, const std::optional<std::string>& folder,
-                     Report& report) {
-  Loader loader(container, folder, report);
+Buffers load_buffers(const Json& root, const Container& container, Files* files, Report& report) {
+  Loader loader(container, files, report);
   const Json none = Json::array();
   const Json& buffers = root.contains("buffers") ? root.at("buffers") : none;
   const Json& views = root.contains("bufferViews") ? root.at("bufferViews") : none;

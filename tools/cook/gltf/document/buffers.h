@@ -11,6 +11,7 @@
 #include "cook/gltf/document/container.h"
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
+#include "marrow/cook_host.h"
 
 namespace marrow::cook::gltf {
 
@@ -30,9 +31,8 @@ struct Buffers {
   std::uint64_t external_bytes = 0;  // read from files besides the scene's own
 };
 
-// `folder` is where relative URIs start; without one (a scene in memory) they are refused. Needs a schema-checked
+// `files` has what relative URIs name; null for a scene in memory, where they are refused. Needs a schema-checked
 // document. Every view lies in its buffer afterwards. Views into `container` stay views.
-Buffers load_buffers(const Json& root, const Container& container, const std::optional<std::string>& folder,
-                     Report& report);
+Buffers load_buffers(const Json& root, const Container& container, Files* files, Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -82,9 +82,11 @@ class Report {
   void mend_nothing(std::string because) { mends_nothing_because_ = std::move(because); }
   bool mends() const { return mends_nothing_because_.empty(); }
 
+  const std::string& file() const { return file_; }
+
   // Every file that the scene's meaning depends on, as it was read.
-  void note_read(RawRead read) { reads_.push_back(std::move(read)); }
-  std::vector<RawRead> take_reads() { return std::move(reads_); }
+  void note_read(Read read) { reads_.push_back(std::move(read)); }
+  std::vector<Read> take_reads() { return std::move(reads_); }
 
   // The warnings so far; repetitions of one rule beyond a handful are counted, not listed.
   std::vector<RawWarning> take_warnings();
@@ -93,7 +95,7 @@ class Report {
   std::string file_;
   std::string mends_nothing_because_;
   std::vector<RawWarning> warnings_;
-  std::vector<RawRead> reads_;
+  std::vector<Read> reads_;
   std::map<std::string, std::size_t> count_of_rule_;
 };
 

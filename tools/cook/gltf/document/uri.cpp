@@ -1,10 +1,7 @@
-// Turns URIs of an untrusted scene into bytes or into paths that stay in the scene's folder.
 #include "cook/gltf/document/uri.h"
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <system_error>
 
 namespace marrow::cook::gltf {
 namespace {
@@ -136,21 +133,6 @@ std::string decode_relative_uri(std::string_view uri, const std::string& where, 
     start = end + 1;
   }
   return path;
-}
-
-std::string resolve_in_folder(const std::string& folder, const std::string& relative, const std::string& where,
-                              const Report& report) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path base = fs::weakly_canonical(folder.empty() ? fs::path(".") : fs::path(folder), error);
-  if (error) report.unreadable(where, "cannot read the scene's folder", error.message());
-  const fs::path target = fs::weakly_canonical(base / relative, error);
-  if (error) report.unreadable(where, "cannot read", error.message() + "; check the name");
-  const auto [end_of_base, unused] = std::mismatch(base.begin(), base.end(), target.begin(), target.end());
-  if (end_of_base != base.end()) {
-    report.invalid(where, "URI not allowed", "a link leads out of the scene's folder; put the file beside the scene");
-  }
-  return target.string();
 }
 
 }  // namespace marrow::cook::gltf

@@ -1,8 +1,7 @@
-// Turns URIs of an untrusted scene into bytes or into paths that stay in the scene's folder.
+// Turns URIs of an untrusted scene into bytes or into relative paths.
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,9 +23,5 @@ DataUri decode_data_uri(std::string_view uri, const std::string& where, const Re
 // The relative path that a URI names, percent-decoded once. Refuses schemes, absolute paths, backslashes, control
 // characters and any way up.
 std::string decode_relative_uri(std::string_view uri, const std::string& where, const Report& report);
-
-// Where that path leads on this machine; refuses links that leave `folder`.
-std::string resolve_in_folder(const std::string& folder, const std::string& relative, const std::string& where,
-                              const Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -7,14 +7,14 @@
 #include <set>
 #include <string_view>
 
-#include "cook/gltf/document/regular_file.h"
+#include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/document/uri.h"
 #include "text/nearest.h"
 
 namespace marrow::cook::gltf {
 namespace {
 
-constexpr std::uint64_t kMostImageBytes = kLargestFile;  // of all that are read from files
+constexpr std::uint64_t kMostImageBytes = kMostBytes;  // of all that are read from files
 
 struct FormatName {
   ImageFormat format;
@@ -56,9 +56,9 @@ ImageFormat format_of_uri(std::string_view uri) {
 
 class ImageImporter {
  public:
-  ImageImporter(const Document& document, const std::optional<std::string>& folder, Budget& budget,
+  ImageImporter(const Document& document, Files* files, Budget& budget,
                 std::uint64_t& external_bytes, Report& report)
-      : document_(document), folder_(folder), budget_(budget), external_bytes_(external_bytes), report_(report) {}
+      : document_(document), files_(files), budget_(budget), external_bytes_(external_bytes), report_(report) {}
 
   RawImage import(std::size_t index, bool with_bytes) {
     const Json& image = document_.looks.at("images")[index];
@@ -108,10 +108,8 @@ class ImageImporter {
 
   // A file named twice is read and counted twice: it is the sum of what is held.
   std::vector<std::byte> file_bytes(const std::string& uri, const std::string& where) {
-    const std::string relative = decode_relative_uri(uri, where, report_);
-    if (!folder_) report_.unreadable(where, "cannot read", "a scene in memory has no folder; embed the image");
-    const std::string path = resolve_in_folder(*folder_, relative, where, report_);
-    std::vector<std::byte> bytes = read_regular_file(path, kLargestFile + 1, where, report_);
+    const std::string path = name_beside(files_, report_.file(), uri, "image", where, report_);
+    std::vector<std::byte> bytes = read_scene_file(*files_, path, kMostBytes + 1, where, report_);
     image_bytes_ += bytes.size();
     if (image_bytes_ > kMostImageBytes) report_.unsupported(where, "images too large", "2 GiB is the limit");
     external_bytes_ += bytes.size();
@@ -133,7 +131,7 @@ class ImageImporter {
   }
 
   const Document& document_;
-  const std::optional<std::string>& folder_;
+  Files* files_;
   Budget& budget_;
   std::uint64_t& external_bytes_;
   Report& report_;
@@ -172,12 +170,12 @@ void check_image_uris(const Json& root, Report& report) {
 }
 
 std::vector<RawImage> import_images(const Document& document, const Materials& materials,
-                                    const std::optional<std::string>& folder, bool with_bytes, Budget& budget,
+                                    Files* files, bool with_bytes, Budget& budget,
                                     std::uint64_t& external_bytes, Report& report) {
   const auto list = document.looks.find("images");
   std::vector<RawImage> images(list == document.looks.end() ? 0 : list->size());
   std::vector<bool> known(images.size(), false);
-  ImageImporter importer(document, folder, budget, external_bytes, report);
+  ImageImporter importer(document, files, budget, external_bytes, report);
   const auto import = [&](std::size_t index) {
     if (!known[index]) images[index] = importer.import(index, with_bytes);
     known[index] = true;

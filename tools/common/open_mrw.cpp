@@ -1,0 +1,10 @@
+#include "common/files.h"
+#include "common/load_mrw.h"
+
+namespace marrow::tools {
+
+LoadedFile load_mrw(const std::string& path) {
+  return load_mrw(path, read_file(path));
+}
+
+}  // namespace marrow::tools

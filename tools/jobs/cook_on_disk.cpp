@@ -1,0 +1,44 @@
+#include "jobs/cook_on_disk.h"
+
+#include <utility>
+
+#include "common/disk_files.h"
+#include "common/thread_pool.h"
+#include "cook/read_inputs.h"
+
+namespace marrow::cook {
+
+RawScene read_source(const std::string& path, const CookOptions& options) {
+  tools::DiskFiles files;
+  return read_source(path, files, options.source);
+}
+
+RawScene read_rig(const std::string& path) {
+  tools::DiskFiles files;
+  return read_rig(path, files);
+}
+
+Character read_character(const std::string& path) {
+  tools::DiskFiles files;
+  std::vector<Read> reads;
+  return read_character(path, {files, &tools::all_cores(), {}, nullptr}, reads);
+}
+
+Result cook_file(const std::string& path, const CookOptions& options) {
+  tools::DiskFiles files;
+  return cook_source(path, options, {files, &tools::all_cores(), {}, nullptr});
+}
+
+Result cook_scene(RawScene scene, const CookOptions& options) {
+  tools::DiskFiles files;
+  return cook_scene(std::move(scene), options, {files, &tools::all_cores(), {}, nullptr});
+}
+
+CookOptions with_named_files(CookOptions options) {
+  tools::DiskFiles files;
+  std::vector<Read> reads;
+  read_named_files(options, files, reads);
+  return options;
+}
+
+}  // namespace marrow::cook

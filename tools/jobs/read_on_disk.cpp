@@ -1,0 +1,18 @@
+#include "jobs/read_on_disk.h"
+
+#include "common/disk_files.h"
+#include "cook/bvh/read_bvh.h"
+
+namespace marrow::cook {
+
+RawScene read_gltf(const std::string& path, const ReadOptions& options) {
+  tools::DiskFiles files;
+  return read_gltf(path, files, options);
+}
+
+RawScene read_bvh(const std::string& path) {
+  tools::DiskFiles files;
+  return read_bvh(path, files);
+}
+
+}  // namespace marrow::cook
