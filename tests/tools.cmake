@@ -204,7 +204,7 @@ marrow_fuzz(gltf 10000 golden/*.gltf marrow_gltf)
 marrow_fuzz(bvh 10000 fuzz/seeds/*.bvh marrow_gltf)
 marrow_fuzz(unpack 10000 fuzz/seeds/*.mrw marrow::draco marrow::meshopt)
 marrow_fuzz(vertices 10000 fuzz/seeds/*.vertices marrow_gltf)
-marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_options)
+marrow_fuzz(settings 10000 fuzz/seeds/*.toml marrow_disk)
 add_dependencies(marrow_hostile marrow_gltf_fuzz marrow_bvh_fuzz marrow_unpack_fuzz marrow_vertices_fuzz marrow_settings_fuzz marrow_input_tests)
 set_property(TEST input APPEND PROPERTY LABELS hostile)
 

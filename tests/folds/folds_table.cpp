@@ -14,11 +14,11 @@
 #include "common/evenly.h"
 #include "common/parallel.h"
 #include "cook/gltf/read.h"
+#include "cook/options/options.h"
 #include "deform/elastic/elastic.h"
 #include "deform/look/folds.h"
 #include "deform/motion/motion_errors.h"
 #include "deform/surface.h"
-#include "cook/options/options.h"
 
 namespace marrow::tools {
 namespace {

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
@@ -15,6 +14,7 @@
 #include "gles3/mesh/prepare.h"
 #include "gles3/palettes.h"
 #include "gles3/program.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "render/performance.h"
 #include "support/aligned.h"

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/scene/views.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "road/cooked.h"

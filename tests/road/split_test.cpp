@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "common/unpack_mrw.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "export/export.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "support/aligned.h"
 #include "support/millipede.h"

@@ -5,7 +5,6 @@
 #include "common/failure.h"
 #include "common/formats.h"
 #include "jobs/cook_on_disk.h"
-#include "jobs/cook_on_disk.h"
 #include "jobs/settings.h"
 
 namespace marrow::tools {

@@ -2,8 +2,8 @@
 // poses by layers that a game fills by hand; and a frame of a crowd.
 #include "bench/workload.h"
 #include "common/check_status.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/blend_space.h"
 #include "marrow/owned.h"
 #include "marrow/phase.h"

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {

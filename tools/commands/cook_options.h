@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "jobs/cooker.h"
 #include "cook/options/options.h"
+#include "jobs/cooker.h"
 
 namespace marrow::tools {
 

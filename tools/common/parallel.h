@@ -18,7 +18,7 @@ class Threads {
 
 // What the loops of one piece of work run on, and what ends it.
 struct Work {
-  Threads* threads = nullptr;                // null: the caller's own thread
+  Threads* threads = nullptr;               // null: the caller's own thread
   const std::atomic<bool>* stop = nullptr;  // once it is true, loops throw Failure (interrupted); null: never
 };
 

@@ -71,9 +71,9 @@ BuiltScene build_character(RawScene given, const CookOptions& options, Notes& no
   out.pose_maps = make_pose_maps({scene.source, out.skeletons}, options.retarget.poses, notes);
   measure_motions(scene, full, options.motion, out, notes);
   BuiltNodes nodes = build_nodes(scene, out, options.prepare.keep, notes);
-  out.clips = build_clips(scene, out,
-                          {distinct_views(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
-                          options.clips, notes);
+  out.clips =
+      build_clips(scene, out, {distinct_views(meshes), nodes.nodes, morphed_meshes(meshes.meshes, meshes.geometries)},
+                  options.clips, notes);
   out.packs_clips = options.mesh.codec != MeshCodec::none;
   out.geometries = std::move(meshes.geometries);
   out.learnt = std::move(meshes.learnt);
@@ -123,7 +123,8 @@ Result cook_source(const std::string& name, CookOptions options, const Host& hos
   Notes{{}, &host}.begin(Stage::read);
   RawScene scene = read_source(name, host.files, options.source);
   if (!options.skeleton_file.empty() && !options.onto)
-    options.onto = std::make_shared<Character>(read_character(options.skeleton_file, {host.files, host.threads, {}, host.stop}, scene.reads));
+    options.onto = std::make_shared<Character>(
+        read_character(options.skeleton_file, {host.files, host.threads, {}, host.stop}, scene.reads));
   return cook_scene(std::move(scene), std::move(options), host);
 }
 

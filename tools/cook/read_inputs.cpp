@@ -5,9 +5,7 @@
 #include <utility>
 
 #include "common/failure.h"
-#include "common/formats.h"
 #include "common/hash.h"
-#include "cook/bvh/read_bvh.h"
 #include "cook/prepare/mirrors.h"
 #include "cook/retarget/cooked_motion.h"
 #include "cook/retarget/retarget_map.h"
@@ -83,18 +81,6 @@ class Reader {
 };
 
 }  // namespace
-
-RawScene read_source(const std::string& name, Files& files, const SourceOptions& options) {
-  if (!tools::is_named_bvh(name))
-    return read_gltf(
-        name, files,
-        {.image_bytes = options.images == Images::embed, .scene = options.scene, .strict = options.strict});
-  const SceneChoice& scene = options.scene;
-  if (!scene.name.empty() && scene.origin.must_fit)
-    throw tools::Failure(tools::Exit::usage, scene.origin.file, scene.origin.where, "motion capture has no scenes",
-                         "leave it out for " + name);
-  return read_bvh(name, files);
-}
 
 RawScene read_rig(const std::string& name, Files& files) {
   return with_one_form_of_mirrors(name.ends_with(".mrw") ? read_cooked_motion(name, files)

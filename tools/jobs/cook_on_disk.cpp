@@ -8,11 +8,6 @@
 
 namespace marrow::cook {
 
-RawScene read_source(const std::string& path, const CookOptions& options) {
-  tools::DiskFiles files;
-  return read_source(path, files, options.source);
-}
-
 RawScene read_rig(const std::string& path) {
   tools::DiskFiles files;
   return read_rig(path, files);

@@ -11,7 +11,6 @@
 
 namespace marrow::cook {
 
-RawScene read_source(const std::string& path, const CookOptions& options);
 RawScene read_rig(const std::string& path);
 Character read_character(const std::string& path);
 Result cook_file(const std::string& path, const CookOptions& options);

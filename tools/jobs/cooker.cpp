@@ -143,8 +143,7 @@ Cook::Cooked Cook::cook(const Order& order, const Show& show) {
   if (!result) {
     CountingFiles files;
     std::optional<MemoryGate::Pass> pass;  // once it is known how much has been read
-    const cook::Host host{files,
-                          &all_cores(),
+    const cook::Host host{files, &all_cores(),
                           [&](cook::Stage stage, std::size_t done, std::size_t count) {
                             if (stage == cook::Stage::prepare && !pass)
                               pass.emplace(memory_, files.bytes() << (2 * options.mesh.subdivide));

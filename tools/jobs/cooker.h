@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
+#include "cook/options/options.h"
 #include "cook/scene/cook_options.h"
 #include "jobs/batch.h"
 #include "jobs/cache.h"
 #include "jobs/outcome.h"
-#include "cook/options/options.h"
 #include "jobs/settings.h"
 
 namespace marrow::tools {

@@ -2,6 +2,7 @@
 
 #include "common/disk_files.h"
 #include "cook/bvh/read_bvh.h"
+#include "cook/read_inputs.h"
 
 namespace marrow::cook {
 
@@ -13,6 +14,11 @@ RawScene read_gltf(const std::string& path, const ReadOptions& options) {
 RawScene read_bvh(const std::string& path) {
   tools::DiskFiles files;
   return read_bvh(path, files);
+}
+
+RawScene read_source(const std::string& path, const CookOptions& options) {
+  tools::DiskFiles files;
+  return read_source(path, files, options.source);
 }
 
 }  // namespace marrow::cook

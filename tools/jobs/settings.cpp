@@ -23,8 +23,7 @@ FileRule read_rule(const std::string& path, const toml::node& node) {
   FileRule rule;
   rule.where = tools::place_of(table->source());
   const toml::node* const match = table->get("match");
-  if (match == nullptr)
-    reader.fail(*table, "the rule does not say which files", "give match = \"chars/hero*.glb\"");
+  if (match == nullptr) reader.fail(*table, "the rule does not say which files", "give match = \"chars/hero*.glb\"");
   for (const Value& value : strings_of(path, "match", *match)) rule.match.push_back(value.text);
   if (rule.match.empty()) reader.fail(*match, "\"match\" names no files", "give a name, * and ? allowed");
   rule.given = options_of(path, *table, "match");
@@ -45,8 +44,7 @@ Settings parse_settings(const std::string& path, std::string_view text) {
   settings.defaults = options_of(path, root, "file");
   if (const toml::node* const rules = root.get("file")) {
     const toml::array* const array = rules->as_array();
-    if (array == nullptr)
-      tools::TomlReader(path).fail(*rules, "\"file\" must be a list of tables", "write [[file]]");
+    if (array == nullptr) tools::TomlReader(path).fail(*rules, "\"file\" must be a list of tables", "write [[file]]");
     for (const toml::node& rule : *array) settings.rules.push_back(read_rule(path, rule));
   }
   return settings;

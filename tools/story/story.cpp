@@ -11,8 +11,8 @@
 
 #include "behave/behaviour.h"
 #include "common/files.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "sample/embedded.h"
 #include "story/adjust.h"
 #include "story/eight.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "support/places.h"
 
 namespace marrow::test {

@@ -371,7 +371,7 @@ RandomScene Maker::make() {
   out_.character = text_of(scene_, false);
   out_.together = text_of(scene_, true);
   constexpr double kErrors[] = {1e-4, 5e-4, 2e-3};
-  out_.clips.error = kErrors[random_.below(3)];
+  out_.clip_error = kErrors[random_.below(3)];
   return std::move(out_);
 }
 

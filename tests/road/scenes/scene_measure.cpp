@@ -8,9 +8,9 @@
 
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "road/reference.h"
 #include "support/aligned.h"
@@ -224,7 +224,7 @@ class Comparison {
   Comparison(const RandomScene& scene, const Reference& reference, const std::vector<Moment>& moments, SceneErrors& out)
       : scene_(scene), reference_(reference), moments_(moments), out_(out) {}
 
-  double clip_error_m() const { return scene_.clips.error * reference_.diagonal(); }
+  double clip_error_m() const { return scene_.clip_error * reference_.diagonal(); }
   void run(Cooking how);
 
  private:
@@ -245,8 +245,8 @@ class Comparison {
 
 CookOptions Comparison::options(Cooking how) const {
   CookOptions out;
-  out.effort = cook::Effort::fast;
-  out.keep_vertex_order = true;
+  out.clips.effort = cook::Effort::fast;
+  out.mesh.keep_vertex_order = true;
   if (how == Cooking::lossless || how == Cooking::clips) out.mesh.codec = MeshCodec::none;
   out.clips.raw = how == Cooking::lossless || how == Cooking::packed;
   out.clips.error = {{"", clip_error_m(), false}};
@@ -343,7 +343,7 @@ void Comparison::hold_promise(Cooking how, const nlohmann::ordered_json& clips) 
 void Comparison::run(Cooking how) {
   how_ = how;
   CookOptions plain = options(how), with_changes = plain;
-  for (const auto& [clip, over] : scene_.additive) with_changes.additive.push_back({clip, over});
+  for (const auto& [clip, over] : scene_.additive) with_changes.clips.additive.push_back({clip, over});
   const Loaded character(cook::cook_scene(read(scene_.character), with_changes));
   std::optional<Loaded> pack;
   if (!scene_.pack.empty()) {
@@ -376,7 +376,7 @@ SceneErrors measure(const RandomScene& scene) {
     if (scene.additive.empty()) return out;
     // A change that cannot be had: the clips are looked at as they are.
     RandomScene plain = scene;
-    plain.clips.additive.clear();
+    plain.additive.clear();
     SceneErrors again = measure(plain);
     if (again.refused.empty()) again.refused = out.refused;
     return again;

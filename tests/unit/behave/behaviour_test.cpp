@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "behave/behaviour.h"
+#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/files.h"
 #include "support/places.h"
@@ -216,7 +217,8 @@ TEST(FindGraph, ByNameNumberAndPack) {
   cook::CookOptions options;
   options.graphs = {{"a.toml", "output = \"walk\"", {}}, {"b.toml", "output = \"idle\"", {}}};
   const std::string pack = ::testing::TempDir() + "find_graph_pack.mrw";
-  const cook::Result cooked = cook::cook_graphs(options);
+  DiskFiles files;
+  const cook::Result cooked = cook::cook_graphs(options, {files, nullptr, {}, nullptr});
   write_file_atomically(pack, std::span<const std::byte>(cooked.file));
   EXPECT_TRUE(cooked.report["warnings"].empty()) << "its clips come from elsewhere";
   EXPECT_EQ(std::string(find_graph("f", two.file, "b@" + pack).graph.name), "b");

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cook/prepare/add_skeleton.h"
+#include "cook/rig/read_template.h"
 #include "deform/rig/auto_skeleton.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
@@ -154,8 +155,8 @@ TEST(Growth, ASkeletonThatIsSearchedForInVain) {
   SceneDocument d = triangles(positions, indices);
   const Stopwatch watch;
   Notes notes;
-  expect_failure([&] { add_skeleton(d.read(), "quadruped", notes); }, Exit::invalid, "/meshes",
-                 "template-does-not-fit");
+  expect_failure([&] { add_skeleton(d.read(), "quadruped", parse_template("", builtin_template("quadruped")), notes); },
+                 Exit::invalid, "/meshes", "template-does-not-fit");
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 #include "common/failure.h"
 #include "common/hash.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
-#include "jobs/depfile.h"
 #include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
+#include "jobs/depfile.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {

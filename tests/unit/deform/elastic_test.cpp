@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/parallel.h"
+#include "common/thread_pool.h"
 #include "deform/elastic/node_weights.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
@@ -182,9 +182,9 @@ TEST(Elastic, KeepsWhatTwistsWring) {
 
 TEST(Elastic, GivesTheSameOnAnyNumberOfThreads) {
   const SkinnedMesh mesh = cylinder();
-  tools::set_thread_count(1);
   const Positions one = posed(Elastic(mesh, {}, kFew), kBent);
   tools::set_thread_count(2);
+  const tools::UseWork work({&tools::all_cores(), nullptr});
   const Elastic elastic(mesh, {}, kFew);
   std::vector<Positions> several(4);
   tools::for_each_in_parallel(several.size(), [&](std::size_t i) { elastic.pose(kBent, several[i]); });

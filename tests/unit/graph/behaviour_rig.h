@@ -72,7 +72,7 @@ inline GraphRigMade behaviour_rig(const std::vector<BehaviourClip>& clips,
     out.scene.clips.push_back(bending_clip(out.scene, clip));
   }
   out.options = graph_options(out.clips);
-  out.options.additive = additive;
+  out.options.clips.additive = additive;
   return out;
 }
 

@@ -59,7 +59,7 @@ GraphRigMade face_rig() {
     if (name == "c" || name == "anger") drive(clip, 2, 0.75f, 0.75f, 1);
   }
   out.options = graph_options(out.clips);
-  out.options.additive = {{"anger", "rest", {}}};
+  out.options.clips.additive = {{"anger", "rest", {}}};
   return out;
 }
 

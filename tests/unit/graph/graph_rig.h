@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/graph/build_graph.h"
 #include "cook/write/write_scene.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "unit/cook/retarget/raw_rig.h"
 

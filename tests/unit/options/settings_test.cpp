@@ -64,15 +64,15 @@ strict = true
   EXPECT_EQ(hero.clips.error[1].error, 0.05e-3);
   EXPECT_EQ(hero.clips.error[2].joints, "hand*");
   EXPECT_FALSE(hero.clips.error[2].origin.must_fit);
-  ASSERT_EQ(hero.additive.size(), 1u);
-  EXPECT_EQ(hero.additive[0].reference, "rest");
-  EXPECT_EQ(hero.additive[0].origin.where, "8:13");
+  ASSERT_EQ(hero.clips.additive.size(), 1u);
+  EXPECT_EQ(hero.clips.additive[0].reference, "rest");
+  EXPECT_EQ(hero.clips.additive[0].origin.where, "8:13");
   EXPECT_TRUE(hero.clips.raw);
-  EXPECT_FALSE(hero.keep_vertex_order);
-  EXPECT_EQ(hero.scene.name, "attic");
-  EXPECT_EQ(hero.scene.origin.where, "14:9");
-  EXPECT_FALSE(hero.scene.origin.must_fit);
-  EXPECT_TRUE(hero.strict);
+  EXPECT_FALSE(hero.mesh.keep_vertex_order);
+  EXPECT_EQ(hero.source.scene.name, "attic");
+  EXPECT_EQ(hero.source.scene.origin.where, "14:9");
+  EXPECT_FALSE(hero.source.scene.origin.must_fit);
+  EXPECT_TRUE(hero.source.strict);
 }
 
 TEST(Settings, EveryOptionOfTheCommandLineIsKnown) {

@@ -12,8 +12,8 @@
 #include "commands/view/paint/painting.h"
 #include "common/failure.h"
 #include "common/files.h"
-#include "jobs/cook_on_disk.h"
 #include "deform/weights/place_tree.h"
+#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
 

@@ -20,7 +20,7 @@ struct CompareArguments {
   bool thesis = false, full = false;  // the thesis's comparison instead; with every path and normals
   int eigen_fields = kEigenFields;
   std::vector<double> frames_hz;  // for each: how far clips are off between so many frames a second
-  cook::Options given;              // --truth, --delta-mush, --keep-bind-pose, as for `cook`
+  cook::Options given;            // --truth, --delta-mush, --keep-bind-pose, as for `cook`
 };
 
 // Throws Failure.

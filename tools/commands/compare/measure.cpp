@@ -13,9 +13,9 @@
 #include "commands/compare/look/jumps.h"
 #include "common/parallel.h"
 #include "common/unpack_mrw.h"
-#include "jobs/cook_on_disk.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "common/check_status.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/scene/matrices.h"
 #include "deform/surface.h"
 #include "image/jpeg.h"
+#include "jobs/cook_on_disk.h"
 #include "render/legend.h"
 #include "text/quantity.h"
 

@@ -15,8 +15,8 @@
 #include "common/formats.h"
 #include "common/parallel.h"
 #include "common/thread_pool.h"
-#include "marrow/cook.h"
 #include "jobs/depfile.h"
+#include "marrow/cook.h"
 #include "terminal/progress.h"
 
 namespace marrow::tools {

@@ -173,8 +173,8 @@ bool draws_meshes(const tinygltf::Model& model) {
   return std::ranges::any_of(model.nodes, [](const tinygltf::Node& node) { return node.mesh >= 0; });
 }
 
-RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, Files* files,
-                    const ReadOptions& options, Report& report) {
+RawScene read_scene(const std::string& name, std::span<const std::byte> bytes, Files* files, const ReadOptions& options,
+                    Report& report) {
   if (options.strict) report.mend_nothing("as --strict asks");
   const Container container = split_container(bytes, report);
   const Document document = read_document(container, files, report);

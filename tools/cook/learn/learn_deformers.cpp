@@ -75,8 +75,7 @@ std::uint32_t multi_weight_root(const DeformSource& source) {
 
 LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin,
                                 const BuiltScene& built, const MeshOptions& options, const LearnOptions& wanted,
-                                MeshGrid grid,
-                                const SkinBinding& binding, Notes& notes) {
+                                MeshGrid grid, const SkinBinding& binding, Notes& notes) {
   LearntDeformers out;
   if (!wanted.multi_weights && wanted.pose_examples == 0) return out;
   grid.residual_step = binding.residual_step_m;

@@ -18,7 +18,6 @@ struct LearntDeformers {
 // each that is not shipped, as it does not beat SSD in poses left out. grid: of positions.
 LearntDeformers learn_deformers(const RawScene& scene, const RawMesh& mesh, const RawSkin& skin,
                                 const BuiltScene& built, const MeshOptions& options, const LearnOptions& wanted,
-                                MeshGrid grid,
-                                const SkinBinding& binding, Notes& notes);
+                                MeshGrid grid, const SkinBinding& binding, Notes& notes);
 
 }  // namespace marrow::cook

@@ -30,8 +30,8 @@ void set_lod(CookOptions& options, const Value& given) {
   for (bool good = true; good;) {
     LodRule rule;
     auto read = std::from_chars(at, end, rule.ratio);
-    good =
-        read.ec == std::errc() && rule.ratio > 0 && rule.ratio < (options.mesh.lod.empty() ? 1 : options.mesh.lod.back().ratio);
+    good = read.ec == std::errc() && rule.ratio > 0 &&
+           rule.ratio < (options.mesh.lod.empty() ? 1 : options.mesh.lod.back().ratio);
     if (good && read.ptr != end && *read.ptr == ':') {
       read = std::from_chars(read.ptr + 1, end, rule.influences);
       good = read.ec == std::errc() && rule.influences >= 1 && rule.influences <= kMaxInfluences;
@@ -92,7 +92,8 @@ constexpr Option kMeshOptions[] = {
     {"subdivide", OptionKind::text, "N",
      "four times the triangles, N times, by Loop's scheme, which rounds the mesh off; what `skin_as` deforms by is "
      "exactly the posed mesh subdivided where --as learns it (docs/deformers.md); 0: none",
-     names_in<kSubdivisions>, [](CookOptions& o, const Value& v) { o.mesh.subdivide = *value_of(kSubdivisions, v.text); }},
+     names_in<kSubdivisions>,
+     [](CookOptions& o, const Value& v) { o.mesh.subdivide = *value_of(kSubdivisions, v.text); }},
     {"lod",
      OptionKind::text,
      "R[:N][,R[:N]...]",

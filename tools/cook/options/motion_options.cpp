@@ -1,5 +1,5 @@
-#include "marrow/clip_motion.h"
 #include "cook/options/option_lists.h"
+#include "marrow/clip_motion.h"
 
 namespace marrow::cook {
 namespace {

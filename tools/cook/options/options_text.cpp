@@ -81,8 +81,7 @@ class Reader {
       const std::string left(key->str());
       const auto* const text = value->as_string();
       if (text == nullptr) fail(tools::place_of(value->source()), "\"" + left + "\" must be a string", "quote it");
-      if (left.find('=') != std::string::npos)
-        fail(tools::place_of(key->source()), "a name with =", "leave it out");
+      if (left.find('=') != std::string::npos) fail(tools::place_of(key->source()), "a name with =", "leave it out");
       out.push_back(value_of(left + "=" + text->get(), *value));
     }
     return out;

@@ -106,13 +106,13 @@ struct LearnOptions {
   deform::Deformer known_elastic;  // that truth of the only mesh, where it has been made
   std::string examples_file;
   std::shared_ptr<const RawScene> examples;  // that file
-  int helpers = 0;     // between the joints that vertices share, at most; or kAutoHelpers
+  int helpers = 0;                           // between the joints that vertices share, at most; or kAutoHelpers
   int influences = 0;  // that a vertex may have, more where its weights need them; 0: 4, with helpers 5
   bool keep_bind_pose = false;
   bool wide_poses = false;  // learn from poses far beyond the clips' too
   bool multi_weights = false;
-  int pose_examples = 0;      // of pose space, at most; 0: none
-  int eigen_targets = 0;      // morph targets by EigenSkin, at most; 0: none
+  int pose_examples = 0;  // of pose space, at most; 0: none
+  int eigen_targets = 0;  // morph targets by EigenSkin, at most; 0: none
 };
 
 // A shape at a point of a space, see marrow/example_space.h.
@@ -220,7 +220,7 @@ struct SourceOptions {
 };
 
 struct PrepareOptions {
-  std::string auto_skeleton;  // a template's name; empty: the file's own skeletons
+  std::string auto_skeleton;                                 // a template's name; empty: the file's own skeletons
   std::shared_ptr<const deform::SkeletonTemplate> skeleton;  // that template
   WeightOptions weights;
   std::vector<WeightsOverTime> weights_over_time;
@@ -243,9 +243,9 @@ struct MeshOptions {
   double position_error = 0;  // 0: as 14 bits on the longest side
   bool position_error_is_share = false;
   MeshPrecision precision;
-  std::vector<LodRule> lod;         // ever coarser, at most kMostLods
-  std::size_t most_entries = 341;   // palette entries of a mesh; primitives with more are split
-  bool keep_vertex_order = false;   // remember where every vertex of the source went
+  std::vector<LodRule> lod;        // ever coarser, at most kMostLods
+  std::size_t most_entries = 341;  // palette entries of a mesh; primitives with more are split
+  bool keep_vertex_order = false;  // remember where every vertex of the source went
 };
 
 // Clips and poses of other rigs, and mirrors.

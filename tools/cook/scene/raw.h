@@ -223,7 +223,7 @@ struct RawScene {
   std::vector<RawSpring> springs;
   std::vector<RawCollider> colliders;  // at most kMaxSpringColliders
   std::vector<RawWarning> warnings;    // of whoever read it
-  std::vector<Read> reads;          // the scene's own file first; empty for a scene in memory
+  std::vector<Read> reads;             // the scene's own file first; empty for a scene in memory
 };
 
 }  // namespace marrow::cook

@@ -8,9 +8,9 @@
 
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/geometry/build_geometry.h"
 #include "cook/gltf/read.h"
+#include "jobs/cook_on_disk.h"
 #include "support/double_math.h"
 #include "support/rig.h"
 #include "unit/cook/gltf/document.h"
@@ -169,7 +169,7 @@ TEST(Morphs, AreSparseAndExactToHalfAStep) {
   CookOptions options;
   options.mesh.codec = MeshCodec::none;
   options.mesh.keep_vertex_order = true;
-  const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}, {}}), 1, {}, options);
+  const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}, {}}), 1, {}, options.mesh);
   const std::byte* const base = built.section.data();
   const format::GeometryLayout geometry = layout(built.header);
   format::MorphHeader h;

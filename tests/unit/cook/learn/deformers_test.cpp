@@ -82,7 +82,7 @@ BuiltGeometry build_fitted(const FittedCylinder& source, const DeformerData& dat
   options.mesh.codec = codec;
   options.mesh.keep_vertex_order = true;
   const MeshGrid grid{glm::dvec3(-8), FittedCylinder::kStep};
-  return build_geometry(source.primitive, source.bindings, 2, grid, options, data);
+  return build_geometry(source.primitive, source.bindings, 2, grid, options.mesh, data);
 }
 
 // A file round a geometry, as load() takes it.

@@ -7,11 +7,11 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
+#include "cook/options/options.h"
 #include "cook/scene/node_motion.h"
 #include "deform/deformers.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/morph.h"
-#include "cook/options/options.h"
 #include "unit/cook/loaded_cook.h"
 
 namespace marrow::cook {

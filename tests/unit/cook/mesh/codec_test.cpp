@@ -242,7 +242,8 @@ void expect_surface(const RawPrimitive& source, const Loaded& loaded, const Cook
     for (std::size_t c = 0; c < 3 && g.normals != nullptr; ++c)
       angle += double{g.normals[slot / 4 * 12 + 4 * c + slot % 4]} * double{source.normals[v][static_cast<int>(c)]};
     if (g.normals != nullptr && !source.normals.empty()) {
-      ASSERT_LE(std::acos(std::min(1.0, angle)) * 180 / kPi, exact ? 0.05 : options.mesh.precision.normal_error_deg + 0.05);
+      ASSERT_LE(std::acos(std::min(1.0, angle)) * 180 / kPi,
+                exact ? 0.05 : options.mesh.precision.normal_error_deg + 0.05);
     }
     if (!source.tangents.empty()) {
       ASSERT_EQ(g.tangents[slot / 4 * 16 + 12 + slot % 4], source.tangents[v].w);
@@ -394,7 +395,7 @@ TEST_P(Codec, KeepsTheVerticesOfTrianglesWithoutArea) {
       EXPECT_NEAR(position_of(g, g.source_slots[v])[c], at[v][static_cast<int>(c)], 1e-3) << v;
   }
   CookOptions anyhow = options();
-  anyhow.keep_vertex_order = false;
+  anyhow.mesh.keep_vertex_order = false;
   EXPECT_EQ(cook_and_load(scene_of(p, 0), anyhow).file.mesh(0).geometry.index_count, 3u);
 }
 

@@ -9,9 +9,9 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 

@@ -153,7 +153,7 @@ TEST(ResidualApart, SmoothingAloneTakesHardlyMoreThanLinearBlendSkinning) {
     MeshGrid apart = source.grid, among = source.grid;
     among.residual_source = {};
     const auto bytes = [&](const std::vector<Binding>& bindings, const MeshGrid& grid) {
-      return static_cast<double>(build_geometry(source.primitive, bindings, 2, grid, options).record.size());
+      return static_cast<double>(build_geometry(source.primitive, bindings, 2, grid, options.mesh).record.size());
     };
     const double linear = bytes(source.linear, source.grid);
     EXPECT_LE(bytes(source.smoothed, apart), linear + 50);

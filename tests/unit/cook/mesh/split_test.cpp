@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "support/millipede.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"
@@ -168,8 +168,10 @@ TEST(Split, SameBytesEveryTime) {
 }
 
 TEST(Split, TheOptionIsAPaletteThatATriangleFits) {
-  const auto palette = [](const char* n) { return to_options({{"palette", {{n, {"--palette", ""}}}}}).most_entries; };
-  EXPECT_EQ(CookOptions().most_entries, 341u);
+  const auto palette = [](const char* n) {
+    return to_options({{"palette", {{n, {"--palette", ""}}}}}).mesh.most_entries;
+  };
+  EXPECT_EQ(CookOptions().mesh.most_entries, 341u);
   EXPECT_EQ(palette("24"), 24u);
   EXPECT_EQ(palette("32767"), 32767u);
   for (const char* const bad : {"23", "0", "-1", "32768", "100.5", "nan", "", "24x"})

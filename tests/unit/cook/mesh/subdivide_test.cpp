@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "jobs/cook_on_disk.h"
 #include "cook/gltf/read.h"
 #include "cook/mesh/subdivide_mesh.h"
+#include "jobs/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/mesh/looped.h"

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "support/places.h"
 #include "text/event_text.h"
 #include "unit/cook/loaded_cook.h"

@@ -9,7 +9,6 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "jobs/cook_on_disk.h"
-#include "jobs/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
 

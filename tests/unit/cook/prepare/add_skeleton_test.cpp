@@ -10,12 +10,14 @@
 
 #include <glm/geometric.hpp>
 
-#include "jobs/cook_on_disk.h"
+#include "common/disk_files.h"
+#include "cook/options/options.h"
 #include "cook/prepare/bind_bones.h"
+#include "cook/read_inputs.h"
 #include "cook/retarget/plan/pair_joints.h"
 #include "cook/rig/read_template.h"
 #include "deform/weights/auto_weights.h"
-#include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 #include "unit/deform/bodies.h"
 
@@ -75,7 +77,7 @@ void expect_joints(const Body& body, const RiggedScene& rigged, double height, d
 
 RiggedScene rig(RawScene scene, const std::string& name) {
   Notes notes;
-  RiggedScene out = add_skeleton(std::move(scene), name, notes);
+  RiggedScene out = add_skeleton(std::move(scene), name, parse_template(name, builtin_template(name)), notes);
   out.scene.warnings = notes.warnings;
   return out;
 }
@@ -268,22 +270,29 @@ TEST(SkeletonTemplate, OfAFileIsAnInput) {
   const std::string text(builtin_template("humanoid"));
   std::ofstream(path) << text;
   std::vector<Read> reads;
-  EXPECT_EQ(read_template(path, reads).size(), 27U);
+  const auto read = [&](const std::string& name) {
+    CookOptions options;
+    options.prepare.auto_skeleton = name;
+    tools::DiskFiles disk;
+    read_named_files(options, disk, reads);
+    return options.prepare.skeleton->size();
+  };
+  EXPECT_EQ(read(path), 27U);
   ASSERT_EQ(reads.size(), 1U);
   EXPECT_EQ(reads[0].bytes, text.size());
-  EXPECT_EQ(read_template("humanoid", reads).size(), 27U);
+  EXPECT_EQ(read("humanoid"), 27U);
   EXPECT_EQ(reads.size(), 1U);
   fs::remove(path);
-  expect_failure([&] { read_template(path, reads); }, Exit::usage, "", "neither built in nor a file");
+  expect_failure([&] { read(path); }, Exit::usage, "", "neither built in nor a file");
 }
 
 TEST(SkeletonOptions, AsText) {
   const auto given = [](const std::string& text) {
     return Options{{"auto-skeleton", {{text, {"--auto-skeleton", ""}}}}};
   };
-  EXPECT_EQ(to_options(given("humanoid")).auto_skeleton, "humanoid");
-  EXPECT_EQ(to_options(given("a/b.toml")).auto_skeleton, "a/b.toml");
-  EXPECT_TRUE(to_options(given("none")).auto_skeleton.empty());
+  EXPECT_EQ(to_options(given("humanoid")).prepare.auto_skeleton, "humanoid");
+  EXPECT_EQ(to_options(given("a/b.toml")).prepare.auto_skeleton, "a/b.toml");
+  EXPECT_TRUE(to_options(given("none")).prepare.auto_skeleton.empty());
   EXPECT_THROW(to_options(given("")), Failure);
   for (const auto& [name, text] : {std::pair{"clips-only", "true"}, {"skeleton", "hero.mrw"}}) {
     Options both = given("humanoid");

@@ -10,11 +10,13 @@
 
 #include <glm/matrix.hpp>
 
-#include "jobs/cook_on_disk.h"
+#include "common/disk_files.h"
+#include "common/hash.h"
+#include "cook/options/options.h"
 #include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
 #include "deform/weights/auto_weights.h"
-#include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -353,8 +355,14 @@ class Paint : public ::testing::Test {
   std::string mask() const { return write("mask.png", png(1, 4, {0, 0, 255, 255})); }
   static WeightOptions painting(const std::string& joint, const std::string& file) {
     WeightOptions options = make(WeightMethod::nearest);
-    options.paint.push_back({joint, file});
+    options.paint.push_back(rule(joint, file));
     return options;
+  }
+  // As it has been read.
+  static PaintRule rule(const std::string& joint, const std::string& file) {
+    CookOptions options;
+    options.prepare.weights.paint.push_back({joint, file});
+    return with_named_files(options).prepare.weights.paint[0];
   }
 
   fs::path folder_;
@@ -379,7 +387,7 @@ TEST_F(Paint, AMaskIsReadAtTheUvs) {
 
 TEST_F(Paint, TwoMasksOverOneAreScaledDown) {
   WeightOptions options = painting("end", write("a.png", png(1, 1, {255})));
-  options.paint.push_back({"low", write("b.png", png(1, 1, {85}))});  // a third
+  options.paint.push_back(rule("low", write("b.png", png(1, 1, {85}))));  // a third
   RawScene scene = d_.read();
   bind(scene, options);
   for (const auto& vertex : scene.meshes[0].primitives[0].influences) {
@@ -428,23 +436,23 @@ TEST_F(Paint, AMaskIsAnInput) {
   ASSERT_EQ(result.reads.size(), 2U);
   EXPECT_EQ(fs::path(result.reads[1].name).filename(), "mask.png");
   EXPECT_EQ(result.reads[1].bytes, fs::file_size(folder_ / "mask.png"));
-  EXPECT_EQ(result.reads[1].hash, read_of_mask(mask()).hash);
+  EXPECT_EQ(result.reads[1].hash, tools::hash_of(tools::DiskFiles().read(mask(), kMostBytes)));
 }
 
 TEST(WeightOptions, AsText) {
   const auto given = [](const std::string& name, const std::string& text) {
     return to_options({{name, {{text, {"--" + name, ""}}}}});
   };
-  EXPECT_FALSE(given("auto-weights", "none").weights.any());
-  EXPECT_EQ(given("auto-weights", "geodesic").weights.make, WeightMethod::geodesic);
-  EXPECT_EQ(given("auto-weights", "glow").weights.make, WeightMethod::glow);
+  EXPECT_FALSE(given("auto-weights", "none").prepare.weights.any());
+  EXPECT_EQ(given("auto-weights", "geodesic").prepare.weights.make, WeightMethod::geodesic);
+  EXPECT_EQ(given("auto-weights", "glow").prepare.weights.make, WeightMethod::glow);
   EXPECT_THROW(given("rebind", "true"), Failure) << "of nothing";
   EXPECT_TRUE(
       to_options({{"auto-weights", {{"nearest", {"--auto-weights", ""}}}}, {"rebind", {{"true", {"--rebind", ""}}}}})
-          .weights.rebind);
-  EXPECT_EQ(given("smooth-weights", "12").weights.smooth_steps, 12);
-  EXPECT_EQ(given("paint", "a=b=c.png").weights.paint.at(0).joint, "a=b");
-  EXPECT_EQ(given("paint", "a=b=c.png").weights.paint.at(0).file, "c.png");
+          .prepare.weights.rebind);
+  EXPECT_EQ(given("smooth-weights", "12").prepare.weights.smooth_steps, 12);
+  EXPECT_EQ(given("paint", "a=b=c.png").prepare.weights.paint.at(0).joint, "a=b");
+  EXPECT_EQ(given("paint", "a=b=c.png").prepare.weights.paint.at(0).file, "c.png");
   EXPECT_THROW(given("auto-weights", "magic"), Failure);
   EXPECT_THROW(given("smooth-weights", "1.5"), Failure);
   EXPECT_THROW(given("smooth-weights", "-1"), Failure);

@@ -1,9 +1,9 @@
 // Hair and clothes for a body: what is matched with what, what is left out, and what is refused.
 #include <memory>
 
-#include "jobs/cook_on_disk.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

@@ -1,10 +1,10 @@
 // Clip packs from glTF: for the file's own skeletons, and for a character's by the names of its joints.
 #include <memory>
 
-#include "jobs/cook_on_disk.h"
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/write/write_scene.h"
+#include "jobs/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/scene_document.h"
 

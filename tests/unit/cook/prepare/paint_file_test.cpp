@@ -7,10 +7,10 @@
 
 #include <unistd.h>
 
-#include "jobs/cook_on_disk.h"
+#include "cook/options/options.h"
 #include "cook/paint/paint_places.h"
 #include "cook/paint/paint_weights.h"
-#include "cook/options/options.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -197,17 +197,17 @@ TEST_F(PaintPlaces, RulesGoOneAfterTheOther) {
   WeightOptions options;
   options.paint.push_back({"", path});
   options.paint.push_back({"", write("q.json", file_of(body(row(before, 0, "0, 0.5, 1, 0.5"))))});
-  const RawScene scene = paint_weights(d_.read(), options.paint, notes_);
+  CookOptions asked;
+  asked.prepare.weights = options;
+  const RawScene scene = paint_weights(d_.read(), with_named_files(asked).prepare.weights.paint, notes_);
   EXPECT_NEAR(weight_of(scene, 0, 0), 0.5, 1e-6);
-  ASSERT_EQ(notes_.reads.size(), 2u) << "they are inputs";
-  EXPECT_EQ(notes_.reads[0].hash, read_of_mask(path).hash);
-  options.paint.push_back({"", folder_ / "missing.json"});
-  EXPECT_THROW(paint_weights(d_.read(), options.paint, notes_), tools::Failure);
+  asked.prepare.weights.paint.push_back({"", folder_ / "missing.json"});
+  EXPECT_THROW(with_named_files(asked), tools::Failure);
 }
 
 TEST(PaintFile, IsAnOption) {
   const auto given = [](const std::string& text) {
-    return to_options({{"paint", {{text, {"--paint", ""}}}}}).weights.paint.at(0);
+    return to_options({{"paint", {{text, {"--paint", ""}}}}}).prepare.weights.paint.at(0);
   };
   EXPECT_EQ(given("art/a=b.json").joint, "");
   EXPECT_EQ(given("art/a=b.json").file, "art/a=b.json");

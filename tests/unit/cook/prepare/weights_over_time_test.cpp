@@ -8,9 +8,9 @@
 #include <glm/matrix.hpp>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
-#include "cook/scene/node_motion.h"
 #include "cook/options/options.h"
+#include "cook/scene/node_motion.h"
+#include "jobs/cook_on_disk.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
 
@@ -228,7 +228,8 @@ TEST(WeightsOverTime, OneChannelForTwoJoints) {
 
 TEST(WeightsOverTime, AsAnOption) {
   const auto given = [](const std::string& text) {
-    return to_options(Options{{"weights-over-time", {{text, {"--weights-over-time", ""}}}}}).weights_over_time.at(0);
+    return to_options(Options{{"weights-over-time", {{text, {"--weights-over-time", ""}}}}})
+        .prepare.weights_over_time.at(0);
   };
   const WeightsOverTime plain = given("hero.loose=mixamorig:Spine,pole");
   EXPECT_EQ(plain.channel, "hero.loose");

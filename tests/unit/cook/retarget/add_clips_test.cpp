@@ -92,9 +92,8 @@ TEST(AddClips, CookedFilesAreSourcesToo) {
   CookOptions options = plain();
   options.retarget.clips = {{path.string(), "", {}}};
   const Result result = cook_file(test::newt_glb(), options);
-  EXPECT_TRUE(std::ranges::any_of(result.reads, [&](const Read& read) {
-    return read.path == std::filesystem::weakly_canonical(path).string();
-  }));
+  EXPECT_TRUE(std::ranges::any_of(
+      result.reads, [&](const Read& read) { return read.name == std::filesystem::weakly_canonical(path).string(); }));
   const LoadedCook cooked(result);
   EXPECT_LE(apart(cooked.file, index_of(cooked.file, "walk"), index_of(cooked.file, "retarget_source.walk")), 0.01);
   std::filesystem::remove(path);
@@ -102,7 +101,7 @@ TEST(AddClips, CookedFilesAreSourcesToo) {
 
 TEST(AddClips, MapsAreWrittenAndRead) {
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "retarget_map.toml";
-  const std::string map = map_of(test::newt_glb(), test::newt_glb());
+  const std::string map = map_of(read_character(test::newt_glb()), read_rig(test::newt_glb()));
   std::ofstream(path) << map;
   CookOptions options = plain();
   options.retarget.clips = {{test::newt_glb(), path.string(), {}}};

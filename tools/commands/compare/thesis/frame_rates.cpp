@@ -8,13 +8,13 @@
 #include "bench/vertices.h"
 #include "commands/compare/thesis/tube.h"
 #include "common/check_status.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/learn/learn.h"
 #include "deform/before_ssd.h"
 #include "deform/deformers.h"
 #include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
+#include "jobs/cook_on_disk.h"
 #include "marrow/marrow.h"
 
 namespace marrow::tools {

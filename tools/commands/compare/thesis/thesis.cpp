@@ -9,8 +9,8 @@
 
 #include "common/failure.h"
 #include "common/files.h"
-#include "jobs/cook_on_disk.h"
 #include "cook/learn/check_truth.h"
+#include "jobs/cook_on_disk.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
 

@@ -56,8 +56,7 @@ ImageFormat format_of_uri(std::string_view uri) {
 
 class ImageImporter {
  public:
-  ImageImporter(const Document& document, Files* files, Budget& budget,
-                std::uint64_t& external_bytes, Report& report)
+  ImageImporter(const Document& document, Files* files, Budget& budget, std::uint64_t& external_bytes, Report& report)
       : document_(document), files_(files), budget_(budget), external_bytes_(external_bytes), report_(report) {}
 
   RawImage import(std::size_t index, bool with_bytes) {
@@ -169,9 +168,8 @@ void check_image_uris(const Json& root, Report& report) {
   }
 }
 
-std::vector<RawImage> import_images(const Document& document, const Materials& materials,
-                                    Files* files, bool with_bytes, Budget& budget,
-                                    std::uint64_t& external_bytes, Report& report) {
+std::vector<RawImage> import_images(const Document& document, const Materials& materials, Files* files, bool with_bytes,
+                                    Budget& budget, std::uint64_t& external_bytes, Report& report) {
   const auto list = document.looks.find("images");
   std::vector<RawImage> images(list == document.looks.end() ? 0 : list->size());
   std::vector<bool> known(images.size(), false);

@@ -16,8 +16,7 @@ void check_image_uris(const Json& root, Report& report);
 // The document's images, by its numbering; those that no material uses stay empty. with_bytes: also reads them, which
 // must be of a known format; nothing is decoded. `files` as for load_buffers(). `external_bytes` grows by what is read
 // from files.
-std::vector<RawImage> import_images(const Document& document, const Materials& materials,
-                                    Files* files, bool with_bytes, Budget& budget,
-                                    std::uint64_t& external_bytes, Report& report);
+std::vector<RawImage> import_images(const Document& document, const Materials& materials, Files* files, bool with_bytes,
+                                    Budget& budget, std::uint64_t& external_bytes, Report& report);
 
 }  // namespace marrow::cook::gltf
