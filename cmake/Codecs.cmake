@@ -1,4 +1,8 @@
 # What marrow::draco and marrow::meshopt are built on, found or fetched as in Dependencies.cmake.
+if(MARROW_COOKER AND CMAKE_SYSTEM_NAME STREQUAL WASI)
+  include(cmake/WasmCodecs.cmake)
+  return()
+endif()
 include(FetchContent)
 if(MARROW_DRACO)
   FetchContent_Declare(draco GIT_REPOSITORY https://github.com/google/draco.git GIT_TAG 1.5.6 FIND_PACKAGE_ARGS NAMES draco)

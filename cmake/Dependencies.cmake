@@ -1,5 +1,9 @@
 # What the tools are built on: the system's packages where they are found (Debian's names in tools/packages/build.txt),
 # the projects' own repositories elsewhere. The runtime depends on none of them.
+if(CMAKE_SYSTEM_NAME STREQUAL WASI)
+  include(cmake/WasmDependencies.cmake)
+  return()
+endif()
 include(FetchContent)
 FetchContent_Declare(nlohmann_json GIT_REPOSITORY https://github.com/nlohmann/json.git GIT_TAG v3.11.2
   FIND_PACKAGE_ARGS NAMES nlohmann_json)

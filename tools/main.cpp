@@ -10,8 +10,8 @@
 
 #include "commands/command.h"
 #include "common/failure.h"
-#include "common/thread_pool.h"
 #include "cook/options/options.h"
+#include "disk/thread_pool.h"
 #include "marrow/call_error.h"
 #include "terminal/interrupt.h"
 #include "text/nearest.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/failure.h"
-#include "jobs/settings.h"
+#include "disk/settings.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

@@ -13,10 +13,10 @@
 #include <png.h>
 #include <unistd.h>
 
+#include "disk/cook_on_disk.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
 #include "gles3/palettes.h"
-#include "jobs/cook_on_disk.h"
 #include "marrow/gles3.h"
 #include "support/millipede.h"
 #include "support/places.h"

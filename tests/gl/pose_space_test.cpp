@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/gltf/read.h"
+#include "disk/cook_on_disk.h"
 #include "gl/support/feedback.h"
 #include "gl/support/models.h"
 #include "gl/support/worst.h"
@@ -14,7 +15,6 @@
 #include "gles3/mesh/prepare.h"
 #include "gles3/palettes.h"
 #include "gles3/program.h"
-#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "render/performance.h"
 #include "support/aligned.h"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "common/load_mrw.h"
+#include "disk/cook_on_disk.h"
 #include "gl/support/rendered.h"
-#include "jobs/cook_on_disk.h"
 #include "render/clearest_side.h"
 #include "render/performance.h"
 #include "support/places.h"

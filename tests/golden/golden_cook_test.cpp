@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/load_mrw.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/golden.h"
 #include "support/places.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/sample.h"
 #include "road/cooked.h"
 #include "road/models.h"

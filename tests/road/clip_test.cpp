@@ -12,7 +12,7 @@
 
 #include "cook/gltf/read.h"
 #include "cook/scene/views.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "road/cooked.h"

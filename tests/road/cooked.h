@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/aligned.h"
 #include "support/double_math.h"
 #include "support/pose_file.h"

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "disk/cook_on_disk.h"
 #include "export/export.h"
-#include "jobs/cook_on_disk.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "road/models.h"

@@ -10,8 +10,8 @@
 
 #include "common/unpack_mrw.h"
 #include "cook/gltf/read.h"
+#include "disk/cook_on_disk.h"
 #include "export/export.h"
-#include "jobs/cook_on_disk.h"
 #include "pose/evaluate.h"
 #include "support/aligned.h"
 #include "support/millipede.h"

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "graph/animator_state.h"
 #include "pose/choose.h"
 #include "text/nearest.h"

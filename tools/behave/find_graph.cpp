@@ -2,10 +2,10 @@
 
 #include <charconv>
 
-#include "common/disk_files.h"
 #include "common/failure.h"
 #include "common/formats.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/disk_files.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 

@@ -4,8 +4,8 @@
 
 #include "common/failure.h"
 #include "common/formats.h"
-#include "jobs/cook_on_disk.h"
-#include "jobs/settings.h"
+#include "disk/cook_on_disk.h"
+#include "disk/settings.h"
 
 namespace marrow::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/files.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 

@@ -3,7 +3,7 @@
 #include "bench/workload.h"
 #include "common/check_status.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/blend_space.h"
 #include "marrow/owned.h"
 #include "marrow/phase.h"

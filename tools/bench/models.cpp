@@ -5,7 +5,7 @@
 
 #include "common/failure.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {

@@ -22,8 +22,8 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "text/printable.h"
 
 extern char** environ;

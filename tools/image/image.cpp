@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/hash.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 namespace {

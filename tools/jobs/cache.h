@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 
 namespace marrow::tools {
 

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "common/disk_files.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/hash.h"
-#include "common/thread_pool.h"
+#include "disk/disk_files.h"
+#include "disk/files.h"
+#include "disk/thread_pool.h"
 #include "text/printable.h"
 
 namespace marrow::tools {

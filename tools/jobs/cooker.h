@@ -14,10 +14,10 @@
 
 #include "cook/options/options.h"
 #include "cook/scene/cook_options.h"
+#include "disk/settings.h"
 #include "jobs/batch.h"
 #include "jobs/cache.h"
 #include "jobs/outcome.h"
-#include "jobs/settings.h"
 
 namespace marrow::tools {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "common/disk_files.h"
 #include "common/failure.h"
 #include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/read.h"
+#include "disk/disk_files.h"
 #include "text/printable.h"
 
 namespace marrow::tools {

@@ -10,9 +10,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "behave/behaviour.h"
-#include "common/files.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/files.h"
 #include "sample/embedded.h"
 #include "story/adjust.h"
 #include "story/eight.h"

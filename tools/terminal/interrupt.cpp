@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 namespace {

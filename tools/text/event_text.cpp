@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "text/number.h"
+
 namespace marrow::tools {
 namespace {
 
@@ -10,7 +12,7 @@ constexpr double kLargest = 1e9;
 
 bool read_number(std::string_view text, double& out) {
   if (text.starts_with('+')) return false;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  const auto [end, error] = read_double(text.data(), text.data() + text.size(), out);
   return error == std::errc{} && end == text.data() + text.size() && std::abs(out) <= kLargest;
 }
 

@@ -7,7 +7,7 @@
 
 #include "common/failure.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/places.h"
 
 namespace marrow::test {

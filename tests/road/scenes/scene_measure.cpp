@@ -10,7 +10,7 @@
 #include "common/unpack_mrw.h"
 #include "cook/gltf/read.h"
 #include "cook/prepare/match_skeletons.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "road/reference.h"
 #include "support/aligned.h"

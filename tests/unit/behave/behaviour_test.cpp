@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "behave/behaviour.h"
-#include "common/disk_files.h"
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/disk_files.h"
+#include "disk/files.h"
 #include "support/places.h"
 #include "unit/graph/graph_rig.h"
 

@@ -1,5 +1,5 @@
 // Loops that share threads; under the thread sanitizer, too.
-#include "common/thread_pool.h"
+#include "disk/thread_pool.h"
 
 #include <algorithm>
 #include <atomic>

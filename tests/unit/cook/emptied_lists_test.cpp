@@ -8,7 +8,7 @@
 
 #include "cook/skeleton/build_skeletons.h"
 #include "deform/weights/auto_weights.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
 

@@ -3,7 +3,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/unpack_mrw.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "unit/cook/gltf/document.h"
 
 namespace marrow::cook {

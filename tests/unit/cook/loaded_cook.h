@@ -8,7 +8,7 @@
 
 #include "common/unpack_mrw.h"
 #include "cook/write/write_scene.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/marrow.h"
 
 namespace marrow::cook {

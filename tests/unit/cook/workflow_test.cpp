@@ -8,7 +8,7 @@
 #include "common/hash.h"
 #include "cook/gltf/read.h"
 #include "cook/options/options.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "jobs/depfile.h"
 #include "sample/embedded.h"
 

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "common/thread_pool.h"
 #include "deform/elastic/node_weights.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
+#include "disk/thread_pool.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -12,7 +12,7 @@
 #include "common/failure.h"
 #include "cook/graph/build_graph.h"
 #include "cook/write/write_scene.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "unit/cook/retarget/raw_rig.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/settings.h"
+#include "disk/settings.h"
 #include "support/json_schema.h"
 #include "support/places.h"
 

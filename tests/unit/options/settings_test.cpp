@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/settings.h"
+#include "disk/settings.h"
 
 namespace marrow::cook {
 namespace {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "common/files.h"
 #include "common/load_mrw.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/files.h"
 #include "pose/evaluate.h"
 #include "story/story.h"
 #include "support/places.h"

@@ -11,9 +11,9 @@
 #include "commands/view/files/source.h"
 #include "commands/view/paint/painting.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "deform/weights/place_tree.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/files.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
 

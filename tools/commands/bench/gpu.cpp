@@ -10,8 +10,8 @@
 
 #include "bench/workload.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 namespace {

@@ -15,7 +15,7 @@
 #include "common/unpack_mrw.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"
 

@@ -7,8 +7,8 @@
 #include "common/check_status.h"
 #include "cook/scene/matrices.h"
 #include "deform/surface.h"
+#include "disk/cook_on_disk.h"
 #include "image/jpeg.h"
-#include "jobs/cook_on_disk.h"
 #include "render/legend.h"
 #include "text/quantity.h"
 

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "common/disk_files.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
 #include "common/parallel.h"
-#include "common/thread_pool.h"
+#include "disk/disk_files.h"
+#include "disk/files.h"
+#include "disk/thread_pool.h"
 #include "jobs/depfile.h"
 #include "marrow/cook.h"
 #include "terminal/progress.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 
 namespace marrow::tools {
 namespace {

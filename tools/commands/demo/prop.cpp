@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/check_status.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 
 namespace marrow::tools {
 namespace {

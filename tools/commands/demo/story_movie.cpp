@@ -8,8 +8,8 @@
 
 #include "commands/demo/scenery.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/load_mrw.h"
+#include "disk/files.h"
 #include "image/apng.h"
 #include "image/film.h"
 #include "render/figure.h"

@@ -4,9 +4,9 @@
 
 #include "commands/arguments.h"
 #include "commands/command.h"
-#include "common/files.h"
 #include "common/formats.h"
 #include "common/load_mrw.h"
+#include "disk/files.h"
 #include "export/export.h"
 #include "terminal/warnings.h"
 

@@ -5,7 +5,7 @@
 #include "commands/command.h"
 #include "commands/graph/dot.h"
 #include "commands/graph/starter.h"
-#include "common/files.h"
+#include "disk/files.h"
 #include "jobs/batch.h"
 
 namespace marrow::tools {

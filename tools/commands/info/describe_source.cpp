@@ -5,7 +5,7 @@
 
 #include "commands/info/describe.h"
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 namespace {

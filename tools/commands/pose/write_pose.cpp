@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "common/files.h"
 #include "common/formats.h"
 #include "common/load_mrw.h"
 #include "common/vertex_order.h"
+#include "disk/files.h"
 #include "pose/worn.h"
 
 namespace marrow::tools {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "image/apng.h"
 #include "image/film.h"
 #include "terminal/progress.h"

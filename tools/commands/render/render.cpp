@@ -10,8 +10,8 @@
 #include "commands/render/sitting.h"
 #include "commands/render/trace.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "image/caption.h"
 
 namespace marrow::tools {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "commands/command.h"
-#include "common/files.h"
 #include "cook/retarget/add_clips.h"
+#include "disk/files.h"
 #include "jobs/batch.h"
 
 namespace marrow::tools {

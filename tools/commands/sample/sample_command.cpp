@@ -1,6 +1,6 @@
 #include "commands/command.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "sample/embedded.h"
 
 namespace marrow::tools {

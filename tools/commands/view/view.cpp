@@ -24,8 +24,8 @@
 #include "commands/view/stage/timeline.h"
 #include "commands/view/window.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/formats.h"
+#include "disk/files.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 

@@ -14,10 +14,10 @@
 
 #include "commands/watch/folder_watch.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "common/hash.h"
 #include "common/parallel.h"
-#include "common/thread_pool.h"
+#include "disk/files.h"
+#include "disk/thread_pool.h"
 #include "terminal/progress.h"
 
 namespace marrow::tools {

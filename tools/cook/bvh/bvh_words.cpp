@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "asset/format.h"
+#include "text/number.h"
 
 namespace marrow::cook::bvh {
 namespace {
@@ -110,7 +111,7 @@ double Words::number(const std::string& what) {
   const std::string_view word = next(what);
   const std::string_view digits = word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
   double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const auto [end, error] = tools::read_double(digits.data(), digits.data() + digits.size(), value);
   const bool whole = end == digits.data() + digits.size();
   if (error == std::errc::invalid_argument || !whole)
     fail(line, quoted(word) + " is not a number", what + " is wanted here, as in -12.5; export again");

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "marrow/file.h"
+#include "text/number.h"
 
 namespace marrow::cook {
 namespace {
@@ -23,7 +24,7 @@ void set_delta_mush(CookOptions& options, const Value& given) {
   auto read = std::from_chars(at, end, mush.iterations);
   bool good = read.ec == std::errc() && mush.iterations >= 1 && mush.iterations <= 1000;
   if (good && read.ptr != end && *read.ptr == ',') {
-    read = std::from_chars(read.ptr + 1, end, mush.step);
+    read = tools::read_double(read.ptr + 1, end, mush.step);
     good = read.ec == std::errc() && mush.step > 0 && mush.step <= 1;
   }
   const std::string_view rest(read.ptr, static_cast<std::size_t>(end - read.ptr));
@@ -45,7 +46,7 @@ void set_elastic(CookOptions& options, const Value& given) {
     double* const dial = name == "volume" ? &elastic.volume : name == "keep" ? &elastic.keep : nullptr;
     const std::string_view number = part.substr(std::min(part.size(), name.size() + 1));
     double value = -1;
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), value);
+    const auto read = tools::read_double(number.data(), number.data() + number.size(), value);
     const bool good = read.ec == std::errc() && read.ptr == number.data() + number.size();
     const double least = name == "volume" ? 0 : 0.001, most = name == "volume" ? 100 : 10;
     if (dial == nullptr || !good || !(value >= least && value <= most))

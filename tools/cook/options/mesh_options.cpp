@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "marrow/file.h"
+#include "text/number.h"
 
 namespace marrow::cook {
 namespace {
@@ -29,7 +30,7 @@ void set_lod(CookOptions& options, const Value& given) {
   const char* const end = at + given.text.size();
   for (bool good = true; good;) {
     LodRule rule;
-    auto read = std::from_chars(at, end, rule.ratio);
+    auto read = tools::read_double(at, end, rule.ratio);
     good = read.ec == std::errc() && rule.ratio > 0 &&
            rule.ratio < (options.mesh.lod.empty() ? 1 : options.mesh.lod.back().ratio);
     if (good && read.ptr != end && *read.ptr == ':') {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
+#include "text/number.h"
 #include "text/printable.h"
 
 namespace marrow::cook {
@@ -16,7 +17,7 @@ void refuse(const Value& value, const std::string& rule, const std::string& advi
 
 bool read_amount(std::string_view text, Amount& out) {
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, out.value);
+  const auto [stop, error] = tools::read_double(text.data(), end, out.value);
   const std::string_view unit(stop, static_cast<std::size_t>(end - stop));
   const double scale = unit == "m" ? 1.0 : unit == "cm" ? 1e-2 : unit == "mm" ? 1e-3 : unit == "%" ? 1e-2 : 0.0;
   out.is_share = unit == "%";
@@ -27,7 +28,7 @@ bool read_amount(std::string_view text, Amount& out) {
 double number_between(const Value& given, double least, double most) {
   double value = 0;
   const char* const end = given.text.data() + given.text.size();
-  const auto [stop, error] = std::from_chars(given.text.data(), end, value);
+  const auto [stop, error] = tools::read_double(given.text.data(), end, value);
   if (error != std::errc() || stop != end || !(value >= least && value <= most))
     refuse(given, "\"" + given.text + "\" is out of range",
            "give a number from " + fmt::format("{}", least) + " to " + fmt::format("{}", most));

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <numeric>
 #include <string_view>
 #include <unordered_map>
 
 #include "common/check_status.h"
+#include "common/mutex.h"
 #include "common/parallel.h"
 #include "common/shape_weights.h"
 #include "marrow/character.h"
@@ -288,7 +288,7 @@ class Stages {
   Stages(const File& file, const Animations* whole) : file_(file), whole_(whole) {}
   std::unique_ptr<PoseStage> take() {
     {
-      const std::lock_guard lock(mutex_);
+      const tools::Locked lock(mutex_);
       if (!free_.empty()) {
         std::unique_ptr<PoseStage> out = std::move(free_.back());
         free_.pop_back();
@@ -298,14 +298,14 @@ class Stages {
     return std::make_unique<PoseStage>(file_, whole_);
   }
   void give_back(std::unique_ptr<PoseStage> stage) {
-    const std::lock_guard lock(mutex_);
+    const tools::Locked lock(mutex_);
     free_.push_back(std::move(stage));
   }
 
  private:
   const File& file_;
   const Animations* whole_;
-  std::mutex mutex_;
+  tools::Mutex mutex_;
   std::vector<std::unique_ptr<PoseStage>> free_;
 };
 

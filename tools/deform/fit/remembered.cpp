@@ -2,10 +2,10 @@
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "common/hash.h"
+#include "common/mutex.h"
 
 namespace marrow::deform {
 namespace {
@@ -42,19 +42,19 @@ class Memory {
     for (std::size_t v = 0; v < out.size(); ++v) out[v] = what.centre + glm::dvec3(what.from_centre[v]);
   }
   std::shared_ptr<const Rounded> find(const std::string& key) {
-    const std::lock_guard lock(mutex_);
+    const tools::Locked lock(mutex_);
     const auto found = known_.find(key);
     return found == known_.end() ? nullptr : found->second;
   }
   void keep(const std::string& key, std::shared_ptr<const Rounded> what) {
-    const std::lock_guard lock(mutex_);
+    const tools::Locked lock(mutex_);
     const std::size_t bytes = sizeof(glm::vec3) * what->from_centre.size() + 200;
     if (bytes > room_ || !known_.emplace(key, std::move(what)).second) return;
     room_ -= bytes;
   }
 
   Deformer deformer_;
-  std::mutex mutex_;
+  tools::Mutex mutex_;
   std::size_t room_;
   std::map<std::string, std::shared_ptr<const Rounded>> known_;  // by a hash of the pose
 };

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 
 namespace marrow::cook {
 namespace {

@@ -10,7 +10,7 @@
 #include "common/aligned_bytes.h"
 #include "cook/geometry/build_geometry.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/double_math.h"
 #include "support/rig.h"
 #include "unit/cook/gltf/document.h"

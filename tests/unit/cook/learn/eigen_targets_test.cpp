@@ -10,7 +10,7 @@
 #include "cook/options/options.h"
 #include "cook/scene/node_motion.h"
 #include "deform/deformers.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/morph.h"
 #include "unit/cook/loaded_cook.h"
 

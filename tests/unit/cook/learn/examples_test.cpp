@@ -12,7 +12,7 @@
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/gltf/document.h"
 

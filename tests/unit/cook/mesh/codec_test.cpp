@@ -11,7 +11,7 @@
 
 #include "common/failure.h"
 #include "common/unpack_mrw.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/unpack.h"
 #include "support/double_math.h"
 #include "support/pose_file.h"

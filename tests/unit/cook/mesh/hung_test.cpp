@@ -8,7 +8,7 @@
 
 #include "common/aligned_bytes.h"
 #include "cook/gltf/read.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/character.h"
 #include "marrow/skin.h"
 #include "support/places.h"

@@ -5,7 +5,7 @@
 
 #include "common/shape_weights.h"
 #include "cook/mesh/build_examples.h"
-#include "jobs/settings.h"
+#include "disk/settings.h"
 #include "support/golden.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"

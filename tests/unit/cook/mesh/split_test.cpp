@@ -10,7 +10,7 @@
 
 #include "common/failure.h"
 #include "cook/options/options.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/millipede.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"

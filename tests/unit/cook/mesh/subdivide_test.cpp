@@ -10,7 +10,7 @@
 
 #include "cook/gltf/read.h"
 #include "cook/mesh/subdivide_mesh.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/mesh/looped.h"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "common/aligned_bytes.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
 

@@ -5,7 +5,7 @@
 
 #include "common/failure.h"
 #include "cook/options/options.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "text/event_text.h"
 #include "unit/cook/loaded_cook.h"

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
 

@@ -10,14 +10,14 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/disk_files.h"
 #include "cook/options/options.h"
 #include "cook/prepare/bind_bones.h"
 #include "cook/read_inputs.h"
 #include "cook/retarget/plan/pair_joints.h"
 #include "cook/rig/read_template.h"
 #include "deform/weights/auto_weights.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/disk_files.h"
 #include "unit/cook/scene_document.h"
 #include "unit/deform/bodies.h"
 

@@ -10,13 +10,13 @@
 
 #include <glm/matrix.hpp>
 
-#include "common/disk_files.h"
 #include "common/hash.h"
 #include "cook/options/options.h"
 #include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
 #include "deform/weights/auto_weights.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/disk_files.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -431,7 +431,8 @@ TEST_F(Paint, WhatCannotBePainted) {
 TEST_F(Paint, AMaskIsAnInput) {
   const std::string file = write("bar.gltf", d_.text());
   CookOptions options;
-  options.prepare.weights = painting("end", mask());
+  options.prepare.weights = make(WeightMethod::nearest);
+  options.prepare.weights.paint.push_back({"end", mask()});
   const Result result = cook_file(file, options);
   ASSERT_EQ(result.reads.size(), 2U);
   EXPECT_EQ(fs::path(result.reads[1].name).filename(), "mask.png");

@@ -3,7 +3,7 @@
 
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

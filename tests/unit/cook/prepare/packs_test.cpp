@@ -4,7 +4,7 @@
 #include "cook/prepare/match_skeletons.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/write/write_scene.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/scene_document.h"
 

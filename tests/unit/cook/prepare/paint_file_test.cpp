@@ -10,7 +10,7 @@
 #include "cook/options/options.h"
 #include "cook/paint/paint_places.h"
 #include "cook/paint/paint_weights.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {

@@ -1,7 +1,7 @@
 // Which nodes become which skeletons, and how a clip of several becomes one each.
 #include <algorithm>
 
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "pose/choose.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"

@@ -10,7 +10,7 @@
 #include "common/failure.h"
 #include "cook/options/options.h"
 #include "cook/scene/node_motion.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/files.h"
+#include "disk/files.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/scene_document.h"

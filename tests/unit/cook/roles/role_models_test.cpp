@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/aligned_bytes.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/marrow.h"
 #include "support/places.h"
 #include "unit/cook/roles/bodies_with_roles.h"

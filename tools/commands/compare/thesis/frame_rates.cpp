@@ -14,7 +14,7 @@
 #include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 #include "marrow/marrow.h"
 
 namespace marrow::tools {

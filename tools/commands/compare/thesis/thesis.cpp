@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "cook/learn/check_truth.h"
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
+#include "disk/files.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
 

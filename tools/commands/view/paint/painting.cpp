@@ -10,8 +10,8 @@
 
 #include "commands/view/paint/mirror.h"
 #include "common/failure.h"
-#include "common/files.h"
 #include "cook/paint/paint_places.h"
+#include "disk/files.h"
 #include "text/printable.h"
 
 namespace marrow::tools {

@@ -1,8 +1,8 @@
-#include "jobs/read_on_disk.h"
+#include "disk/read_on_disk.h"
 
-#include "common/disk_files.h"
 #include "cook/bvh/read_bvh.h"
 #include "cook/read_inputs.h"
+#include "disk/disk_files.h"
 
 namespace marrow::cook {
 

@@ -1,11 +1,11 @@
-#include "common/disk_files.h"
+#include "disk/disk_files.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
 
 #include "common/failure.h"
-#include "common/files.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 namespace {

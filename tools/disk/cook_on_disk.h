@@ -7,7 +7,7 @@
 #include "cook/road.h"
 #include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"
-#include "jobs/read_on_disk.h"
+#include "disk/read_on_disk.h"
 
 namespace marrow::cook {
 

@@ -1,4 +1,4 @@
-#include "common/files.h"
+#include "disk/files.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,10 +1,10 @@
-#include "jobs/cook_on_disk.h"
+#include "disk/cook_on_disk.h"
 
 #include <utility>
 
-#include "common/disk_files.h"
-#include "common/thread_pool.h"
 #include "cook/read_inputs.h"
+#include "disk/disk_files.h"
+#include "disk/thread_pool.h"
 
 namespace marrow::cook {
 

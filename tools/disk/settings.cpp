@@ -1,11 +1,11 @@
-#include "jobs/settings.h"
+#include "disk/settings.h"
 
 #include <algorithm>
 #include <filesystem>
 
 #include "common/failure.h"
-#include "common/files.h"
 #include "cook/options/options_text.h"
+#include "disk/files.h"
 #include "text/pattern.h"
 #include "toml/toml_reader.h"
 

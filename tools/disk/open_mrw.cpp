@@ -1,5 +1,5 @@
-#include "common/files.h"
 #include "common/load_mrw.h"
+#include "disk/files.h"
 
 namespace marrow::tools {
 

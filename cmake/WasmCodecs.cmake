@@ -1,0 +1,12 @@
+# Draco and meshoptimizer, compiled from their sources in MARROW_PACKAGES.
+file(GLOB_RECURSE sources ${MARROW_PACKAGES}/draco/src/draco/*.cc)
+list(FILTER sources EXCLUDE REGEX "_test|test_|/tools/|/javascript/|/unity/|/maya/|/io/|/animation/|/scene/|/texture/|/material/")
+add_library(draco_sources STATIC ${sources})
+target_include_directories(draco_sources SYSTEM PUBLIC ${MARROW_PACKAGES}/draco/src ${MARROW_PACKAGES}/features)
+target_compile_options(draco_sources PRIVATE -w)
+file(GLOB sources ${MARROW_PACKAGES}/meshoptimizer/src/*.cpp)
+add_library(meshoptimizer_sources STATIC ${sources})
+target_include_directories(meshoptimizer_sources SYSTEM PUBLIC ${MARROW_PACKAGES}/meshoptimizer/src)
+target_compile_options(meshoptimizer_sources PRIVATE -w)
+add_library(draco::draco ALIAS draco_sources)
+add_library(meshoptimizer::meshoptimizer ALIAS meshoptimizer_sources)
