@@ -4,7 +4,7 @@ set(MARROW_PACKAGES "" CACHE PATH "Folder of the headers and sources that the co
 set(headers ${MARROW_PACKAGES}/include)
 foreach(name nlohmann_json::nlohmann_json fmt::fmt glm::glm tomlplusplus::tomlplusplus Eigen3::Eigen)
   add_library(${name} INTERFACE IMPORTED GLOBAL)
-  target_include_directories(${name} SYSTEM INTERFACE ${headers})
+  target_include_directories(${name} SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/cmake/wasm ${headers})
 endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 set(XXHASH_INCLUDE_DIR ${headers})

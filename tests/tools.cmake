@@ -35,7 +35,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/gltf/looks_test.cpp unit/cook/gltf/morphs_test.cpp unit/cook/gltf/vrm_test.cpp unit/cook/mesh/codec_test.cpp
   golden/golden_cook_test.cpp unit/cook/clip/additive_test.cpp unit/cook/clip/bounds_packer_test.cpp
   unit/cook/clip/channels_test.cpp unit/cook/clip/clip_measure_test.cpp unit/cook/clip/export_keys_test.cpp unit/cook/clip/clip_packer_test.cpp unit/cook/clip/clips_test.cpp unit/cook/clip/tiny_numbers_test.cpp unit/cook/clip/list_packer_test.cpp
-  unit/cook/emptied_lists_test.cpp
+  unit/cook/emptied_lists_test.cpp unit/cook/library_test.cpp
   unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
   unit/cook/learn/learn_test.cpp unit/cook/learn/look_better_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
@@ -221,6 +221,7 @@ marrow_example(play marrow::runtime)
 marrow_example(crowd marrow::runtime)
 marrow_example(hero marrow::runtime)
 marrow_example(behave marrow::runtime)
+marrow_example(cook_in_memory marrow::cook)
 marrow_c_program(marrow_example_play_c examples/play.c)
 target_link_libraries(marrow_example_play_c PRIVATE marrow::c marrow::draco)
 find_package(Threads REQUIRED)
@@ -239,6 +240,7 @@ endif()
 add_test(NAME examples COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DMARROW=$<TARGET_FILE:marrow>
   -DPLAY=$<TARGET_FILE:marrow_example_play> -DPLAY_C=$<TARGET_FILE:marrow_example_play_c> -DCROWD=$<TARGET_FILE:marrow_example_crowd> -DHERO=$<TARGET_FILE:marrow_example_hero>
   -DBEHAVE=$<TARGET_FILE:marrow_example_behave> -DASSETS=${PROJECT_SOURCE_DIR}/../shared/assets -DJOBS=$<TARGET_FILE:marrow_example_jobs>
+  -DCOOK_IN_MEMORY=$<TARGET_FILE:marrow_example_cook_in_memory>
   -DDRAW=${example_draw} -DDRAW_C=${example_draw_c}
   -DFOLDER=${CMAKE_CURRENT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/road/examples.cmake)
 set_tests_properties(examples PROPERTIES LABELS cli ENVIRONMENT "MESA_GLES_VERSION_OVERRIDE=3.0")

@@ -95,3 +95,13 @@ foreach(expect expect_hero expect_behaviour)
   cmake_language(CALL ${expect} Fox Survey Walk Run Survey)
   set(heard)
 endforeach()
+
+# The cooker as a library writes what the program writes, and says how far it has come.
+execute_process(COMMAND ${COOK_IN_MEMORY} ${sample}.glb ${sample}_in_memory.mrw OUTPUT_VARIABLE told COMMAND_ERROR_IS_FATAL ANY)
+if(NOT told MATCHES "^read 0/0\nprepare 0/0\nmesh 0/0\nclip 0/0\nclip 1/[0-9]+\n.*write 0/0\n[0-9]+ bytes, [0-9]+ warnings\n$")
+  message(FATAL_ERROR "cook_in_memory says: ${told}")
+endif()
+execute_process(COMMAND ${MARROW} cook ${sample}.glb --mesh-codec meshopt --lod 0.5 -o ${sample}_by_program.mrw
+  COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${sample}_in_memory.mrw ${sample}_by_program.mrw
+  COMMAND_ERROR_IS_FATAL ANY)
