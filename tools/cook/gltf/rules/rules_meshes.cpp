@@ -72,14 +72,14 @@ constexpr std::array<Semantic, 7> kSemantics = {{
 const Semantic* find_semantic(std::string_view name) {
   const std::size_t underscore = name.find('_');
   const bool numbered = underscore != std::string_view::npos;
-  const auto* found = std::ranges::find(kSemantics, name.substr(0, underscore), &Semantic::name);
+  const auto found = std::ranges::find(kSemantics, name.substr(0, underscore), &Semantic::name);
   if (found == kSemantics.end() || found->numbered != numbered) return nullptr;
-  if (!numbered) return found;
+  if (!numbered) return &*found;
   const std::string_view digits = name.substr(underscore + 1);
   unsigned number = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   const bool plain = error == std::errc() && end == digits.data() + digits.size();
-  return plain && (digits.size() == 1 || digits.front() != '0') ? found : nullptr;
+  return plain && (digits.size() == 1 || digits.front() != '0') ? &*found : nullptr;
 }
 
 enum Role : std::uint8_t { kVertexRole = 1, kIndexRole = 2 };
