@@ -93,7 +93,7 @@ RecordBytes clip_record() {
   b.u8(3).u8(1).add(1.25f).add(0.25f);
   b.u8(1).u8(1).u8(1);  // one track; a byte a frame in each segment
   // The channel, whose key of 3 quarters is at 0.25; frames at 0.25, 0.5 and 1.85. Joint 0 turns; joint 1 has a
-  // translation of its own. By a program apart, from docs/packed_format.md.
+  // translation of its own. By a program apart, from docs/format.md.
   for (const unsigned symbols : {0x37u, 0x00u, 0x00u, 0x00u, 0xB5u, 0xFCu, 0xD3u, 0x7Du, 0x07u, 0xFFu, 0xFFu, 0xF7u,
                                  0xFFu, 0xFFu, 0x26u, 0x25u, 0x45u, 0x43u, 0x07u, 0x22u, 0x4Bu, 0x95u, 0xBAu, 0xF9u,
                                  0xD9u, 0x0Cu, 0x5Au, 0x5Au, 0x0Cu, 0x45u, 0x03u, 0x00u, 0x67u, 0x05u, 0x44u, 0x53u})
@@ -107,7 +107,7 @@ constexpr format::BoundsCodes kBounds[3][2] = {
     {{-4, {-100, -1, -7}, {-60, 45, 6}, 30}, {-6, {-8, 100, -9}, {8, 127, -3}, 41}},
     {{-5, {-10, 0, -12}, {10, 90, 12}, 60}, {-6, {-8, 101, -9}, {8, 126, -3}, 200}}};
 
-// The symbols are by a program apart, from docs/packed_format.md.
+// The symbols are by a program apart, from docs/format.md.
 RecordBytes bounds_record() {
   RecordBytes b;
   b.u8(1).u8(3).u8(2);
@@ -299,7 +299,7 @@ TEST_F(Structure, ListsByHand) {
   RecordBytes record;
   record.u8(packed::kClipHasLists).u8(6).u8(0).u8(30).u8(30);
   record.u8(3).u8(1).u8(2).u8(25).u8(0).u8(0);
-  // By a program apart, from docs/packed_format.md.
+  // By a program apart, from docs/format.md.
   for (const unsigned symbols :
        {0x28u, 0x0Du, 0x00u, 0x00u, 0xCCu, 0xFFu, 0x1Au, 0xD6u, 0x00u, 0x80u, 0x00u, 0x0Cu, 0x83u, 0xC7u, 0x8Fu, 0xD7u,
         0x93u, 0xACu, 0xA1u, 0x43u, 0xFFu, 0x33u, 0xEBu, 0x9Bu, 0x6Cu, 0xF0u, 0xAFu, 0x91u, 0xD1u, 0x3Fu, 0x20u, 0x40u,

@@ -1,4 +1,4 @@
-// Joints and weights apart from the streams that a codec takes (docs/packed_format.md, "Skins apart").
+// Joints and weights apart from the streams that a codec takes (docs/format.md, "Skins apart").
 #pragma once
 
 #include <optional>

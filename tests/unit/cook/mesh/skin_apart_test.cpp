@@ -1,5 +1,5 @@
 // Joints and weights beside Draco's streams: what is packed comes back, bits written by hand are read as
-// docs/packed_format.md says, and damaged ones are refused or harmless.
+// docs/format.md says, and damaged ones are refused or harmless.
 #include <algorithm>
 #include <cstdio>
 
@@ -158,7 +158,7 @@ TEST(SkinApart, StaysWhereNothingElseTellsVerticesApart) {
 }
 
 // Seven vertices, two of which stand at one place, bound to joints 2, 5, 7 and 9; the bytes are those of an encoder
-// that was written in Python from docs/packed_format.md.
+// that was written in Python from docs/format.md.
 TEST(SkinApart, ReadsWhatTheDocumentSays) {
   const std::uint8_t bytes[] = {0x5f, 0x83, 0xc0, 0x0e, 0x3c, 0x0a, 0x31, 0x36,
                                 0xc1, 0xf5, 0x42, 0x95, 0xcb, 0xc9, 0x0b, 0x68};
