@@ -69,6 +69,10 @@ KITS = {
     "web": Kit(
         "WebGL 2, in Chromium", "tools/check/web.sh MARROW",
         LIBRARIES + NEWT + "tools/check/web.sh tools/packages/web.txt tools/web platform/web", "build/web"),
+    "cook_wasm": Kit(
+        "the cooker in WebAssembly", "tools/check/cook_wasm.sh MARROW",
+        LIBRARIES + NEWT + "tools/check/cook_wasm.sh tools/packages/cook-wasm.txt tools/CMakeLists.txt tools/text "
+        "tools/common tools/toml tools/deform tools/cook", "build/cook-wasm"),
     "gpu_cost": Kit(
         "what phones' compilers say", "tools/gpu_cost.sh --if-changed",
         LIBRARIES + "shaders tools/gpu_cost.sh tools/gpu_cost tools/get_arm64.sh tools/packages/gpu-cost.txt "

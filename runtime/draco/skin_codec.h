@@ -1,5 +1,5 @@
 // Joints and weights of vertices as bits, where a record has them apart from the codec's streams
-// (docs/packed_format.md, "Skins apart"): one text for the cooker, which writes them, and for unpacking.
+// (docs/format.md, "Skins apart"): one text for the cooker, which writes them, and for unpacking.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The packed file (docs/packed_format.md), as unpack() reads it and the cooker writes it. Little-endian.
+// The packed file (docs/format.md), as unpack() reads it and the cooker writes it. Little-endian.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Animation space's residual where a record has it apart from the codec's streams (docs/packed_format.md, "Residuals
+// Animation space's residual where a record has it apart from the codec's streams (docs/format.md, "Residuals
 // apart").
 #pragma once
 

@@ -1,4 +1,4 @@
-// Skeletons, meshes and names in packed files (docs/packed_format.md) → their sections.
+// Skeletons, meshes and names in packed files (docs/format.md) → their sections.
 #pragma once
 
 #include "core/byte_reader.h"

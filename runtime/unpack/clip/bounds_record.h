@@ -1,4 +1,4 @@
-// Bounds in packed files (docs/packed_format.md) → their sections.
+// Bounds in packed files (docs/format.md) → their sections.
 #pragma once
 
 #include "core/byte_reader.h"

@@ -1,4 +1,4 @@
-// Clips in packed files (docs/packed_format.md) → their sections.
+// Clips in packed files (docs/format.md) → their sections.
 #pragma once
 
 #include "marrow/file.h"
