@@ -41,8 +41,9 @@ grep -v TRANSCODER /usr/include/draco/draco_features.h >"$packages/features/drac
 quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { tail -n 60 "$work/log.txt" >&2; exit 1; }
 }
+# Sizes of 64 bits become those of 32, of which compilers warn: each has been held to a length in memory by then.
 quietly cmake -S "$here" -B "$work/build" -G Ninja --toolchain "$here/cmake/wasm32.cmake" \
-  -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_CXX_FLAGS="-fexceptions -Wno-shorten-64-to-32 -Wno-sign-conversion" \
+  -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_CXX_FLAGS=-fexceptions -DMARROW_WERROR=OFF \
   -DMARROW_PACKAGES="$packages" -DMARROW_COOKER=ON -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=OFF -DMARROW_INSTALL=OFF
 quietly cmake --build "$work/build" --target marrow_cook_wasm
 wasm="$work/build/tools/cook/cook.wasm"
