@@ -34,11 +34,6 @@ void warn_of_ignored(const Json& root, Report& report) {
   }
 }
 
-std::vector<std::string> extensions_used(const Json& root) {
-  const auto used = root.find("extensionsUsed");
-  return used == root.end() ? std::vector<std::string>{} : used->get<std::vector<std::string>>();
-}
-
 // extras.marrow.limits, which are for the cooker and not for the game; null without.
 Json take_limits(Json& extras) {
   if (!extras.is_object()) return {};
@@ -138,12 +133,13 @@ Document read_document(const Container& container, Files* files, Report& report)
   document.buffers = load_buffers(root, container, files, report);
   document.accessors = build_accessors(root, document.buffers, report);
   check_texture_coordinates(root, report);
-  document.extensions_used = extensions_used(root);
+  check_transforms(root, report);
   document.target_names = read_target_names(root);
   aim_at_nodes(root);
   document.user_numbers = find_user_numbers(root);
+  drop_idle_channels(root, document.user_numbers, report);
   set_aside(root, document);
-  document.model = parse_model(std::move(root), document.user_numbers, report);
+  document.model = parse_model(std::move(root), report);
   return document;
 }
 

@@ -80,8 +80,7 @@ std::optional<UserNumber> resolve(const Json& root, const std::string& pointer) 
   return std::isfinite(out.rest) ? std::optional(out) : std::nullopt;
 }
 
-}  // namespace
-
+// Where a channel points to; null if it does not.
 const std::string* pointer_of(const Json& channel) {
   const Json& target = channel.at("target");
   if (target.at("path") != "pointer") return nullptr;
@@ -90,6 +89,31 @@ const std::string* pointer_of(const Json& channel) {
   const auto extension = extensions->find("KHR_animation_pointer");
   return extension == extensions->end() ? nullptr : &extension->at("pointer").get_ref<const std::string&>();
 }
+
+bool is_animated(const Json& channel, const std::string& where, Report& report) {
+  const Json& target = channel.at("target");
+  const auto& path = target.at("path").get_ref<const std::string&>();
+  const auto leave_out = [&](const std::string& at, const char* rule, const std::string& why) {
+    report.warn(at, rule, why);
+    return false;
+  };
+  if (path == "pointer") {
+    const std::string* const to = pointer_of(channel);
+    if (to != nullptr && to->ends_with("/extensions/KHR_node_visibility/visible"))
+      return leave_out(under(where, "target", "path"), "visibility-not-animated",
+                       *to + ": a node stays as it rests, shown or hidden; left out");
+    return leave_out(under(where, "target", "path"), "channel-dropped",
+                     (to == nullptr ? "it points nowhere" : "it points at " + *to) +
+                         ": neither a node's transform or weights, nor a number in extras; left out");
+  }
+  if (!is_animated_property(path))
+    return leave_out(under(where, "target", "path"), "channel-dropped", "nothing that Marrow animates; left out");
+  if (!target.contains("node"))
+    return leave_out(under(where, "target"), "channel-dropped", "it names no node; left out");
+  return true;
+}
+
+}  // namespace
 
 void aim_at_nodes(Json& root) {
   const auto animations = root.find("animations");
@@ -120,6 +144,17 @@ UserNumbers find_user_numbers(const Json& root) {
     }
   }
   return out;
+}
+
+void drop_idle_channels(Json& root, const UserNumbers& user_numbers, Report& report) {
+  const auto animations = root.find("animations");
+  if (animations == root.end()) return;
+  for (std::size_t a = 0; a < animations->size(); ++a) {
+    Json& channels = (*animations)[a].at("channels");
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      if (!user_numbers.contains({a, c}) && !is_animated(channels[c], pointer("animations", a, "channels", c), report))
+        channels[c].at("target").at("path") = "";
+  }
 }
 
 }  // namespace marrow::cook::gltf

@@ -1,10 +1,11 @@
-// What animations drive by KHR_animation_pointer: transforms of nodes, and numbers in `extras`.
+// What animations drive: transforms and weights of nodes, and by KHR_animation_pointer numbers in `extras`.
 #pragma once
 
 #include <map>
 #include <string>
 #include <utility>
 
+#include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
 
 namespace marrow::cook::gltf {
@@ -25,7 +26,7 @@ struct UserNumber {
 using UserNumbers = std::map<std::pair<std::size_t, std::size_t>, UserNumber>;
 UserNumbers find_user_numbers(const Json& root);
 
-// Where a channel points to; null if it does not.
-const std::string* pointer_of(const Json& channel);
+// Channels that drive neither of these get an empty path, with a warning. Needs both steps above.
+void drop_idle_channels(Json& root, const UserNumbers& user_numbers, Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -2,137 +2,74 @@
 #include "cook/gltf/document/model.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <cstdint>
 #include <limits>
-#include <set>
-#include <string_view>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace marrow::cook::gltf {
 namespace {
 
-// Moves the named members of `from` into a new object.
-Json keep(Json& from, std::initializer_list<const char*> names) {
+constexpr const char* kDraco = "KHR_draco_mesh_compression";
+
+template <class Edit>
+void edit_each(Json& owner, const char* list, Edit edit) {
+  if (const auto items = owner.find(list); items != owner.end())
+    for (Json& item : *items) edit(item);
+}
+
+void drop_extensions_and_extras(Json& object) {
+  object.erase("extensions");
+  object.erase("extras");
+}
+
+// Draco's alone is read of the model, and of it these two.
+void keep_draco(Json& primitive) {
   Json kept = Json::object();
-  for (const char* name : names) {
-    if (const auto member = from.find(name); member != from.end()) kept[name] = std::move(*member);
-  }
-  return kept;
+  const auto all = primitive.find("extensions");
+  if (all == primitive.end()) return;
+  if (const auto draco = all->find(kDraco); draco != all->end())
+    kept[kDraco] = {{"bufferView", draco->at("bufferView")}, {"attributes", std::move(draco->at("attributes"))}};
+  *all = std::move(kept);
 }
 
-template <class Transform>
-Json map_items(Json& root, const char* collection, Transform transform) {
-  Json items = Json::array();
-  const auto list = root.find(collection);
-  if (list == root.end()) return items;
-  for (std::size_t i = 0; i < list->size(); ++i) items.push_back(transform((*list)[i], i));
-  return items;
-}
-
-Json keep_primitive(Json& primitive) {
-  Json extensions = Json::object();
-  if (const auto all = primitive.find("extensions"); all != primitive.end()) {
-    extensions = keep(*all, {"KHR_draco_mesh_compression"});
-    for (Json& extension : extensions) extension = keep(extension, {"bufferView", "attributes"});
-  }
-  Json kept = keep(primitive, {"attributes", "indices", "material", "mode", "targets"});
-  kept["extensions"] = std::move(extensions);
-  return kept;
-}
-
-Json keep_mesh(Json& mesh, std::size_t) {
-  Json kept = keep(mesh, {"name", "weights", "primitives"});
-  for (Json& primitive : kept.at("primitives")) primitive = keep_primitive(primitive);
-  return kept;
-}
-
-bool is_animated(const Json& channel, const std::string& where, Report& report) {
-  static const std::set<std::string, std::less<>> kPaths = {"translation", "rotation", "scale", "weights"};
-  const Json& target = channel.at("target");
-  const auto& path = target.at("path").get_ref<const std::string&>();
-  if (path == "pointer") {
-    const std::string* const to = pointer_of(channel);
-    if (to != nullptr && to->ends_with("/extensions/KHR_node_visibility/visible")) {
-      report.warn(under(where, "target", "path"), "visibility-not-animated",
-                  *to + ": a node stays as it rests, shown or hidden; left out");
-      return false;
-    }
-    report.warn(under(where, "target", "path"), "channel-dropped",
-                (to == nullptr ? "it points nowhere" : "it points at " + *to) +
-                    ": neither a node's transform or weights, nor a number in extras; left out");
-    return false;
-  }
-  if (!kPaths.contains(path)) {
-    report.warn(under(where, "target", "path"), "channel-dropped", "nothing that Marrow animates; left out");
-    return false;
-  }
-  if (!target.contains("node")) {
-    report.warn(under(where, "target"), "channel-dropped", "it names no node; left out");
-    return false;
-  }
-  return true;
-}
-
-Json keep_animation(Json& animation, std::size_t index, const UserNumbers& user_numbers, Report& report) {
-  Json kept = keep(animation, {"name"});
-  Json channels = Json::array();
-  for (std::size_t i = 0; i < animation.at("channels").size(); ++i) {
-    Json& channel = animation.at("channels")[i];
-    if (user_numbers.contains({index, i})) {
-      channels.push_back({{"sampler", channel.at("sampler")}, {"target", {{"node", 0}, {"path", "pointer"}}}});
-      continue;
-    }
-    if (!is_animated(channel, pointer("animations", index, "channels", i), report)) {
-      channels.push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", ""}}}});  // keeps the numbering
-      continue;
-    }
-    Json slim = keep(channel, {"sampler"});
-    slim["target"] = keep(channel.at("target"), {"node", "path"});
-    channels.push_back(std::move(slim));
-  }
-  kept["channels"] = std::move(channels);
-  kept["samplers"] = Json::array();
-  for (Json& sampler : animation.at("samplers")) {
-    kept["samplers"].push_back(keep(sampler, {"input", "output", "interpolation"}));
-  }
-  return kept;
-}
-
-// tinygltf insists that a primitive's indices exist and have a bufferView, which glTF does not. Layouts live in our own
-// table, so the accessors that it looks at become stand-ins of the right number that satisfy it.
-Json accessor_stand_ins(const Json& meshes) {
-  std::size_t count = 0;
-  for (const Json& mesh : meshes) {
-    for (const Json& primitive : mesh.at("primitives")) {
-      const auto indices = primitive.find("indices");
-      if (indices != primitive.end()) count = std::max(count, indices->get<std::size_t>() + 1);
-    }
-  }
-  return Json::array_t(count, {{"bufferView", 0}, {"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}});
-}
-
-Json slim_document(Json& root, const UserNumbers& user_numbers, Report& report) {
-  Json slim = Json::object();
-  slim["asset"] = {{"version", "2.0"}};
-  slim["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", 1}}});
-  slim["meshes"] = map_items(root, "meshes", keep_mesh);
-  slim["accessors"] = accessor_stand_ins(slim["meshes"]);
-  slim["nodes"] = map_items(root, "nodes", [&](Json& node, std::size_t index) {
-    // Looked at here because tinygltf keeps only the matrix.
-    const bool has_trs = node.contains("translation") || node.contains("rotation") || node.contains("scale");
-    if (has_trs && node.contains("matrix")) {
-      report.invalid(pointer("nodes", index, "matrix"), "both matrix and TRS", "give one of them; export again");
-    }
-    return keep(node, {"name", "children", "mesh", "skin", "matrix", "translation", "rotation", "scale", "weights"});
+// What tinygltf, of version 2.7, would do wrongly with a document that is right, and what keeps it from that. Gives the
+// indices of all primitives in the document's order; kNone without.
+std::vector<int> mend_for_tinygltf(Json& root) {
+  // It reads buffers and images itself, wherever a URI leads; it refuses some legal accessors, and cameras that nobody
+  // looks at. It would keep materials twice. Document has all of these that are carried.
+  for (const char* name :
+       {"accessors", "buffers", "bufferViews", "cameras", "images", "materials", "samplers", "textures"})
+    root.erase(name);
+  // It keeps every number of an extension or of extras in 152 bytes, and an animation's once more with each sampler.
+  drop_extensions_and_extras(root);
+  drop_extensions_and_extras(root.at("asset"));
+  for (const char* list : {"animations", "meshes", "nodes", "scenes", "skins"})
+    edit_each(root, list, drop_extensions_and_extras);
+  std::vector<int> indices;
+  edit_each(root, "meshes", [&](Json& mesh) {
+    edit_each(mesh, "primitives", [&](Json& primitive) {
+      primitive.erase("extras");
+      keep_draco(primitive);
+      // It refuses indices whose accessor has no bufferView, as those of Draco data have none.
+      indices.push_back(primitive.value("indices", kNone));
+      primitive.erase("indices");
+    });
   });
-  slim["skins"] = map_items(root, "skins", [](Json& skin, std::size_t) {
-    return keep(skin, {"name", "joints", "skeleton", "inverseBindMatrices"});
+  edit_each(root, "animations", [](Json& animation) {
+    edit_each(animation, "samplers", drop_extensions_and_extras);
+    edit_each(animation, "channels", [](Json& channel) {
+      drop_extensions_and_extras(channel);
+      drop_extensions_and_extras(channel.at("target"));
+      // It leaves out a channel that names no node, and all behind it would get other numbers.
+      channel.at("target").emplace("node", kNone);
+      // It cuts numbers to 32 bits, which would make a sampler of 2^32 the first.
+      Json& sampler = channel.at("sampler");
+      sampler = std::min(sampler.get<std::int64_t>(), std::int64_t{std::numeric_limits<int>::max()});
+    });
   });
-  slim["scenes"] = map_items(root, "scenes", [](Json& scene, std::size_t) { return keep(scene, {"name", "nodes"}); });
-  slim["animations"] = map_items(root, "animations", [&](Json& animation, std::size_t index) {
-    return keep_animation(animation, index, user_numbers, report);
-  });
-  if (root.contains("scene")) slim["scene"] = std::move(root.at("scene"));
-  return slim;
+  return indices;
 }
 
 }  // namespace
@@ -141,8 +78,9 @@ std::size_t target_count(const tinygltf::Mesh& mesh) {
   return mesh.primitives.empty() ? 0 : mesh.primitives.front().targets.size();
 }
 
-tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report) {
-  std::string text = slim_document(root, user_numbers, report).dump();
+tinygltf::Model parse_model(Json root, Report& report) {
+  const std::vector<int> indices = mend_for_tinygltf(root);
+  std::string text = root.dump();
   root = nullptr;  // the tree is several times the text's size
   if (text.size() > std::numeric_limits<unsigned>::max()) {
     report.unsupported("@0", "JSON too large", "split the scene; 4 GiB is the limit");
@@ -155,6 +93,9 @@ tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& 
   if (!parser.LoadASCIIFromString(&model, &error, &warning, text.c_str(), length, std::string())) {
     report.invalid("@0", "not understood", "tinygltf says: " + error);
   }
+  auto next = indices.begin();
+  for (tinygltf::Mesh& mesh : model.meshes)
+    for (tinygltf::Primitive& primitive : mesh.primitives) primitive.indices = *next++;
   return model;
 }
 

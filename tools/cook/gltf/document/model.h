@@ -19,8 +19,7 @@ struct NodeShown {
 
 // Everything that the rules and the import start from.
 struct Document {
-  tinygltf::Model model;  // meshes, nodes, skins, animations and scenes; no bytes
-  std::vector<std::string> extensions_used;
+  tinygltf::Model model;                               // meshes, nodes, skins, animations and scenes; no bytes
   std::vector<std::vector<std::string>> target_names;  // by mesh and morph target; may be shorter
   UserNumbers user_numbers;
   Json looks;                      // the root's materials, textures, samplers and images
@@ -37,9 +36,8 @@ struct Document {
 // As many as its first primitive has; 0 of one without primitives.
 std::size_t target_count(const tinygltf::Mesh& mesh);
 
-// tinygltf believes what it reads, so it gets only those parts of the document that check_schema() has been through
-// and that are carried on: no URIs, no images, no extras, no bytes. Channels that aim at nothing Marrow animates are
-// left out with a warning: they get an empty path. Those of `user_numbers` get the path "pointer". Eats `root`.
-tinygltf::Model parse_model(Json root, const UserNumbers& user_numbers, Report& report);
+// Eats `root`, which has been through check_schema(). tinygltf believes what it reads, so it gets no bytes, no URIs and
+// no extras; of extensions it gets KHR_draco_mesh_compression. Channels and primitives have the document's numbers.
+tinygltf::Model parse_model(Json root, Report& report);
 
 }  // namespace marrow::cook::gltf

@@ -263,8 +263,8 @@ std::vector<RawClip> import_clips(const Document& document, const NodeGraph& gra
             is_weights ? node_weights(document, owners, channel.target_node, where, report)
                        : std::vector<RawTargetWeight>{{"", number->second.name, number->second.rest}},
             is_weights ? channel.target_node : kNone);
-        said.append(c, is_number ? number->second.pointer : channel.target_path, channel.target_node,
-                    std::move(scalars), clip.scalars);
+        said.append(c, is_number ? number->second.pointer : channel.target_path,
+                    is_number ? kNone : channel.target_node, std::move(scalars), clip.scalars);
         continue;
       }
       RawChannel raw = importer.import(channel);

@@ -28,6 +28,8 @@ void check_skins(const Document& document, const NodeGraph& graph, Report& repor
 void check_meshes(const Document& document, Report& report);
 // Needs the JSON: tinygltf is not told about textures.
 void check_texture_coordinates(const Json& root, Report& report);
+// A node has a matrix or its parts. Needs the JSON: tinygltf keeps only the matrix.
+void check_transforms(const Json& root, const Report& report);
 
 // Samplers, channels and their outputs. Times and values are looked at when they are imported.
 void check_animations(const Document& document, Report& report);

@@ -156,7 +156,7 @@ class MeshChecker {
     if ((semantic.quantised & format) == 0) {
       report_.invalid(where, "wrong component type", "see glTF 2.0, section 3.7.2.1; export again");
     }
-    const std::vector<std::string>& used = document_.extensions_used;
+    const std::vector<std::string>& used = document_.model.extensionsUsed;
     if (std::ranges::find(used, "KHR_mesh_quantization") == used.end()) {
       report_.mend(where, "attribute-format", "quantised without declaring KHR_mesh_quantization; read all the same");
     }

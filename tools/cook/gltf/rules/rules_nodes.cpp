@@ -132,6 +132,17 @@ void check_skin(const Document& document, std::size_t index, bool is_used, const
 
 }  // namespace
 
+void check_transforms(const Json& root, const Report& report) {
+  const auto nodes = root.find("nodes");
+  if (nodes == root.end()) return;
+  for (std::size_t i = 0; i < nodes->size(); ++i) {
+    const Json& node = (*nodes)[i];
+    const bool has_parts = node.contains("translation") || node.contains("rotation") || node.contains("scale");
+    if (has_parts && node.contains("matrix"))
+      report.invalid(pointer("nodes", i, "matrix"), "both matrix and TRS", "give one of them; export again");
+  }
+}
+
 NodeGraph check_nodes(const Document& document, int scene, Report& report) {
   const Model& model = document.model;
   NodeGraph graph;

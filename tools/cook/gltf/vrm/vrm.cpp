@@ -31,7 +31,7 @@ std::vector<glm::dmat4> model_from_nodes(const std::vector<RawNode>& nodes) {
 }
 
 bool uses(const Document& document, const char* extension) {
-  return std::ranges::count(document.extensions_used, extension) > 0;
+  return std::ranges::count(document.model.extensionsUsed, extension) > 0;
 }
 
 }  // namespace
