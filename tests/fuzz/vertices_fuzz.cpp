@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "cook/gltf/meshopt/meshopt_vertices.h"
+#include "cook/gltf/document/meshopt.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 3) return 0;

@@ -7,12 +7,10 @@
 
 #include "common/formats.h"
 #include "cook/gltf/document/buffers.h"
-#include "cook/gltf/document/container.h"
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
 #include "cook/gltf/document/model.h"
 #include "cook/gltf/document/scene_files.h"
-#include "cook/gltf/import/images.h"
 #include "cook/gltf/import/import.h"
 #include "cook/gltf/rules/rules.h"
 #include "cook/gltf/rules/schema.h"
@@ -135,9 +133,7 @@ Document read_document(const Container& container, Files* files, Report& report)
   check_texture_coordinates(root, report);
   check_transforms(root, report);
   document.target_names = read_target_names(root);
-  aim_at_nodes(root);
-  document.user_numbers = find_user_numbers(root);
-  drop_idle_channels(root, document.user_numbers, report);
+  document.user_numbers = aim_channels(root, report);
   set_aside(root, document);
   document.model = parse_model(std::move(root), report);
   return document;

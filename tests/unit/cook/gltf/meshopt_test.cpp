@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "cook/gltf/meshopt/meshopt_filters.h"
+#include "cook/gltf/document/meshopt.h"
 #include "support/rig.h"
 #include "unit/cook/gltf/document.h"
 #include "unit/cook/gltf/meshopt_stream.h"

@@ -1,6 +1,6 @@
 // The vertex codec of KHR_meshopt_compression: the specification's own example, streams written by hand, and elements
 // that an encoder after its text has written.
-#include "cook/gltf/meshopt/meshopt_vertices.h"
+#include "cook/gltf/document/meshopt.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // VRM's spring settings as ours: how near our springs come to the specification's algorithm, which stands here in
 // double precision (VRMC_springBone 1.0, "SpringBone Algorithm", inertia calculation and length constraint).
-#include "cook/gltf/vrm/spring_settings.h"
+#include "cook/gltf/vrm/vrm.h"
 
 #include <cmath>
 #include <cstdio>

@@ -19,6 +19,14 @@ std::size_t size_of(Component component);
 
 enum class Shape : std::uint8_t { scalar, vec2, vec3, vec4, mat2, mat3, mat4, unknown };
 
+// How an element's components lie, in bytes.
+struct Packing {
+  std::size_t rows, columns, column_stride;
+  std::size_t size;  // from one to the next where nothing lies between
+  std::size_t used;  // to the last component's end
+};
+Packing packing_of(Shape shape, Component component);
+
 // Where an accessor's elements lie. Everything in it has been checked against the bytes that are there.
 struct Accessor {
   Component component = Component::f32;
@@ -58,9 +66,7 @@ class ElementReader {
 
   const Accessor& accessor_;
   std::size_t component_size_;
-  std::size_t rows_;
-  std::size_t columns_;
-  std::size_t column_stride_;
+  Packing packing_;
   std::uint64_t next_sparse_ = 0;
 };
 

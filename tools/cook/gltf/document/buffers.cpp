@@ -3,9 +3,8 @@
 
 #include <map>
 
-#include "cook/gltf/document/meshopt_view.h"
+#include "cook/gltf/document/meshopt.h"
 #include "cook/gltf/document/scene_files.h"
-#include "cook/gltf/document/uri.h"
 
 namespace marrow::cook::gltf {
 namespace {
@@ -16,11 +15,6 @@ constexpr std::uint64_t kFreeUnfolding = std::uint64_t{1} << 25;
 constexpr std::uint64_t kMostUnfolding = 16;
 constexpr std::int64_t kVertexTarget = 34962;
 constexpr std::int64_t kIndexTarget = 34963;
-
-std::uint64_t count_or(const Json& object, const char* name, std::uint64_t fallback) {
-  const auto member = object.find(name);
-  return member == object.end() ? fallback : member->get<std::uint64_t>();
-}
 
 class Loader {
  public:

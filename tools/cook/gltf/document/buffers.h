@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "cook/gltf/document/container.h"
 #include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
 #include "marrow/cook_host.h"

@@ -1,15 +1,43 @@
-// Hands a checked document to tinygltf, which turns it into typed structures.
+// A checked document as typed structures, which tinygltf makes of it, and what animations of it drive: transforms and
+// weights of nodes, and by KHR_animation_pointer numbers in `extras`.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cook/gltf/document/accessor.h"
-#include "cook/gltf/document/animation_pointer.h"
+#include "cook/gltf/document/buffers.h"
+#include "cook/gltf/document/findings.h"
 #include "cook/gltf/document/json.h"
-#include "cook/gltf/document/tinygltf.h"
+
+// tinygltf as this program uses it: no images, no file system, the system's JSON library, after which it must come.
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_INCLUDE_JSON
+#include <tiny_gltf.h>
 
 namespace marrow::cook::gltf {
+
+// A number in `extras` that an animation drives by KHR_animation_pointer.
+struct UserNumber {
+  std::string pointer;  // as in the file
+  std::string name;     // "OWNER.property", "OWNER.list[2]"; without an owner where that is the asset or the document
+  float rest = 0;
+};
+
+// By numbers of animation and channel.
+using UserNumbers = std::map<std::pair<std::size_t, std::size_t>, UserNumber>;
+
+// Makes plain what channels drive. One that points at /nodes/3/translation, rotation, scale or weights becomes that
+// node's, as glTF 2.0 has them. Given are those that point at a number at any depth in the extras of the document, of
+// the asset, or of an element of a root collection such as /nodes/3. All that drive nothing of this get an empty path,
+// with a warning. `root` has been through check_schema().
+UserNumbers aim_channels(Json& root, Report& report);
 
 // What a node's extensions say of whether it is drawn.
 struct NodeShown {
@@ -31,6 +59,9 @@ struct Document {
   std::vector<NodeShown> node_shown;
   std::vector<Accessor> accessors;  // by the document's numbering
   Buffers buffers;
+
+  const Accessor& accessor(int index) const { return accessors[to_index(index)]; }
+  const View& view(int index) const { return buffers.views[to_index(index)]; }
 };
 
 // As many as its first primitive has; 0 of one without primitives.

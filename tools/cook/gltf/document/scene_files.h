@@ -1,15 +1,31 @@
-// Files that an untrusted scene names, read from wherever the cooker's caller has them.
+// What an untrusted scene names by URIs: bytes in the URI itself, or files, read from wherever the cooker's caller has
+// them.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cook/gltf/document/findings.h"
 #include "marrow/cook_host.h"
 
 namespace marrow::cook::gltf {
+
+bool is_data_uri(std::string_view uri);
+
+struct DataUri {
+  std::string mime_type;  // lower case
+  std::vector<std::byte> bytes;
+};
+
+// RFC 2397, base64 or percent-encoded, strictly: no blanks, no missing padding, no stray bits.
+DataUri decode_data_uri(std::string_view uri, const std::string& where, const Report& report);
+
+// The relative path that a URI names, percent-decoded once. Refuses schemes, absolute paths, backslashes, control
+// characters and any way up.
+std::string decode_relative_uri(std::string_view uri, const std::string& where, const Report& report);
 
 // The first `at_most` bytes of a file, which the report then notes. `where` locates the reference in a failure's text:
 // "@0" for the scene itself.

@@ -2,4 +2,4 @@
 #define TINYGLTF_IMPLEMENTATION
 #include <fstream>  // used by the implementation, not included by it
 
-#include "cook/gltf/document/tinygltf.h"
+#include "cook/gltf/document/model.h"

@@ -1,5 +1,5 @@
 // Decodes KHR_draco_mesh_compression.
-#include "cook/gltf/import/draco_geometry.h"
+#include "cook/gltf/import/import_vertices.h"
 
 #include <cstring>
 #include <exception>

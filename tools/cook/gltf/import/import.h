@@ -5,12 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "asset/format.h"
+#include <glm/mat4x4.hpp>
+
 #include "cook/gltf/document/findings.h"
+#include "cook/gltf/document/json.h"
 #include "cook/gltf/document/model.h"
 #include "cook/gltf/import/materials.h"
 #include "cook/gltf/rules/rules.h"
 #include "cook/scene/raw.h"
+#include "marrow/cook_host.h"
 
 namespace marrow::cook::gltf {
 
@@ -30,6 +33,9 @@ std::string clean_name(const std::string& name, const std::string& where, Report
 
 // Refuses what stands or is scaled beyond format::kFarthest at rest.
 std::vector<RawNode> import_nodes(const Document& document, const NodeGraph& graph, Report& report);
+
+// model_from_node at rest, by node.
+std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes);
 
 std::vector<RawSkin> import_skins(const Document& document, const std::vector<RawNode>& nodes, Report& report);
 
@@ -65,5 +71,14 @@ std::vector<RawInstance> import_instances(const Document& document, const NodeGr
 // What moves nodes of the scene, weights of what is drawn, and numbers.
 std::vector<RawClip> import_clips(const Document& document, const NodeGraph& graph, const std::vector<RawNode>& nodes,
                                   Budget& budget, Report& report);
+
+// A hostile URI is refused even if nobody opens it.
+void check_image_uris(const Json& root, Report& report);
+
+// The document's images, by its numbering; those that no material uses stay empty. with_bytes: also reads them, which
+// must be of a known format; nothing is decoded. `files` as for load_buffers(). `external_bytes` grows by what is read
+// from files.
+std::vector<RawImage> import_images(const Document& document, const Materials& materials, Files* files, bool with_bytes,
+                                    Budget& budget, std::uint64_t& external_bytes, Report& report);
 
 }  // namespace marrow::cook::gltf

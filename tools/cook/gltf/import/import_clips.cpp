@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "asset/format.h"
 #include "common/elementary.h"
 #include "cook/gltf/import/import.h"
 
@@ -37,9 +38,9 @@ class ChannelImporter {
                : channel.target_path == "rotation"  ? RawPath::rotation
                                                     : RawPath::scale;
     raw.interpolation = interpolation_of(sampler);
-    const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
+    const std::vector<Key> keys = usable_keys(document_.accessor(sampler.input));
     for (const Key& key : keys) raw.times_s.push_back(key.time_s);
-    raw.values = values_of(document_.accessors[static_cast<std::size_t>(sampler.output)], keys, raw);
+    raw.values = values_of(document_.accessor(sampler.output), keys, raw);
     return raw;
   }
 
@@ -48,9 +49,8 @@ class ChannelImporter {
   std::vector<RawScalar> import_scalars(const tinygltf::AnimationChannel& channel,
                                         const std::vector<RawTargetWeight>& targets, int node) {
     const tinygltf::AnimationSampler& sampler = sampler_of(channel);
-    const std::vector<Key> keys = usable_keys(document_.accessors[static_cast<std::size_t>(sampler.input)]);
-    const std::vector<float> all =
-        read(document_.accessors[static_cast<std::size_t>(sampler.output)], under(sampler_where_, "output"));
+    const std::vector<Key> keys = usable_keys(document_.accessor(sampler.input));
+    const std::vector<float> all = read(document_.accessor(sampler.output), under(sampler_where_, "output"));
     std::vector<RawScalar> out;
     for (std::size_t t = 0; t < targets.size() && !keys.empty(); ++t) {
       RawScalar raw;
@@ -71,7 +71,7 @@ class ChannelImporter {
 
  private:
   const tinygltf::AnimationSampler& sampler_of(const tinygltf::AnimationChannel& channel) {
-    const auto index = static_cast<std::size_t>(channel.sampler);
+    const auto index = to_index(channel.sampler);
     sampler_where_ = under(where_, "samplers", index);
     return animation_.samplers[index];
   }
@@ -252,7 +252,7 @@ std::vector<RawClip> import_clips(const Document& document, const NodeGraph& gra
       const auto number = document.user_numbers.find({a, c});
       const bool is_number = number != document.user_numbers.end(),
                  is_weights = !is_number && channel.target_path == "weights";
-      const auto node = static_cast<std::size_t>(channel.target_node);
+      const auto node = to_index(channel.target_node);
       if (!is_number && !(is_weights ? graph.drawn : graph.in_scene)[node]) {
         ++left_out;
         continue;

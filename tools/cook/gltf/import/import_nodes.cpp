@@ -10,11 +10,42 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "asset/format.h"
 #include "common/elementary.h"
 #include "cook/gltf/import/import.h"
 #include "cook/scene/matrices.h"
+#include "text/safe_name.h"
 
 namespace marrow::cook::gltf {
+
+std::string clean_name(const std::string& name, const std::string& where, Report& report) {
+  std::string clean = tools::safe_name(name);
+  if (clean != name)
+    report.warn(under(where, "name"), "name-cleaned", "unfit to print or to name a file; now \"" + clean + '"');
+  return clean;
+}
+
+// Chains may be too long to recurse along.
+std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
+  std::vector<glm::dmat4> matrices(nodes.size());
+  std::vector<bool> known(nodes.size());
+  std::vector<std::size_t> way;
+  for (std::size_t start = 0; start < nodes.size(); ++start) {
+    int at = static_cast<int>(start);
+    while (at != kNone && !known[to_index(at)]) {
+      way.push_back(to_index(at));
+      at = nodes[to_index(at)].parent;
+    }
+    for (; !way.empty(); way.pop_back()) {
+      const RawNode& node = nodes[way.back()];
+      matrices[way.back()] = local_matrix(node);
+      if (node.parent != kNone) matrices[way.back()] = matrices[to_index(node.parent)] * matrices[way.back()];
+      known[way.back()] = true;
+    }
+  }
+  return matrices;
+}
+
 namespace {
 
 constexpr double kRotationSlack = 1e-3;  // exporters print few digits; below this a rotation is normalised in silence
@@ -67,7 +98,7 @@ void decompose(const std::vector<double>& numbers, RawNode& node, const std::str
     const glm::dvec3 column(matrix[i]);
     node.scale[i] = glm::length(column);
     flat = flat || node.scale[i] < kSmallestAxis;
-    axis[static_cast<std::size_t>(i)] = flat ? column : column / node.scale[i];
+    axis[to_index(i)] = flat ? column : column / node.scale[i];
   }
   node.translation = glm::dvec3(matrix[3]);
   if (flat) {
@@ -118,28 +149,6 @@ RawNode import_node(const tinygltf::Node& node, std::size_t index, Report& repor
   return raw;
 }
 
-// model_from_node at rest, for all nodes; chains may be too long to recurse along.
-std::vector<glm::dmat4> rest_matrices(const std::vector<RawNode>& nodes) {
-  std::vector<glm::dmat4> matrices(nodes.size());
-  std::vector<bool> known(nodes.size());
-  std::vector<std::size_t> way;
-  for (std::size_t start = 0; start < nodes.size(); ++start) {
-    int at = static_cast<int>(start);
-    while (at != kNone && !known[static_cast<std::size_t>(at)]) {
-      way.push_back(static_cast<std::size_t>(at));
-      at = nodes[static_cast<std::size_t>(at)].parent;
-    }
-    for (; !way.empty(); way.pop_back()) {
-      const RawNode& node = nodes[way.back()];
-      matrices[way.back()] = local_matrix(node);
-      if (node.parent != kNone)
-        matrices[way.back()] = matrices[static_cast<std::size_t>(node.parent)] * matrices[way.back()];
-      known[way.back()] = true;
-    }
-  }
-  return matrices;
-}
-
 void refuse_huge(const std::vector<RawNode>& nodes, const Report& report) {
   const auto fits = [](double number) { return std::abs(number) <= double{format::kFarthest}; };  // false for NaN too
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -179,7 +188,7 @@ class SkinImporter {
     raw.inverse_bind.assign(raw.joints.size(), glm::dmat4(1));
     if (skin.inverseBindMatrices < 0) return raw;
     const std::string where = pointer("skins", index, "inverseBindMatrices");
-    const Accessor& accessor = document_.accessors[static_cast<std::size_t>(skin.inverseBindMatrices)];
+    const Accessor& accessor = document_.accessor(skin.inverseBindMatrices);
     ElementReader reader(accessor);
     std::array<double, 16> numbers{};
     for (std::size_t j = 0; j < raw.joints.size(); ++j) {
@@ -203,7 +212,7 @@ class SkinImporter {
     if (is_usable(matrix)) return matrix;
     report_.mend(where, "inverse-bind-unusable", which + " has no inverse; made anew from the joint's rest pose");
     if (rest_.empty()) rest_ = rest_matrices(nodes_);
-    const glm::dmat4& rest = rest_[static_cast<std::size_t>(joint)];
+    const glm::dmat4& rest = rest_[to_index(joint)];
     const glm::dmat4 inverse = is_usable(rest) ? glm::inverse(rest) : glm::dmat4(1);
     return is_usable(inverse) ? inverse : glm::dmat4(1);
   }
@@ -264,7 +273,7 @@ std::vector<RawInstance> import_instances(const Document& document, const NodeGr
   for (std::size_t i = 0; i < document.model.nodes.size(); ++i) {
     const tinygltf::Node& node = document.model.nodes[i];
     if (node.mesh < 0 || !graph.drawn[i]) continue;
-    const auto mesh = static_cast<std::size_t>(node.mesh);
+    const auto mesh = to_index(node.mesh);
     RawInstance instance{static_cast<int>(i), node.mesh, node.skin < 0 ? kNone : node.skin, {}, kNone};
     instance.weights = node_weights(document, owners, instance.node, pointer("nodes", i), report);
     const HighestJoint& used = highest[mesh];
@@ -278,7 +287,7 @@ std::vector<RawInstance> import_instances(const Document& document, const NodeGr
     } else if (instance.skin == kNone && used.joint >= 0) {
       report.warn(pointer("nodes", i), "weights-without-skin", "the mesh has joints and weights; drawn rigidly");
     } else if (instance.skin != kNone) {
-      const std::size_t joints = skins[static_cast<std::size_t>(instance.skin)].joints.size();
+      const std::size_t joints = skins[to_index(instance.skin)].joints.size();
       if (static_cast<std::size_t>(used.joint) >= joints) {
         report.invalid(under(meshes[mesh].primitives[used.primitive].pointer, "attributes", "JOINTS_0"),
                        "joint that the skin lacks",

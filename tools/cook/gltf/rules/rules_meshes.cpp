@@ -5,7 +5,6 @@
 #include <optional>
 #include <string_view>
 
-#include "cook/gltf/rules/material_textures.h"
 #include "cook/gltf/rules/rules.h"
 
 namespace marrow::cook::gltf {
@@ -109,7 +108,7 @@ class MeshChecker {
   }
 
  private:
-  const Accessor& accessor(int index) const { return document_.accessors[static_cast<std::size_t>(index)]; }
+  const Accessor& accessor(int index) const { return document_.accessor(index); }
 
   void check_primitive(const Primitive& primitive, const std::string& where) {
     const std::string attributes = under(where, "attributes");
@@ -189,7 +188,7 @@ class MeshChecker {
     if (data.shape != Shape::scalar || (format & (u8 | u16 | u32)) == 0) {
       report_.invalid(where, "wrong accessor", "indices are unsigned integer scalars; export again");
     }
-    if (data.view >= 0 && document_.buffers.views[static_cast<std::size_t>(data.view)].stride != 0) {
+    if (data.view >= 0 && document_.view(data.view).stride != 0) {
       report_.invalid(where, "stride not allowed", "only vertex data may have a byteStride; export again");
     }
     check_layout(index, kIndexRole, where);
@@ -221,7 +220,7 @@ class MeshChecker {
   void check_layout(int index, Role role, const std::string& where) {
     const Accessor& data = accessor(index);
     if (data.view < 0) return;
-    const auto view_index = static_cast<std::size_t>(data.view);
+    const auto view_index = to_index(data.view);
     const View& view = document_.buffers.views[view_index];
     constexpr std::int64_t kTargetOfRole[] = {0, 34962, 34963};
     if (view.target != 0 && view.target != kTargetOfRole[role]) {
@@ -248,35 +247,11 @@ class MeshChecker {
   std::vector<int> vertex_accessor_;  // the last one seen in a buffer view
 };
 
-std::int64_t highest_texture_coordinate(const Json& material) {
-  std::int64_t highest = -1;
-  for_each_texture(material, [&](TextureRole, const Json& info, const std::string&) {
-    highest = std::max(highest, static_cast<std::int64_t>(read_uv_mapping(info).set));
-  });
-  return highest;
-}
-
 }  // namespace
 
 void check_meshes(const Document& document, Report& report) {
   MeshChecker checker(document, report);
   for (std::size_t i = 0; i < document.model.meshes.size(); ++i) checker.check_mesh(i);
-}
-
-void check_texture_coordinates(const Json& root, Report& report) {
-  if (!root.contains("meshes") || !root.contains("materials")) return;
-  const Json& materials = root.at("materials");
-  for (std::size_t m = 0; m < root.at("meshes").size(); ++m) {
-    const Json& primitives = root.at("meshes")[m].at("primitives");
-    for (std::size_t p = 0; p < primitives.size(); ++p) {
-      const auto material = primitives[p].find("material");
-      if (material == primitives[p].end()) continue;
-      const std::int64_t needed = highest_texture_coordinate(materials[material->get<std::size_t>()]);
-      if (needed < 0 || primitives[p].at("attributes").contains("TEXCOORD_" + std::to_string(needed))) continue;
-      report.mend(pointer("meshes", m, "primitives", p, "material"), "texture-coordinates-missing",
-                  "the material needs TEXCOORD_" + std::to_string(needed) + ", which the primitive lacks");
-    }
-  }
 }
 
 }  // namespace marrow::cook::gltf

@@ -35,4 +35,23 @@ MeshoptView read_meshopt_view(const Json& extension, std::uint64_t length, std::
 std::vector<std::byte> decode_meshopt(const MeshoptView& view, std::span<const std::byte> coded,
                                       const std::string& where, const Report& report);
 
+// The vertex codec of KHR_meshopt_compression, appendix A, mode 0: bytes → elements. Versions 0 and 1. meshoptimizer
+// decodes both from release 0.23 on; older ones, which systems install, know version 0 alone.
+//
+// The fewest bytes that so many elements take; no more than what decode_vertices() reads.
+std::uint64_t least_vertex_bytes(std::span<const std::byte> coded, std::uint64_t count, std::uint32_t stride);
+
+// Fills `elements`, of `stride` bytes each, a multiple of 4 up to 256. False if `coded` is not exactly these elements;
+// what is in `elements` then says nothing.
+bool decode_vertices(std::span<const std::byte> coded, std::uint32_t stride, std::span<std::byte> elements);
+
+// The filters of appendix B: what is done to elements after they are decoded. meshoptimizer has them as well, but by
+// the approximate roots of the processor at hand; a cooked file would differ between two of them.
+//
+// Each goes over elements of `stride` bytes in place. What the extension leaves open is zero or clamped.
+void unfold_octahedra(std::span<std::byte> elements, std::uint32_t stride);  // 4 or 8 bytes: signed, normalised
+void restore_quaternions(std::span<std::byte> elements);                     // 8 bytes
+void restore_exponents(std::span<std::byte> elements);                       // 4 bytes a number
+void restore_colours(std::span<std::byte> elements, std::uint32_t stride);   // 4 or 8 bytes: unsigned, normalised
+
 }  // namespace marrow::cook::gltf
