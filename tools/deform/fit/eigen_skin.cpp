@@ -13,6 +13,7 @@
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
 #include "deform/fit/principal_fields.h"
+#include "deform/fit/solver.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
@@ -146,16 +147,16 @@ EigenJoint fit_joint(const SkinnedMesh& mesh, const Examples& examples, std::uin
   out.support = support_of(examples, mesh.positions.size(), options.least_displacement * diagonal(mesh));
   const MatrixXd wanted = components(examples, options.most_fields, out);
   const double distance = mean_distance(examples.turns);
-  double least = wanted.squaredNorm();
-  MatrixXd coefficients;
-  for (const double width : options.widths) {
-    const Interpolant with = interpolate(examples.turns, wanted, width * distance, options.ridge);
-    if (!(with.left_out < least)) continue;
-    least = with.left_out;
-    coefficients = with.coefficients;
-    out.sigma = width * distance;
-  }
-  if (coefficients.size() == 0) return {joint, {}, {}, {}, {}, 1};
+  const auto with = [&](std::size_t w) {
+    return interpolate(examples.turns, wanted, options.widths[w] * distance, options.ridge);
+  };
+  const Choice width = best_setting(
+      VectorXd::Constant(1, wanted.squaredNorm()), options.widths.size(),
+      [&](std::size_t w) { return VectorXd::Constant(1, with(w).left_out); },
+      [](const VectorXd& squares) { return squares[0]; });
+  if (width.setting == kKeepPrior) return {joint, {}, {}, {}, {}, 1};
+  out.sigma = options.widths[width.setting] * distance;
+  const MatrixXd coefficients = with(width.setting).coefficients;
   out.examples = examples.turns;
   for (Eigen::Index k = 0; k < coefficients.rows(); ++k) {
     const VectorXd row = coefficients.row(k);

@@ -1,15 +1,11 @@
 #include "deform/fit/multi_weight.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-
 #include <glm/geometric.hpp>
 
 #include "common/parallel.h"
 #include "deform/deformers.h"
 #include "deform/dense.h"
+#include "deform/fit/training.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
@@ -18,8 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr std::size_t kKeepSsd = std::numeric_limits<std::size_t>::max();
 
 struct RootFrame {
   glm::dmat3 rotation;
@@ -33,33 +27,26 @@ struct RootFrame {
   }
 };
 
-// Rows of one fold's poses.
-struct Fold {
-  std::size_t first, count;
-};
-
-struct Training {
-  std::vector<TrainingPose> poses;              // by ascending fold
-  std::vector<Fold> folds;                      // none is empty
+// Training poses as they are from the root joint.
+struct RootedTraining {
+  std::vector<TrainingPose> poses;  // by ascending fold
+  std::vector<JudgedPose> judged;   // the same
+  std::vector<Fold> folds;
   std::vector<Pose> inside;                     // in the root's frame, translations in diagonals
   std::vector<std::vector<glm::vec3>> missing;  // a pose, vertex: truth less SSD, in that frame and in diagonals
-  std::vector<double> reference_error;          // a pose: squares, summed
   double diagonal_m = 1;
 };
 
-Training prepare(const SkinnedMesh& mesh, std::uint32_t root, std::vector<TrainingPose> poses, const Deformer& truth) {
-  Training out;
-  std::stable_sort(poses.begin(), poses.end(),
-                   [](const TrainingPose& a, const TrainingPose& b) { return a.fold < b.fold; });
+RootedTraining prepare(const SkinnedMesh& mesh, std::uint32_t root, std::vector<TrainingPose> poses,
+                       const Deformer& truth) {
+  RootedTraining out;
+  sort_by_fold(poses);
   out.poses = std::move(poses);
   out.diagonal_m = diagonal(mesh) > 0 ? diagonal(mesh) : 1;
-  for (std::size_t i = 0; i < out.poses.size(); ++i) {
-    if (i == 0 || out.poses[i].fold != out.poses[i - 1].fold) out.folds.push_back({i, 0});
-    ++out.folds.back().count;
-  }
+  for (const TrainingPose& p : out.poses) out.judged.push_back({&p, 0});
+  out.folds = folds_of(out.judged);
   out.inside.resize(out.poses.size());
   out.missing.resize(out.poses.size());
-  out.reference_error.assign(out.poses.size(), 0);
   const Deformer start = ssd(mesh);
   tools::for_each_in_parallel(out.poses.size(), [&](std::size_t i) {
     const Pose& pose = out.poses[i].pose;
@@ -73,29 +60,10 @@ Training prepare(const SkinnedMesh& mesh, std::uint32_t root, std::vector<Traini
     start(pose, got);
     for (std::size_t v = 0; v < got.size(); ++v) {
       const glm::dvec3 off = glm::transpose(frame.rotation) * (wanted[v] - got[v]) / out.diagonal_m;
-      out.reference_error[i] += glm::dot(off, off);
+      out.judged[i].reference_error += glm::dot(off, off);
       out.missing[i].emplace_back(off);
     }
   });
-  return out;
-}
-
-// Vertices that follow the same joints.
-struct Group {
-  std::vector<std::uint32_t> joints, vertices;
-  std::size_t ridge = kKeepSsd;  // which
-  VectorXd held_out;             // squared errors, a pose
-};
-
-std::vector<Group> group_by_joints(const SkinnedMesh& mesh) {
-  std::map<std::vector<std::uint32_t>, std::vector<std::uint32_t>> groups;
-  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    std::vector<std::uint32_t> joints;
-    for (const Influence& i : mesh.influences[v]) joints.push_back(i.joint);
-    groups[joints].push_back(v);
-  }
-  std::vector<Group> out;
-  for (auto& [joints, vertices] : groups) out.push_back({joints, std::move(vertices), kKeepSsd, {}});
   return out;
 }
 
@@ -105,7 +73,7 @@ struct Row {
   std::vector<MatrixXd> normal;  // a fold, per pose of all
   MatrixXd all;
 
-  Row(const Group& group, const Training& training, int r)
+  Row(const Group& group, const RootedTraining& training, int r)
       : matrix(index(training.poses.size()), 4 * index(group.joints.size())) {
     for (std::size_t p = 0; p < training.poses.size(); ++p)
       for (std::size_t j = 0; j < group.joints.size(); ++j)
@@ -125,7 +93,7 @@ struct VertexRow {
   std::vector<VectorXd> right;  // a fold
   VectorXd all;
 
-  VertexRow(const Row& row, const Training& training, const glm::dvec3& v, std::uint32_t vertex, int r)
+  VertexRow(const Row& row, const RootedTraining& training, const glm::dvec3& v, std::uint32_t vertex, int r)
       : scale(row.matrix.cols()), missing(row.matrix.rows()), all(VectorXd::Zero(row.matrix.cols())) {
     for (Index i = 0; i < scale.size(); ++i)
       scale[i] = i % 4 < 3 ? v[static_cast<int>(i % 4)] / training.diagonal_m : 1;
@@ -146,8 +114,8 @@ struct VertexRow {
 };
 
 // Adds the squared errors of each ridge and pose to `errors`, a ridge a column.
-void add_held_out(const Row& row, const VertexRow& vertex, const Training& training, const std::vector<double>& ridges,
-                  MatrixXd& errors) {
+void add_held_out(const Row& row, const VertexRow& vertex, const RootedTraining& training,
+                  const std::vector<double>& ridges, MatrixXd& errors) {
   const bool can = training.folds.size() > 1;
   for (std::size_t f = 0; f < training.folds.size(); ++f) {
     const Fold& fold = training.folds[f];
@@ -162,55 +130,54 @@ void add_held_out(const Row& row, const VertexRow& vertex, const Training& train
   }
 }
 
-void cross_validate(const SkinnedMesh& mesh, const Training& training, const std::vector<double>& ridges,
-                    Group& group) {
-  const std::size_t tried = training.folds.size() > 1 ? ridges.size() : 1;
-  MatrixXd errors = MatrixXd::Zero(index(training.poses.size()), index(tried));
-  group.held_out = VectorXd::Zero(index(training.poses.size()));
-  for (int r = 0; r < 3; ++r) {
-    const Row row(group, training, r);
-    for (const std::uint32_t v : group.vertices) {
-      const VertexRow vertex(row, training, mesh.positions[v], v, r);
-      group.held_out += vertex.missing.cwiseAbs2();
-      add_held_out(row, vertex, training, ridges, errors);
+// Parts: vertices that follow the same joints. Settings: ridges.
+class MultiWeightBasis final : public Basis {
+ public:
+  MultiWeightBasis(const SkinnedMesh& mesh, const RootedTraining& training, const std::vector<double>& ridges,
+                   MultiWeights& out)
+      : mesh_(mesh), training_(training), ridges_(ridges), groups_(group_by_joints(lift(mesh))), out_(out) {}
+
+  std::size_t parts() const override { return groups_.size(); }
+
+  Part choose(std::size_t part) override {
+    const Index poses = index(training_.poses.size());
+    MatrixXd errors = MatrixXd::Zero(poses, index(training_.folds.size() > 1 ? ridges_.size() : 1));
+    Part out{VectorXd::Zero(poses), {}};
+    for_each_row(part, [&](const Row& row, const VertexRow& vertex, std::uint32_t, int) {
+      out.prior += vertex.missing.cwiseAbs2();
+      add_held_out(row, vertex, training_, ridges_, errors);
+    });
+    out.chosen.push_back(best_setting(
+        out.prior, static_cast<std::size_t>(errors.cols()), [&](std::size_t r) { return errors.col(index(r)); },
+        [](const VectorXd& of) { return of.sum(); }));
+    return out;
+  }
+
+  void solve(std::size_t part, std::size_t, std::size_t ridge) override {
+    for_each_row(part, [&](const Row& row, const VertexRow& vertex, std::uint32_t v, int r) {
+      const VectorXd x = vertex.solve(row.all, vertex.all, ridges_[ridge]);
+      for (std::size_t j = 0; j < out_[v].size(); ++j)
+        for (int c = 0; c < 4; ++c) out_[v][j].rows[static_cast<std::size_t>(r)][c] += x[4 * index(j) + c];
+    });
+  }
+
+ private:
+  // Calls each(row, its side of a vertex, the vertex, which row).
+  template <class Each>
+  void for_each_row(std::size_t part, const Each& each) const {
+    for (int r = 0; r < 3; ++r) {
+      const Row row(groups_[part], training_, r);
+      for (const std::uint32_t v : groups_[part].vertices)
+        each(row, VertexRow(row, training_, mesh_.positions[v], v, r), v, r);
     }
   }
-  for (std::size_t i = 0; i < tried; ++i) {
-    if (!(errors.col(index(i)).sum() < group.held_out.sum())) continue;
-    group.ridge = i;
-    group.held_out = errors.col(index(i));
-  }
-}
 
-void write_solution(const SkinnedMesh& mesh, const Training& training, const std::vector<double>& ridges,
-                    const Group& group, MultiWeights& out) {
-  if (group.ridge == kKeepSsd) return;
-  for (int r = 0; r < 3; ++r) {
-    const Row row(group, training, r);
-    for (const std::uint32_t v : group.vertices) {
-      const VertexRow vertex(row, training, mesh.positions[v], v, r);
-      const VectorXd x = vertex.solve(row.all, vertex.all, ridges[group.ridge]);
-      for (std::size_t j = 0; j < out[v].size(); ++j)
-        for (int c = 0; c < 4; ++c) out[v][j].rows[static_cast<std::size_t>(r)][c] += x[4 * index(j) + c];
-    }
-  }
-}
-
-FitQuality quality_of(const std::vector<Group>& groups, const Training& training) {
-  double ours = 0, reference = 0;
-  std::size_t worse = 0, shipped = 0;
-  for (std::size_t p = 0; p < training.poses.size(); ++p) {
-    if (!training.poses[p].shipped) continue;
-    double error = 0;
-    for (const Group& group : groups) error += group.held_out[index(p)];
-    ++shipped;
-    ours += error;
-    reference += training.reference_error[p];
-    worse += error > training.reference_error[p];
-  }
-  if (!(reference > 0)) return {};
-  return {std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)};
-}
+  const SkinnedMesh& mesh_;
+  const RootedTraining& training_;
+  const std::vector<double>& ridges_;
+  std::vector<Group> groups_;
+  MultiWeights& out_;
+};
 
 }  // namespace
 
@@ -243,16 +210,12 @@ MultiWeights single_weights(const SkinnedMesh& mesh) {
 
 MultiWeightFit fit_multi_weights(const SkinnedMesh& mesh, std::uint32_t root, std::vector<TrainingPose> poses,
                                  const Deformer& truth, const MultiWeightOptions& options) {
-  const Training training = prepare(mesh, root, std::move(poses), truth);
-  std::vector<Group> groups = group_by_joints(mesh);
-  Steps steps(options.progress, groups.size());
-  tools::for_each_in_parallel(groups.size(), [&](std::size_t g) {
-    cross_validate(mesh, training, options.ridges, groups[g]);
-    steps.one_more();
-  });
-  MultiWeightFit out{single_weights(mesh), quality_of(groups, training)};
-  tools::for_each_in_parallel(
-      groups.size(), [&](std::size_t g) { write_solution(mesh, training, options.ridges, groups[g], out.weights); });
+  const RootedTraining training = prepare(mesh, root, std::move(poses), truth);
+  MultiWeightFit out{single_weights(mesh), {}};
+  MultiWeightBasis basis(mesh, training, options.ridges, out.weights);
+  const Chosen chosen = choose_settings(basis, training.judged, 0, options.progress);
+  out.quality = chosen.quality;
+  solve(basis, chosen);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,12 +15,14 @@
 #include "common/parallel.h"
 #include "deform/dense.h"
 #include "deform/fit/correction.h"
+#include "deform/fit/solver.h"
 #include "deform/rotation_of_matrix.h"
 
 namespace marrow::deform {
 namespace {
 
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using Rotations = std::vector<glm::dquat>;
 
 // D of each joint.
@@ -91,15 +94,15 @@ struct Seen {
 };
 
 // A pose of the training with what SSD misses there.
-struct Example {
+struct PoseExample {
   Rotations rotations;
   std::vector<glm::dvec3> missing;  // a vertex: truth less SSD, metres, where the pose is
   double reference_error = 0;       // squares, summed
 };
 
-Example make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, const Pose& pose,
-                     const Deformer& truth) {
-  Example e;
+PoseExample make_example(const SkinnedMesh& mesh, const std::vector<int>& parents, const Pose& pose,
+                         const Deformer& truth) {
+  PoseExample e;
   e.rotations = local_rotations(pose, parents);
   Positions wanted;
   truth(pose, wanted);
@@ -114,7 +117,7 @@ struct Examples {
   const SkinnedMesh& mesh;
   Groups groups;
   std::vector<TrainingPose> poses;
-  std::vector<Example> examples;  // a pose
+  std::vector<PoseExample> examples;  // a pose
   double diagonal_m;
 };
 
@@ -224,8 +227,8 @@ double mean_distance(const Examples& t, const std::vector<std::size_t>& chosen) 
 }
 
 // Of `poses`, the worst first.
-std::vector<std::size_t> choose(const Examples& t, const std::vector<std::size_t>& poses,
-                                const PoseSpaceOptions& options) {
+std::vector<std::size_t> choose_examples(const Examples& t, const std::vector<std::size_t>& poses,
+                                         const PoseSpaceOptions& options) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < std::min(options.most_examples, poses.size())) {
     const Interpolant now = interpolate(t, chosen, options.widths[0] * mean_distance(t, chosen), options);
@@ -241,52 +244,56 @@ std::vector<std::size_t> choose(const Examples& t, const std::vector<std::size_t
   return chosen;
 }
 
-// Which of the widths is best, and the errors of poses held out with it.
-std::size_t cross_validate(const Examples& t, const PoseSpaceOptions& options, std::vector<double>& held_out) {
-  std::vector<std::uint32_t> folds;
-  for (const TrainingPose& p : t.poses) folds.push_back(p.fold);
-  tools::make_distinct(folds);
-  const bool can = folds.size() > 1;
-  std::vector<std::vector<double>> errors(can ? options.widths.size() : 1, std::vector<double>(t.poses.size(), 0));
-  Steps steps(options.progress, folds.size());
-  for (const std::uint32_t fold : folds) {
-    std::vector<std::size_t> inside, others;
-    for (std::size_t p = 0; p < t.poses.size(); ++p) (t.poses[p].fold == fold ? inside : others).push_back(p);
-    const std::vector<std::size_t> chosen = choose(t, can ? others : inside, options);
-    const double distance = mean_distance(t, chosen);
-    for (std::size_t w = 0; w < errors.size(); ++w) {
-      const Interpolant with = interpolate(t, chosen, options.widths[w] * distance, options);
-      const std::vector<double> of_fold = errors_of(t, with, inside);
-      for (std::size_t i = 0; i < inside.size(); ++i) errors[w][inside[i]] = of_fold[i];
-    }
-    steps.one_more();
-  }
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t w = 0; w < errors.size(); ++w) {
-    double sum = 0;
-    for (const double e : errors[w]) sum += e;
-    if (!(sum < least)) continue;
-    least = sum;
-    best = w;
-  }
-  held_out = errors[best];
-  return best;
-}
+// One part, the whole mesh, whose examples all vertices share. Settings: widths. Without a prior: whether what is
+// learnt beats SSD is seen in the end.
+class PoseSpaceBasis final : public Basis {
+ public:
+  PoseSpaceBasis(const Examples& examples, const PoseSpaceOptions& options, PoseSpaceFit& out)
+      : t_(examples), options_(options), out_(out) {}
 
-FitQuality quality_of(const Examples& t, const std::vector<double>& errors) {
-  double ours = 0, reference = 0;
-  std::size_t worse = 0, shipped = 0;
-  for (std::size_t p = 0; p < t.poses.size(); ++p) {
-    if (!t.poses[p].shipped) continue;
-    ++shipped;
-    ours += errors[p];
-    reference += t.examples[p].reference_error;
-    worse += errors[p] > t.examples[p].reference_error;
+  std::size_t parts() const override { return 1; }
+
+  Part choose(std::size_t) override {
+    std::vector<std::uint32_t> folds;
+    for (const TrainingPose& p : t_.poses) folds.push_back(p.fold);
+    tools::make_distinct(folds);
+    const bool can = folds.size() > 1;
+    MatrixXd errors = MatrixXd::Zero(index(t_.poses.size()), index(can ? options_.widths.size() : 1));
+    Steps steps(options_.progress, folds.size());
+    for (const std::uint32_t fold : folds) {
+      std::vector<std::size_t> inside, others;
+      for (std::size_t p = 0; p < t_.poses.size(); ++p) (t_.poses[p].fold == fold ? inside : others).push_back(p);
+      const std::vector<std::size_t> chosen = choose_examples(t_, can ? others : inside, options_);
+      const double distance = mean_distance(t_, chosen);
+      for (Eigen::Index w = 0; w < errors.cols(); ++w) {
+        const double sigma = options_.widths[static_cast<std::size_t>(w)] * distance;
+        const std::vector<double> of_fold = errors_of(t_, interpolate(t_, chosen, sigma, options_), inside);
+        for (std::size_t i = 0; i < inside.size(); ++i) errors(index(inside[i]), w) = of_fold[i];
+      }
+      steps.one_more();
+    }
+    const VectorXd none = VectorXd::Constant(errors.rows(), std::numeric_limits<double>::infinity());
+    return {none,
+            {best_setting(
+                none, static_cast<std::size_t>(errors.cols()), [&](std::size_t w) { return errors.col(index(w)); },
+                [](const VectorXd& of) { return of.sum(); })}};
   }
-  if (!(reference > 0)) return {};
-  return {std::sqrt(ours / reference), static_cast<double>(worse) / static_cast<double>(shipped)};
-}
+
+  void solve(std::size_t, std::size_t, std::size_t width) override {
+    std::vector<std::size_t> all(t_.poses.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    out_.chosen = choose_examples(t_, all, options_);
+    out_.space.sigma = options_.widths[width] * mean_distance(t_, out_.chosen);
+    Interpolant with = interpolate(t_, out_.chosen, out_.space.sigma, options_);
+    for (std::size_t k = 0; k < out_.chosen.size(); ++k)
+      out_.space.examples.push_back({t_.examples[out_.chosen[k]].rotations, std::move(with.deltas[k])});
+  }
+
+ private:
+  const Examples& t_;
+  const PoseSpaceOptions& options_;
+  PoseSpaceFit& out_;
+};
 
 }  // namespace
 
@@ -312,22 +319,15 @@ PoseSpaceFit fit_pose_space(const SkinnedMesh& mesh, const std::vector<int>& par
   t.examples.resize(t.poses.size());
   tools::for_each_in_parallel(
       t.poses.size(), [&](std::size_t p) { t.examples[p] = make_example(mesh, parents, t.poses[p].pose, truth); });
+  std::vector<JudgedPose> judged;
+  for (std::size_t p = 0; p < t.poses.size(); ++p) judged.push_back({&t.poses[p], t.examples[p].reference_error});
   PoseSpaceFit out;
   out.space.parents = parents;
-  std::vector<double> held_out;
-  const std::size_t width = cross_validate(t, options, held_out);
-  out.quality = quality_of(t, held_out);
-  if (!(out.quality.share < 1)) {
-    out.quality = {};
-    return out;
-  }
-  std::vector<std::size_t> all;
-  for (std::size_t p = 0; p < t.poses.size(); ++p) all.push_back(p);
-  out.chosen = choose(t, all, options);
-  out.space.sigma = options.widths[width] * mean_distance(t, out.chosen);
-  Interpolant with = interpolate(t, out.chosen, out.space.sigma, options);
-  for (std::size_t k = 0; k < out.chosen.size(); ++k)
-    out.space.examples.push_back({t.examples[out.chosen[k]].rotations, std::move(with.deltas[k])});
+  PoseSpaceBasis basis(t, options, out);
+  const Chosen chosen = choose_settings(basis, judged, 0, {});
+  if (!(chosen.quality.share < 1)) return out;
+  out.quality = chosen.quality;
+  solve(basis, chosen);
   return out;
 }
 

@@ -57,20 +57,15 @@ VectorXd pose_weights(std::span<const Example> examples, const Strength& strengt
 
 Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, const Deformer& truth,
                           const Deformer& reference, const Progress& progress) {
-  std::stable_sort(poses.begin(), poses.end(), [](const TrainingPose& a, const TrainingPose& b) {
-    return a.learnt != b.learnt ? a.learnt : a.learnt && a.fold < b.fold;
-  });
+  sort_by_fold(poses);
   Training out;
   out.diagonal_m = diagonal_m;
   out.examples = make_examples(diagonal_m, poses, truth, reference, progress);
   std::erase_if(out.examples, [](const Example& e) { return !e.is_usable; });
-  const auto learnt =
-      static_cast<std::size_t>(std::ranges::count_if(out.examples, [](const Example& e) { return e.at->learnt; }));
+  for (const Example& e : out.examples) out.judged.push_back({e.at, e.reference_error});
+  out.folds = folds_of(out.judged);
+  const std::size_t learnt = out.folds.empty() ? 0 : out.folds.back().first + out.folds.back().count;
   out.motion = {learnt, out.examples.size() - learnt};
-  for (std::size_t i = 0; i < learnt; ++i) {
-    if (i == 0 || out.examples[i].at->fold != out.examples[i - 1].at->fold) out.folds.push_back({i, 0});
-    ++out.folds.back().count;
-  }
   double moved = 0;
   for (std::size_t e = learnt; e < out.examples.size(); ++e) moved += out.examples[e].reference_error;
   for (const Strength& s : kStrengths) {

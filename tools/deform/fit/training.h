@@ -2,7 +2,7 @@
 #pragma once
 
 #include "deform/dense.h"
-#include "deform/fit/fit.h"
+#include "deform/fit/solver.h"
 
 namespace marrow::deform {
 
@@ -16,11 +16,6 @@ struct Example {
   double reference_error = 0;  // squares, summed
 };
 
-// Rows of one fold's poses, three a pose.
-struct Fold {
-  std::size_t first, count;
-};
-
 // How much poses count: 1 / (error + ε) to the power of none, one or two halves; ε is in mean squared errors.
 struct Strength {
   int halves;
@@ -31,8 +26,9 @@ inline constexpr std::size_t kBalanced = 1;  // of those
 inline constexpr std::size_t kStrengthCount = std::size(kStrengths);
 
 struct Training {
-  std::vector<Example> examples;         // by ascending fold; each with a truth that is finite
-  std::vector<Fold> folds;               // none is empty
+  std::vector<Example> examples;   // by ascending fold; each with a truth that is finite
+  std::vector<JudgedPose> judged;  // the same
+  std::vector<Fold> folds;
   Fold motion{0, 0};                     // behind them: what is not learnt
   std::vector<Eigen::VectorXd> weights;  // a strength: a row that is learnt; they sum to 1
   // A strength: what a squared error of `motion` counts, so that the reference's there count as much as in the rest.
