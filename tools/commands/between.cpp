@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "commands/arguments.h"
-#include "deform/motion/between_poses.h"
+#include "deform/motion/between_frames.h"
 
 namespace marrow::tools {
 namespace {

@@ -4,6 +4,12 @@
 
 namespace marrow::deform {
 
+std::vector<std::uint32_t> joints_of(const std::vector<Coordinate>& vertex) {
+  std::vector<std::uint32_t> out;
+  for (const Coordinate& c : vertex) out.push_back(c.joint);
+  return out;
+}
+
 Deformer animation_space(const Coordinates& coordinates) {
   return [&coordinates](const Pose& pose, Positions& out) {
     out.assign(coordinates.size(), glm::dvec3(0));

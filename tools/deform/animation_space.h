@@ -18,6 +18,8 @@ struct Coordinate {
 };
 using Coordinates = std::vector<std::vector<Coordinate>>;  // a vertex: by ascending joint
 
+std::vector<std::uint32_t> joints_of(const std::vector<Coordinate>& vertex);
+
 Deformer animation_space(const Coordinates& coordinates);
 
 // SSD exactly: q_j = w_j (v, 1).

@@ -37,12 +37,6 @@ glm::dmat4 product(const Matrix& a, const Matrix& b) {
   return out;
 }
 
-bool is_finite(const Pose& pose) {
-  return std::ranges::all_of(pose, [](const Matrix& m) {
-    return std::isfinite(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]) + glm::dot(m[3], m[3]));
-  });
-}
-
 std::vector<Pose> centred(const std::vector<Pose>& poses) {
   std::vector<Pose> out;
   for (const Pose& pose : poses) {
@@ -128,8 +122,7 @@ double PoseMetric::squared_distance(const std::vector<Coordinate>& p, const std:
 std::vector<std::uint32_t> joints_to_keep(const PoseMetric& metric, const std::vector<Coordinate>& vertex,
                                           std::size_t most) {
   std::vector<Coordinate> merged = vertex;
-  std::vector<std::uint32_t> joints;
-  for (const Coordinate& c : vertex) joints.push_back(c.joint);
+  std::vector<std::uint32_t> joints = joints_of(vertex);
   while (joints.size() > most) {
     double least = std::numeric_limits<double>::infinity();
     std::uint32_t goes = joints.back(), to = joints.front();

@@ -35,6 +35,9 @@ using FramesInARow = std::array<Pose, 3>;
 // Where a deformer puts the vertices in a pose. Thread-safe; `out` is resized.
 using Deformer = std::function<void(const Pose& pose, Positions& out)>;
 
+// 0 for a joint that is not among them.
+double weight_of(std::uint32_t joint, const std::vector<Influence>& influences);
+
 inline glm::dmat3 linear_of(const Matrix& m) {
   return glm::dmat3(m[0], m[1], m[2]);
 }
@@ -44,6 +47,9 @@ inline glm::dvec3 transform(const Matrix& m, const glm::dvec3& v) {
 }
 
 bool is_finite(const Positions& positions);
+// By the squares of a matrix: also false where those overflow.
+bool is_finite(const Matrix& m);
+bool is_finite(const Pose& pose);
 
 // Length of the diagonal of the bind pose's box.
 double diagonal(const SkinnedMesh& mesh);

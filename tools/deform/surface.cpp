@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <glm/geometric.hpp>
 
@@ -39,9 +40,22 @@ Edges edges_of(const SkinnedMesh& mesh) {
 
 }  // namespace
 
+double weight_of(std::uint32_t joint, const std::vector<Influence>& influences) {
+  const auto found = std::ranges::find(influences, joint, &Influence::joint);
+  return found == influences.end() ? 0 : found->weight;
+}
+
 bool is_finite(const Positions& positions) {
   return std::ranges::all_of(
       positions, [](const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); });
+}
+
+bool is_finite(const Matrix& m) {
+  return std::isfinite(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]) + glm::dot(m[3], m[3]));
+}
+
+bool is_finite(const Pose& pose) {
+  return std::ranges::all_of(pose, [](const Matrix& m) { return is_finite(m); });
 }
 
 double diagonal(const SkinnedMesh& mesh) {
@@ -116,6 +130,45 @@ std::vector<glm::dvec3> vertex_normals(const Positions& positions, std::span<con
     n = length > 0 ? n / length : glm::dvec3(0);
   }
   return normals;
+}
+
+Unions::Unions(std::size_t count) : up_(count) {
+  std::iota(up_.begin(), up_.end(), 0u);
+}
+
+void Unions::unite(std::uint32_t a, std::uint32_t b) {
+  a = root(a);
+  b = root(b);
+  up_[std::max(a, b)] = std::min(a, b);
+}
+
+MeshParts::MeshParts(const SkinnedMesh& mesh) : mesh_(mesh), part_of_(mesh.positions.size(), 0) {
+  Unions joined(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) joined.unite(mesh.indices[i], mesh.indices[i - i % 3]);
+  std::vector<char> has_triangle(mesh.positions.size(), 0);
+  for (const std::uint32_t v : mesh.indices) has_triangle[v] = 1;
+  std::map<std::uint32_t, std::uint32_t> numbers;
+  for (std::uint32_t v = 0; v < part_of_.size(); ++v) {
+    if (has_triangle[v] == 0) continue;
+    part_of_[v] = numbers.try_emplace(joined.root(v), static_cast<std::uint32_t>(numbers.size())).first->second;
+    vertices_.resize(numbers.size());
+    vertices_[part_of_[v]].push_back(v);
+  }
+}
+
+std::vector<double> MeshParts::stretches(const Positions& posed) const {
+  std::vector<double> out(vertices_.size(), 0.0), edges(vertices_.size(), 0.0);
+  for (std::size_t i = 0; i < mesh_.indices.size(); ++i) {
+    const std::uint32_t a = mesh_.indices[i], b = mesh_.indices[i % 3 == 2 ? i - 2 : i + 1];
+    const double bind = glm::length(mesh_.positions[b] - mesh_.positions[a]);
+    if (!(bind > 0)) continue;
+    const double stretch = glm::length(posed[b] - posed[a]) / bind - 1;
+    out[part_of_[a]] += stretch * stretch;
+    ++edges[part_of_[a]];
+  }
+  for (std::size_t p = 0; p < out.size(); ++p)
+    if (edges[p] > 0) out[p] /= edges[p];
+  return out;
 }
 
 }  // namespace marrow::deform

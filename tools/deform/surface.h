@@ -1,4 +1,4 @@
-// What smoothing and normals need of a mesh: who is whose neighbour.
+// What smoothing and normals need of a mesh: who is whose neighbour; and its connected parts.
 #pragma once
 
 #include <cstdint>
@@ -74,5 +74,36 @@ void Surface::smooth(std::vector<T>& values, double step, std::vector<T>& scratc
     values[v] = scratch[v] * (1 - step) + mean * step;
   }
 }
+
+// Sets that are united, each known by its least member.
+class Unions {
+ public:
+  explicit Unions(std::size_t count);
+  std::uint32_t root(std::uint32_t i) {
+    while (up_[i] != i) i = up_[i] = up_[up_[i]];
+    return i;
+  }
+  void unite(std::uint32_t a, std::uint32_t b);
+
+ private:
+  std::vector<std::uint32_t> up_;  // of a member another of its set, at most itself
+};
+
+// Parts have no triangle in common; a vertex without a triangle is in none.
+class MeshParts {
+ public:
+  // Refers to the mesh.
+  explicit MeshParts(const SkinnedMesh& mesh);
+
+  // The vertices of each part, ascending.
+  const std::vector<std::vector<std::uint32_t>>& vertices() const { return vertices_; }
+  // Of each part the mean over its edges of (length / length in the bind pose - 1)².
+  std::vector<double> stretches(const Positions& posed) const;
+
+ private:
+  const SkinnedMesh& mesh_;
+  std::vector<std::vector<std::uint32_t>> vertices_;
+  std::vector<std::uint32_t> part_of_;  // of a vertex
+};
 
 }  // namespace marrow::deform

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "deform/rig/place_joints.h"
+#include "deform/rig/embed.h"
 #include "deform/rig/room.h"
 #include "unit/deform/bodies.h"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "deform/weights/smooth_weights.h"
+#include "deform/weights/edit_weights.h"
 #include "deform/weights/voxels.h"
 #include "unit/deform/shapes.h"
 

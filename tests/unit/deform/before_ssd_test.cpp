@@ -1,5 +1,5 @@
 // Stitching and joint-dependent local deformations: by hand, and what they promise of bends and twists.
-#include "deform/before_ssd.h"
+#include "deform/deformers.h"
 
 #include <gtest/gtest.h>
 

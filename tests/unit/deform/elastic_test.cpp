@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "deform/elastic/node_weights.h"
+#include "deform/elastic/body.h"
 #include "deform/look/folds.h"
 #include "deform/surface.h"
 #include "disk/thread_pool.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "deform/helpers/choose_helpers.h"
+#include "deform/helpers/closed_form.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
-#include "deform/helpers/not_uglier.h"
+#include "deform/helpers/never_worse.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "deform/weights/place_tree.h"
-#include "deform/weights/set_weights.h"
+#include "deform/weights/edit_weights.h"
+#include "deform/weights/places.h"
 
 namespace marrow::deform {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 #include "unit/deform/shapes.h"
 
 namespace marrow::deform {

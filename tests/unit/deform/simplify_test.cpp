@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "deform/deformers.h"
-#include "deform/simplify/representative.h"
 #include "deform/simplify/surface_error.h"
 #include "unit/deform/shapes.h"
 

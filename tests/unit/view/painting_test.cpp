@@ -11,7 +11,7 @@
 #include "commands/view/files/source.h"
 #include "commands/view/paint/painting.h"
 #include "common/failure.h"
-#include "deform/weights/place_tree.h"
+#include "deform/weights/places.h"
 #include "disk/cook_on_disk.h"
 #include "disk/files.h"
 #include "pose/evaluate.h"

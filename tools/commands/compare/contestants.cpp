@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 
 #include "cook/learn/learn_deformers.h"
-#include "deform/before_ssd.h"
+#include "deform/deformers.h"
 #include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"

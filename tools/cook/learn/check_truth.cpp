@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 
 namespace marrow::cook {
 namespace {

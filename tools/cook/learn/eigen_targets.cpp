@@ -16,8 +16,7 @@
 #include "cook/skin/deform_source.h"
 #include "deform/deformers.h"
 #include "deform/elastic/elastic.h"
-#include "deform/fit/correction.h"
-#include "deform/fit/principal_fields.h"
+#include "deform/fit/missing.h"
 #include "deform/fit/remembered.h"
 
 namespace marrow::cook {

@@ -14,11 +14,11 @@
 #include "cook/learn/single_joints.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/elastic/elastic.h"
-#include "deform/helpers/choose_helpers.h"
+#include "deform/helpers/closed_form.h"
 #include "deform/helpers/never_worse.h"
 #include "deform/motion/motion_errors.h"
 #include "deform/weights/auto_weights.h"
-#include "deform/weights/smooth_weights.h"
+#include "deform/weights/edit_weights.h"
 #include "marrow/file.h"
 
 namespace marrow::cook {

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "common/evenly.h"
-#include "deform/helpers/not_uglier.h"
-#include "deform/look/mesh_parts.h"
+#include "deform/helpers/never_worse.h"
+#include "deform/surface.h"
 
 namespace marrow::cook {
 namespace {
@@ -19,14 +19,9 @@ constexpr int kRounds = 2;               // as where it has given way something 
 deform::Coordinates simple_over(const deform::ClosedForm& form, const deform::Coordinates& coordinates) {
   deform::Coordinates out = coordinates;
   for (std::size_t v = 0; v < out.size(); ++v) {
-    std::vector<std::uint32_t> entries;
-    for (const deform::Coordinate& c : out[v]) entries.push_back(c.joint);
-    const auto weights = form.weights_of(v, entries);
+    const auto weights = form.weights_of(v, joints_of(out[v]));
     if (!weights) continue;
-    for (deform::Coordinate& c : out[v]) {
-      const auto at = std::ranges::find(*weights, c.joint, &deform::Influence::joint);
-      c.q = glm::dvec4(form.position_of(v), 1) * (at == weights->end() ? 0.0 : at->weight);
-    }
+    for (deform::Coordinate& c : out[v]) c.q = glm::dvec4(form.position_of(v), 1) * weight_of(c.joint, *weights);
   }
   return out;
 }
@@ -41,11 +36,6 @@ std::uint32_t middle_of(const deform::SkinnedMesh& mesh, const std::vector<std::
   glm::dvec3 mean(0);
   for (const std::uint32_t v : part) mean += mesh.positions[v] / static_cast<double>(part.size());
   return *std::ranges::min_element(part, {}, [&](std::uint32_t v) { return glm::length(mesh.positions[v] - mean); });
-}
-
-double weight_of(std::uint32_t joint, const std::vector<deform::Influence>& weights) {
-  const auto at = std::ranges::find(weights, joint, &deform::Influence::joint);
-  return at == weights.end() ? 0 : at->weight;
 }
 
 }  // namespace

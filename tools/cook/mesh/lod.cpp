@@ -14,7 +14,6 @@
 #include "cook/skin/fewer_joints.h"
 #include "cook/skin/split_primitives.h"
 #include "deform/pose_metric.h"
-#include "deform/simplify/representative.h"
 #include "deform/simplify/surface_error.h"
 
 namespace marrow::cook {

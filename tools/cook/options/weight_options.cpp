@@ -1,7 +1,7 @@
 #include "cook/options/option_lists.h"
 
 #include "deform/weights/auto_weights.h"
-#include "deform/weights/smooth_weights.h"
+#include "deform/weights/edit_weights.h"
 
 namespace marrow::cook {
 namespace {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "deform/weights/place_tree.h"
 #include "deform/weights/places.h"
 #include "text/nearest.h"
 #include "text/printable.h"

@@ -12,7 +12,7 @@
 #include "common/failure.h"
 #include "cook/paint/paint_file.h"
 #include "cook/paint/paint_places.h"
-#include "deform/weights/set_weights.h"
+#include "deform/weights/edit_weights.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 

@@ -5,7 +5,7 @@
 
 #include "cook/prepare/bind_weights.h"
 #include "cook/scene/raw.h"
-#include "deform/rig/skeleton_template.h"
+#include "deform/rig/auto_skeleton.h"
 
 namespace marrow::cook {
 

@@ -13,7 +13,7 @@
 #include "cook/paint/paint_weights.h"
 #include "cook/prepare/bind_bones.h"
 #include "deform/weights/auto_weights.h"
-#include "deform/weights/smooth_weights.h"
+#include "deform/weights/edit_weights.h"
 
 namespace marrow::cook {
 namespace {

@@ -14,7 +14,7 @@
 #include "cook/scene/matrices.h"
 #include "cook/scene/node_motion.h"
 #include "cook/scene/views.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 

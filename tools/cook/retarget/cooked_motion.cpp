@@ -13,7 +13,7 @@
 #include "cook/prepare/match_skeletons.h"
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 #include "marrow/sample.h"
 
 namespace marrow::cook {

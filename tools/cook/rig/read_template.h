@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "deform/rig/skeleton_template.h"
+#include "deform/rig/auto_skeleton.h"
 
 namespace marrow::cook {
 

@@ -9,7 +9,7 @@
 
 #include "deform/deformers.h"
 #include "deform/elastic/elastic_options.h"
-#include "deform/rig/skeleton_template.h"
+#include "deform/rig/auto_skeleton.h"
 #include "marrow/cook_host.h"
 #include "marrow/file.h"
 #include "marrow/roles.h"

@@ -3,7 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 #include "marrow/limits.h"
 
 namespace marrow::cook {

@@ -7,7 +7,7 @@
 #include "common/check_status.h"
 #include "common/elementary.h"
 #include "cook/scene/views.h"
-#include "deform/slerp.h"
+#include "deform/rotations.h"
 #include "marrow/limits.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"

@@ -12,6 +12,11 @@
 
 namespace marrow::deform {
 
+// As smooth as they can be while between corners they are what vertices have: of each joint the least of
+// 4 Σ (interpolated - vertex's)² + Σ |gradient|². Of each corner the six largest, none below 0.01; they sum to 1.
+// On all cores, the same on every run.
+std::vector<std::vector<Influence>> node_weights(const Lattice& lattice, const SkinnedMesh& mesh);
+
 // A cell as it is reckoned with. Four are at a time: `Body::free` has them so that none is beside another of its
 // four, nor of its half, and fills up with cells of no weight.
 struct ElasticCell {
@@ -34,6 +39,9 @@ struct Body {
 
 // Of what a mode of a cell, Σ ± of its corners, costs: the three that bend it, and the one that twists those.
 inline constexpr float kBending = 2.0f / 24, kTwisting = 2.0f / 48;
+
+// Of Lattice::filled_around: up to there a body is thin, from there on it is not.
+inline constexpr double kThin = 0.10, kThick = 0.30;
 
 // 0 up to `from`, 1 beyond `to`, and smooth between.
 double smooth_step(double x, double from, double to);

@@ -2,18 +2,212 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
+#include "common/distinct.h"
 #include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/deformers.h"
-#include "deform/elastic/embedding.h"
-#include "deform/look/mesh_parts.h"
-#include "deform/rotation_blend.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/elastic/rounds.h"
+#include "deform/rotations.h"
+#include "deform/surface.h"
+#include "deform/weights/places.h"
 
 namespace marrow::deform {
+namespace {
+
+constexpr double kStrange = 0.55, kAgrees = 0.80;  // of weights that are in common
+constexpr int kSeam = 4;                           // steps that the border of what goes with joints is smoothed by
+
+// Of each vertex the surface that it belongs to: vertices in one place belong to one.
+std::vector<std::uint32_t> surfaces_of(const SkinnedMesh& mesh) {
+  const Places places = places_of(mesh.positions);
+  Unions joined(places.positions.size());
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i)
+    joined.unite(places.of_vertex[mesh.indices[i]], places.of_vertex[mesh.indices[i - i % 3]]);
+  std::vector<std::uint32_t> out;
+  for (const std::uint32_t place : places.of_vertex) out.push_back(joined.root(place));
+  return out;
+}
+
+using Weights = std::map<std::uint32_t, double>;
+
+double in_common(const std::vector<Influence>& a, const Weights& b, double over) {
+  double out = 0;
+  for (const Influence& i : a)
+    if (const auto found = b.find(i.joint); found != b.end()) out += std::min(found->second / over, i.weight);
+  return out;
+}
+
+// Of each vertex what its weights have in common with those of the other surfaces in its cell, of the one with the
+// least; 1 where it is alone.
+std::vector<double> agreement(const Lattice& lattice, const SkinnedMesh& mesh) {
+  struct Part {
+    Weights weights;
+    double count = 0;
+  };
+  const std::vector<std::uint32_t> surface = surfaces_of(mesh);
+  std::vector<std::map<std::uint32_t, Part>> parts(lattice.cells.size());
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (lattice.cell_of[v] == Lattice::kNone) continue;
+    Part& part = parts[lattice.cell_of[v]][surface[v]];
+    for (const Influence& i : mesh.influences[v]) part.weights[i.joint] += i.weight;
+    ++part.count;
+  }
+  std::vector<double> out(surface.size(), 1);
+  for (std::size_t v = 0; v < surface.size(); ++v) {
+    if (lattice.cell_of[v] == Lattice::kNone) continue;
+    for (const auto& [other, part] : parts[lattice.cell_of[v]])
+      if (other != surface[v]) out[v] = std::min(out[v], in_common(mesh.influences[v], part.weights, part.count));
+  }
+  return out;
+}
+
+}  // namespace
+
+// A vertex goes with the corners round it, by how each is moved, turned and stretched: v' = Σ φ (x + F (v - p)), φ
+// quadratic B-splines, over the corners of its own cell and of those that touch it and hang together with it. What is
+// thin goes with the joints and with how far the corners are from where joints have them.
+class EmbeddedMesh {
+ public:
+  // Refers to both.
+  EmbeddedMesh(const Body& body, const SkinnedMesh& mesh);
+
+  // Of each vertex how much of it goes with the joints alone: 1 where there is no body, or where another surface in its
+  // cell follows other joints and the body is between both: clothes over skin. Smooth over the surface.
+  const std::vector<double>& rig_shares() const { return rig_; }
+
+  // From now on these vertices go with the joints alone, and those round them partly, without a seam.
+  void leave_to_rig(const std::vector<char>& vertices);
+
+  // All in the lattice's places. by_rig: where joints alone take a vertex.
+  template <class ByRig>
+  glm::dvec3 place_of(std::size_t v, const Shape& shape, const Carried& carried, const ByRig& by_rig) const {
+    if (rig_[v] >= 1) return by_rig();
+    glm::dvec3 whole(0), moved(0);
+    double sum = 0;
+    const glm::dvec3 p = body_.lattice.to_lattice(mesh_.positions[v]);
+    for_each_near(v, [&](std::uint32_t n, double share) {
+      const glm::dvec3 x = place(shape.places[n]), from = p - glm::dvec3(body_.lattice.nodes[n]);
+      whole += (x + place(shape.gradients[n][0]) * from.x + place(shape.gradients[n][1]) * from.y +
+                place(shape.gradients[n][2]) * from.z) *
+               share;
+      moved += (x - carried.places[n]) * share;
+      sum += share;
+    });
+    const double rig = rig_[v], thin = (1 - rig) * thin_[v];
+    glm::dvec3 out = whole * ((1 - rig - thin) / sum);
+    if (rig + thin > 0) out += by_rig() * (rig + thin) + moved * (thin / sum);
+    return out;
+  }
+
+ private:
+  struct Near {
+    std::uint32_t node;
+    std::uint8_t x, y, z;  // of its place, less that of the vertex's cell, and 1 more: 0 … 3
+  };
+  static glm::dvec3 place(const Four& f) {
+    return {static_cast<double>(f.v[0]), static_cast<double>(f.v[1]), static_cast<double>(f.v[2])};
+  }
+
+  // Calls each(node, share) for those whose share is above 0.
+  template <class Each>
+  void for_each_near(std::size_t v, const Each& each) const {
+    const std::uint32_t c = body_.lattice.cell_of[v];
+    const glm::dvec3 t = body_.lattice.to_lattice(mesh_.positions[v]) - glm::dvec3(body_.lattice.cells[c].at);
+    double spline[3][4];
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 4; ++i) spline[axis][i] = quadratic(t[axis] + 1 - i);
+    for (std::size_t i = first_[c]; i < first_[c + 1]; ++i) {
+      const Near& near = near_[i];
+      const double share = spline[0][near.x] * spline[1][near.y] * spline[2][near.z];
+      if (share > 0) each(near.node, share);
+    }
+  }
+  static double quadratic(double t);
+  void find_near(std::uint32_t cell, const std::vector<char>& has_vertex);
+  void find_shares();
+
+  const Body& body_;
+  const SkinnedMesh& mesh_;
+  std::vector<std::size_t> first_;  // of a cell's near nodes, and the end
+  std::vector<Near> near_;
+  std::vector<double> rig_, thin_;  // of a vertex
+};
+
+double EmbeddedMesh::quadratic(double t) {
+  const double away = std::abs(t);
+  if (away < 0.5) return 0.75 - away * away;
+  return away < 1.5 ? 0.5 * (1.5 - away) * (1.5 - away) : 0;
+}
+
+EmbeddedMesh::EmbeddedMesh(const Body& body, const SkinnedMesh& mesh) : body_(body), mesh_(mesh) {
+  std::vector<char> has_vertex(body.lattice.cells.size(), 0);
+  for (const std::uint32_t c : body.lattice.cell_of)
+    if (c != Lattice::kNone) has_vertex[c] = 1;
+  first_.push_back(0);
+  for (std::uint32_t c = 0; c < body.lattice.cells.size(); ++c) find_near(c, has_vertex);
+  find_shares();
+}
+
+// Cells that touch are at most three steps across faces away.
+void EmbeddedMesh::find_near(std::uint32_t cell, const std::vector<char>& has_vertex) {
+  const std::vector<Lattice::Cell>& cells = body_.lattice.cells;
+  if (has_vertex[cell] != 0) {
+    const glm::ivec3 at = cells[cell].at;
+    std::vector<std::uint32_t> reached = {cell};
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const std::uint32_t b : cells[reached[i]].beside) {
+        if (b == Lattice::kNone || std::ranges::find(reached, b) != reached.end()) continue;
+        const glm::ivec3 away = glm::abs(cells[b].at - at);
+        if (std::max({away.x, away.y, away.z}) <= 1) reached.push_back(b);
+      }
+    std::vector<std::uint32_t> nodes;
+    for (const std::uint32_t c : reached) nodes.insert(nodes.end(), cells[c].nodes.begin(), cells[c].nodes.end());
+    tools::make_distinct(nodes);
+    for (const std::uint32_t n : nodes) {
+      const glm::ivec3 from = body_.lattice.nodes[n] - at + 1;
+      near_.push_back(
+          {n, static_cast<std::uint8_t>(from.x), static_cast<std::uint8_t>(from.y), static_cast<std::uint8_t>(from.z)});
+    }
+  }
+  first_.push_back(near_.size());
+}
+
+void EmbeddedMesh::find_shares() {
+  const std::size_t count = mesh_.positions.size();
+  rig_.assign(count, 1);
+  thin_.assign(count, 0);
+  const std::vector<double> agrees = agreement(body_.lattice, mesh_);
+  for (std::size_t v = 0; v < count; ++v) {
+    if (body_.lattice.cell_of[v] == Lattice::kNone) continue;
+    Weights weights;
+    double sum = 0, filled = 0;
+    for_each_near(v, [&](std::uint32_t n, double share) {
+      for (const Influence& i : body_.weights[n]) weights[i.joint] += i.weight * share;
+      filled += static_cast<double>(body_.lattice.filled_around[n]) * share;
+      sum += share;
+    });
+    const double common = in_common(mesh_.influences[v], weights, sum);
+    // Where one surface goes over from joint to joint at once the lattice is smoother, as it should be.
+    rig_[v] = 1 - smooth_step(std::max(common, agrees[v]), kStrange, kAgrees);
+    thin_[v] = 1 - smooth_step(filled / sum, kThin, kThick);
+  }
+  soften(Surface(mesh_), 1, kSeam, rig_);
+  for (std::size_t v = 0; v < count; ++v)
+    if (body_.lattice.cell_of[v] == Lattice::kNone) rig_[v] = 1;
+}
+
+void EmbeddedMesh::leave_to_rig(const std::vector<char>& vertices) {
+  std::vector<double> shares(vertices.begin(), vertices.end());
+  soften(Surface(mesh_), kSeam, kSeam, shares);
+  for (std::size_t v = 0; v < shares.size(); ++v) rig_[v] = std::max(rig_[v], shares[v]);
+}
+
 namespace {
 
 constexpr double kOneJoint = 0.97;    // of a weight
@@ -21,12 +215,6 @@ constexpr double kMostPulled = 0.02;  // of the diagonal
 constexpr double kStretches = 1e-6;   // joints that are stretched less are not
 constexpr double kStiff = 0.6;        // of how much the body stretches a part: what joints stretch a stiff one at most
 constexpr double kSeen = 0.002;       // of lengths: a part that the body stretches less in the mean is none to see
-
-bool is_finite(const Matrix& m) {
-  double sum = 0;
-  for (int c = 0; c < 4; ++c) sum += glm::dot(m[c], m[c]);
-  return std::isfinite(sum);
-}
 
 // What the whole does: the motion of its heaviest joint. Bodies are reckoned with as if that stood still, so that they
 // are as exact wherever they stand.
@@ -108,7 +296,7 @@ struct Elastic::Parts {
 
   const SkinnedMesh& mesh;
   Body body;
-  Embedding embedding;
+  EmbeddedMesh embedding;
   std::vector<std::vector<std::uint32_t>> stiff;  // parts
   Deformer by_rig;
   std::uint32_t heaviest = 0;
@@ -148,7 +336,7 @@ void Elastic::pose(const Pose& pose, Positions& out) const {
     };
     out[v] = motion.with(parts.embedding.place_of(v, shape, carried, by_rig), lattice.side);
   }
-  if (!deform::is_finite(out)) {
+  if (!is_finite(out)) {
     parts.by_rig(pose, out);
   } else if (!parts.stiff.empty()) {
     Positions by_joints;

@@ -2,16 +2,112 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include <glm/common.hpp>
 
+#include "common/distinct.h"
 #include "common/elementary.h"
-#include "deform/elastic/links.h"
+#include "deform/skinned_mesh.h"
+#include "deform/surface.h"
 #include "deform/weights/voxels.h"
 
 namespace marrow::deform {
 namespace {
+
+constexpr double kLeastInCommon = 0.15;
+
+// Σ of the lesser of a joint's two shares.
+double in_common(const std::vector<Influence>& a, double sum_a, const std::vector<Influence>& b, double sum_b) {
+  double out = 0;
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (i->joint == j->joint) out += std::min(i->weight / sum_a, j->weight / sum_b);
+    const bool first = i->joint <= j->joint, second = j->joint <= i->joint;
+    i += first;
+    j += second;
+  }
+  return out;
+}
+
+bool any_in_common(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();) {
+    if (*i == *j) return true;
+    if (*i < *j) {
+      ++i;
+    } else {
+      ++j;
+    }
+  }
+  return false;
+}
+
+// Neighbouring solid voxels are linked, unless a surface goes through both, the surfaces follow joints of which less
+// than 15 % are the same, and they have no vertex in common. Refers to `voxels`.
+class Links {
+ public:
+  Links(const Voxels& voxels, const SkinnedMesh& mesh);
+  // Of two solid cells beside each other.
+  bool linked(std::size_t a, std::size_t b) const;
+
+ private:
+  static constexpr std::size_t kMostVertices = 24;
+  static constexpr std::size_t kMostJoints = 12;
+  struct Surface {
+    std::vector<std::uint32_t> vertices;  // of the triangles that touch the voxel, ascending; the first so many
+    std::vector<Influence> weights;       // their sum, by ascending joint
+    double sum = 0;
+  };
+  void add(std::size_t triangle, const SkinnedMesh& mesh, Surface& surface) const;
+
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  std::vector<std::uint32_t> number_;  // of a cell, among the surfaces
+  std::vector<Surface> surfaces_;
+};
+
+Links::Links(const Voxels& voxels, const SkinnedMesh& mesh) : number_(voxels.cells(), kNone) {
+  std::vector<std::size_t> touched;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    touched.clear();
+    const auto at = [&](std::size_t i) { return mesh.positions[mesh.indices[t + i]]; };
+    voxels.add_touched(at(0), at(1), at(2), touched);
+    tools::make_distinct(touched);
+    for (const std::size_t cell : touched) {
+      if (number_[cell] == kNone) {
+        number_[cell] = static_cast<std::uint32_t>(surfaces_.size());
+        surfaces_.emplace_back();
+      }
+      add(t, mesh, surfaces_[number_[cell]]);
+    }
+  }
+}
+
+void Links::add(std::size_t triangle, const SkinnedMesh& mesh, Surface& surface) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t v = mesh.indices[triangle + i];
+    const auto place = std::ranges::lower_bound(surface.vertices, v);
+    if ((place == surface.vertices.end() || *place != v) && surface.vertices.size() < kMostVertices)
+      surface.vertices.insert(place, v);
+    for (const Influence& influence : mesh.influences[v]) {
+      const auto joint = std::ranges::lower_bound(surface.weights, influence.joint, {}, &Influence::joint);
+      if (joint != surface.weights.end() && joint->joint == influence.joint) {
+        joint->weight += influence.weight;
+      } else if (surface.weights.size() < kMostJoints) {
+        surface.weights.insert(joint, influence);
+      }
+      surface.sum += influence.weight;
+    }
+  }
+}
+
+bool Links::linked(std::size_t a, std::size_t b) const {
+  if (number_[a] == kNone || number_[b] == kNone) return true;
+  const Surface &first = surfaces_[number_[a]], &second = surfaces_[number_[b]];
+  return any_in_common(first.vertices, second.vertices) ||
+         !(in_common(first.weights, first.sum, second.weights, second.sum) < kLeastInCommon);
+}
 
 constexpr int kFine = 3;  // voxels along a cell
 constexpr int kFirstResolution = 96, kLeastResolution = 48, kMostResolution = 900;
@@ -89,25 +185,13 @@ Voxels voxels_for(const SkinnedMesh& mesh, std::size_t cells) {
   }
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& up, std::uint32_t i) {
-  while (up[i] != i) i = up[i] = up[up[i]];
-  return i;
-}
-
-void unite(std::vector<std::uint32_t>& up, std::uint32_t a, std::uint32_t b) {
-  a = root_of(up, a);
-  b = root_of(up, b);
-  up[std::max(a, b)] = std::min(a, b);
-}
-
 // The pieces of cells, and what is linked.
 class Pieces {
  public:
   Pieces(const Voxels& voxels, const Coarse& coarse, const SkinnedMesh& mesh) : voxels_(voxels), coarse_(coarse) {
     const Links links(voxels, mesh);
     number_voxels();
-    std::vector<std::uint32_t> up(solid_.size());
-    std::iota(up.begin(), up.end(), 0u);
+    Unions up(solid_.size());
     std::vector<std::array<std::uint32_t, 3>> across;  // two voxels of two cells, and the axis
     for (std::uint32_t i = 0; i < solid_.size(); ++i)
       for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -115,7 +199,7 @@ class Pieces {
         if (!voxels.solid(next) || !links.linked(solid_[i], next)) continue;
         const std::uint32_t other = number_[next];
         if (coarse.cell_of(solid_[i]) == coarse.cell_of(next)) {
-          unite(up, i, other);
+          up.unite(i, other);
         } else {
           across.push_back({i, other, axis});
         }
@@ -132,9 +216,9 @@ class Pieces {
     return voxels_.solid(voxel) ? piece_of_[number_[voxel]] : Lattice::kNone;
   }
 
-  std::vector<Lattice::Cell> cells;   // corners are numbers in `corner`
-  std::vector<std::uint32_t> corner;  // 8 a cell: the first that is the same
-  std::vector<std::uint32_t> body;    // of a cell: the first that it hangs together with
+  std::vector<Lattice::Cell> cells;  // corners are numbers in `corner`
+  std::optional<Unions> corner;      // 8 a cell: those that are the same
+  std::vector<std::uint32_t> body;   // of a cell: the first that it hangs together with
 
  private:
   void number_voxels() {
@@ -146,10 +230,10 @@ class Pieces {
     }
   }
 
-  void number_pieces(std::vector<std::uint32_t>& up) {
+  void number_pieces(Unions& up) {
     piece_of_.assign(solid_.size(), Lattice::kNone);
     for (std::uint32_t i = 0; i < solid_.size(); ++i) {
-      const std::uint32_t root = root_of(up, i);  // at most i
+      const std::uint32_t root = up.root(i);  // at most i
       if (root == i) {
         piece_of_[i] = static_cast<std::uint32_t>(cells.size());
         cells.emplace_back().at = coarse_.at_of(solid_[i]);
@@ -161,20 +245,18 @@ class Pieces {
   }
 
   void link(const std::vector<std::array<std::uint32_t, 3>>& across) {
-    corner.resize(8 * cells.size());
-    std::iota(corner.begin(), corner.end(), 0u);
-    body.resize(cells.size());
-    std::iota(body.begin(), body.end(), 0u);
+    corner.emplace(8 * cells.size());
+    Unions bodies(cells.size());
     for (const auto& [i, j, axis] : across) {
       const std::uint32_t a = piece_of_[i], b = piece_of_[j];
-      unite(body, a, b);
+      bodies.unite(a, b);
       const auto face = static_cast<std::size_t>(2 * axis);
       if (cells[a].beside[face + 1] == Lattice::kNone) cells[a].beside[face + 1] = b;
       if (cells[b].beside[face] == Lattice::kNone) cells[b].beside[face] = a;
       for (std::uint32_t c = 0; c < 8; ++c)
-        if (c >> axis & 1u) unite(corner, 8 * a + c, 8 * b + (c ^ (1u << axis)));
+        if (c >> axis & 1u) corner->unite(8 * a + c, 8 * b + (c ^ (1u << axis)));
     }
-    for (std::uint32_t c = 0; c < cells.size(); ++c) body[c] = root_of(body, c);
+    for (std::uint32_t c = 0; c < cells.size(); ++c) body.push_back(bodies.root(c));
   }
 
   const Voxels& voxels_;
@@ -190,14 +272,14 @@ void take_cells(Pieces& pieces, const std::vector<char>& stays, const Coarse& co
   std::uint32_t count = 0;
   for (std::size_t c = 0; c < number.size(); ++c)
     if (stays[pieces.body[c]] != 0) number[c] = count++;
-  std::vector<std::uint32_t> node(pieces.corner.size(), Lattice::kNone);
+  std::vector<std::uint32_t> node(8 * pieces.cells.size(), Lattice::kNone);
   for (std::uint32_t c = 0; c < number.size(); ++c) {
     if (number[c] == Lattice::kNone) continue;
     Lattice::Cell& cell = out.cells.emplace_back(pieces.cells[c]);
     for (std::uint32_t& b : cell.beside)
       if (b != Lattice::kNone) b = number[b];
     for (std::uint32_t k = 0; k < 8; ++k) {
-      std::uint32_t& n = node[root_of(pieces.corner, 8 * c + k)];
+      std::uint32_t& n = node[pieces.corner->root(8 * c + k)];
       if (n == Lattice::kNone) {
         n = static_cast<std::uint32_t>(out.nodes.size());
         out.nodes.push_back(cell.at + glm::ivec3(k & 1u, k >> 1 & 1u, k >> 2 & 1u));

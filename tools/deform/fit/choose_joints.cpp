@@ -104,10 +104,7 @@ std::vector<std::uint32_t> staying(const std::vector<std::uint32_t>& entries, co
 std::vector<Coordinate> lift_over(const std::vector<std::uint32_t>& entries, const std::vector<Influence>& weights,
                                   const glm::dvec3& position) {
   std::vector<Coordinate> out;
-  for (const std::uint32_t entry : entries) {
-    const auto found = std::ranges::find(weights, entry, &Influence::joint);
-    out.push_back({entry, glm::dvec4(position, 1) * (found == weights.end() ? 0.0 : found->weight)});
-  }
+  for (const std::uint32_t entry : entries) out.push_back({entry, glm::dvec4(position, 1) * weight_of(entry, weights)});
   return out;
 }
 

@@ -8,13 +8,12 @@
 
 #include "common/elementary.h"
 #include "common/parallel.h"
-#include "deform/branch.h"
 #include "deform/deformers.h"
 #include "deform/dense.h"
-#include "deform/fit/correction.h"
-#include "deform/fit/principal_fields.h"
+#include "deform/fit/missing.h"
 #include "deform/fit/solver.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/motion/range_of_motion.h"
+#include "deform/rotations.h"
 
 namespace marrow::deform {
 namespace {

@@ -6,7 +6,7 @@
 #include "deform/deformers.h"
 #include "deform/dense.h"
 #include "deform/fit/training.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 
 namespace marrow::deform {
 namespace {

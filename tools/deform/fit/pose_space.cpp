@@ -14,9 +14,9 @@
 #include "common/elementary.h"
 #include "common/parallel.h"
 #include "deform/dense.h"
-#include "deform/fit/correction.h"
+#include "deform/fit/missing.h"
 #include "deform/fit/solver.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 
 namespace marrow::deform {
 namespace {

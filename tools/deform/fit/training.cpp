@@ -81,13 +81,9 @@ Training prepare_training(double diagonal_m, std::vector<TrainingPose>& poses, c
 std::vector<Group> group_by_joints(const Coordinates& coordinates) {
   std::map<std::vector<std::uint32_t>, Group> groups;
   for (std::uint32_t v = 0; v < coordinates.size(); ++v) {
-    std::vector<std::uint32_t> joints;
     glm::dvec3 place(0);
-    for (const Coordinate& c : coordinates[v]) {
-      joints.push_back(c.joint);
-      place += glm::dvec3(c.q);
-    }
-    Group& group = groups[joints];
+    for (const Coordinate& c : coordinates[v]) place += glm::dvec3(c.q);
+    Group& group = groups[joints_of(coordinates[v])];
     group.vertices.push_back(v);
     group.origin += place;
   }

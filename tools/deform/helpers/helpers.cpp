@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 
 namespace marrow::deform {
 namespace {

@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/elementary.h"
-#include "deform/rotation_blend.h"
+#include "deform/rotations.h"
 #include "deform/surface.h"
 
 namespace marrow::deform {

@@ -1,4 +1,4 @@
-// Values between frames that are evenly apart, by polynomials of the frames next to them.
+// Values and poses between frames that are evenly apart, by polynomials of the frames next to them.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include "marrow/pose.h"
 #include "text/choices.h"
 
 namespace marrow::deform {
@@ -23,5 +24,9 @@ inline constexpr tools::Named<BetweenFrames> kBetweenFrames[] = {
 glm::dvec3 between_frames(BetweenFrames kind, const std::vector<glm::dvec3>& frames, double at);
 // Unit quaternions, whatever their signs; beside slerp their numbers are interpolated, and made a unit again.
 glm::dquat between_frames(BetweenFrames kind, const std::vector<glm::dquat>& frames, double at);
+
+// As between_frames() of each joint's translation, rotation and scale; frames: at least one, all as long.
+std::vector<SoaTransform> between_poses(BetweenFrames kind, const std::vector<std::vector<SoaTransform>>& frames,
+                                        double at);
 
 }  // namespace marrow::deform

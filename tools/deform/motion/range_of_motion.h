@@ -1,6 +1,7 @@
 // Poses of one joint at a time, as far as joints turn and farther than clips show.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -11,6 +12,13 @@
 #include "deform/skinned_mesh.h"
 
 namespace marrow::deform {
+
+// Of all joints whether they turn along with one: itself and those below it. parents: of each joint its parent, or
+// below 0.
+std::vector<char> turned_along(std::uint32_t joint, const std::vector<int>& parents);
+
+// The bind pose but for joints that turn along, about `centre`.
+Pose turned(const std::vector<char>& turns, const glm::dvec3& centre, const glm::dmat3& turn);
 
 enum class MotionKind { twist, bend, other_bend };  // about the bone, about two axes across it
 const char* name_of(MotionKind kind);               // "twist", "bend", "other bend"

@@ -9,8 +9,7 @@
 
 #include "common/elementary.h"
 #include "common/parallel.h"
-#include "deform/weights/geodesic.h"
-#include "deform/weights/glow.h"
+#include "deform/weights/through_voxels.h"
 #include "deform/weights/voxels.h"
 
 namespace marrow::deform {

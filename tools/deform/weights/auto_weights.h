@@ -26,7 +26,7 @@ enum class WeightMethod {
   // meshes", SCA 2013, whose falloff (1 / ((1 - α) d + α d²))² is d⁻⁴ for α = 1; squared once more it comes closer to
   // artists' weights, see docs/deformers/weights.md.
   geodesic,
-  glow,  // the light of bones, see glow.h
+  glow,  // the light of bones, see through_voxels.h
 };
 
 // α of `gaussian`.

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "cook/gltf/read.h"
-#include "cook/learn/check_truth.h"
 #include "cook/learn/trainees.h"
+#include "cook/learn/truths.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/animation_space.h"
 #include "deform/motion/motion_errors.h"

@@ -1,4 +1,4 @@
-#include "cook/learn/single_joints.h"
+#include "cook/learn/trainees.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include "common/parallel.h"
 #include "cook/scene/views.h"
 #include "deform/deformers.h"
-#include "deform/motion/between_poses.h"
+#include "deform/motion/between_frames.h"
 #include "marrow/sample.h"
 
 namespace marrow::tools {

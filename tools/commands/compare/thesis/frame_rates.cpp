@@ -9,7 +9,6 @@
 #include "commands/compare/thesis/tube.h"
 #include "common/check_status.h"
 #include "cook/learn/learn.h"
-#include "deform/before_ssd.h"
 #include "deform/deformers.h"
 #include "deform/fit/eigen_skin.h"
 #include "deform/fit/multi_weight.h"

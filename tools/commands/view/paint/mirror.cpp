@@ -7,7 +7,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "deform/weights/place_tree.h"
+#include "deform/weights/places.h"
 
 namespace marrow::tools {
 namespace {

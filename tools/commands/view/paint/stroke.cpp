@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "deform/weights/auto_weights.h"
-#include "deform/weights/set_weights.h"
+#include "deform/weights/edit_weights.h"
 
 namespace marrow::tools {
 namespace {

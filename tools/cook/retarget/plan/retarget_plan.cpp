@@ -11,7 +11,7 @@
 #include "cook/retarget/plan/alike_pose.h"
 #include "cook/retarget/plan/pair_rigs.h"
 #include "cook/scene/matrices.h"
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 #include "marrow/roles.h"
 
 namespace marrow::cook {

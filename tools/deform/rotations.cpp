@@ -1,9 +1,13 @@
-#include "deform/rotation_of_matrix.h"
+#include "deform/rotations.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
+
+#include "common/elementary.h"
 
 namespace marrow::deform {
 namespace {
@@ -66,6 +70,38 @@ std::vector<glm::dquat> local_rotations(const Pose& pose, const std::vector<int>
                       ? glm::dquat(1, 0, 0, 0)
                       : quaternion_of(glm::transpose(rotations[static_cast<std::size_t>(parents[j])]) * rotations[j]));
   return out;
+}
+
+std::vector<glm::dquat> rotations_of(const Pose& pose) {
+  std::vector<glm::dquat> out;
+  for (const Matrix& m : pose) out.push_back(quaternion_of(nearest_rotation(linear_of(m))));
+  return out;
+}
+
+const Influence& largest(const std::vector<Influence>& influences) {
+  return *std::max_element(influences.begin(), influences.end(),
+                           [](const Influence& a, const Influence& b) { return a.weight < b.weight; });
+}
+
+glm::dvec3 by_dual_quaternion(const std::vector<Influence>& influences, const std::vector<glm::dquat>& rotations,
+                              const Pose& pose, const glm::dvec3& bind) {
+  if (influences.size() == 1) return transform(pose[influences[0].joint], bind);
+  glm::dquat twice_dual(0, 0, 0, 0);
+  const glm::dquat real = blend_rotations(influences, rotations, [&](const Influence& i, const glm::dquat& part) {
+    const glm::dvec3 place = transform(pose[i.joint], bind);
+    twice_dual = twice_dual + glm::dquat(0, place.x, place.y, place.z) * part;
+  });
+  const glm::dquat moved = twice_dual * glm::conjugate(real);
+  return glm::dvec3(moved.x, moved.y, moved.z) / glm::dot(real, real);
+}
+
+glm::dquat slerp(const glm::dquat& a, const glm::dquat& b, double share) {
+  const double cosine = glm::dot(a, b);
+  const glm::dquat nearer = cosine < 0 ? -b : b;
+  const double size = cosine < 0 ? -cosine : cosine;
+  if (size > 1 - std::numeric_limits<double>::epsilon()) return a * (1 - share) + nearer * share;
+  const double angle = tools::arc_cosine(size);
+  return (a * tools::sine((1 - share) * angle) + nearer * tools::sine(share * angle)) / tools::sine(angle);
 }
 
 }  // namespace marrow::deform
