@@ -20,7 +20,7 @@
 #include "commands/compare/verdict.h"
 #include "common/failure.h"
 #include "common/formats.h"
-#include "cook/learn/check_truth.h"
+#include "cook/learn/truths.h"
 #include "disk/cook_on_disk.h"
 #include "disk/files.h"
 #include "terminal/progress.h"

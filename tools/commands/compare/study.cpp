@@ -8,7 +8,7 @@
 #include "common/failure.h"
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
-#include "cook/learn/check_truth.h"
+#include "cook/learn/truths.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/skin/joint_motion.h"

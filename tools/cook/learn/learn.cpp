@@ -9,11 +9,10 @@
 
 #include "common/evenly.h"
 #include "common/failure.h"
-#include "cook/learn/check_truth.h"
 #include "cook/learn/look_better.h"
-#include "cook/learn/single_joints.h"
+#include "cook/learn/trainees.h"
 #include "cook/skin/joint_motion.h"
-#include "deform/elastic/elastic.h"
+#include "deform/deformers.h"
 #include "deform/helpers/closed_form.h"
 #include "deform/helpers/never_worse.h"
 #include "deform/motion/motion_errors.h"
@@ -161,44 +160,6 @@ void keep_ssd_where_worse(const DeformSource& source, const deform::Deformer& tr
 
 }  // namespace
 
-const char* name_of(Truth truth) {
-  const char* const names[] = {"dqs", "cor", "delta-mush", "delta-mush-dqs", "elastic", "examples"};
-  return names[static_cast<std::size_t>(truth)];
-}
-
-deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {
-  if (options.truth == Truth::elastic && source.elastic) return source.elastic;
-  switch (options.truth) {
-    case Truth::dual_quaternions:
-      return deform::dual_quaternions(source.mesh);
-    case Truth::centres_of_rotation:
-      return deform::centres_of_rotation(source.mesh);
-    case Truth::delta_mush:
-      return deform::delta_mush(source.mesh, options.delta_mush);
-    case Truth::delta_mush_over_dqs:
-      return deform::delta_mush(source.mesh, options.delta_mush, deform::dual_quaternions(source.mesh));
-    case Truth::elastic:
-      return deform::elastic(source.mesh, options.elastic);
-    case Truth::examples:
-      break;
-  }
-  return as_shown(source.mesh, source.shown);
-}
-
-void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
-                    DeformSource& source, Notes& notes, std::size_t most_bytes) {
-  if (options.truth != Truth::elastic) return;
-  if (options.known_elastic) {
-    source.elastic = options.known_elastic;
-    return;
-  }
-  std::vector<deform::Pose> poses;
-  for (const deform::MotionPose& turned : tools::evenly(source.motion, kLookedAt)) poses.push_back(turned.pose());
-  std::vector<double> rig_shares;
-  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares), most_bytes);
-  note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
-}
-
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown) {
   if (options.truth != Truth::examples) return {};
   return read_examples(*options.examples, shown);
@@ -273,11 +234,8 @@ void fit_to(const DeformSource& source, const deform::Coordinates& candidates, c
     out.quality = fitted.quality;
     return;
   }
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-    std::vector<std::uint32_t> entries;
-    for (const deform::Coordinate& c : fitted.coordinates[v]) entries.push_back(c.joint);
-    out.weights[v] = form.weights_of(v, entries).value_or(mesh.influences[v]);
-  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+    out.weights[v] = form.weights_of(v, joints_of(fitted.coordinates[v])).value_or(mesh.influences[v]);
   out.coordinates = std::move(fitted.coordinates);
   if (body) {
     keep_from_looking_worse(source, form, clips, out);

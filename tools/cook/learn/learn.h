@@ -5,26 +5,14 @@
 #include <vector>
 
 #include "cook/learn/examples.h"
+#include "cook/learn/truths.h"
 #include "cook/scene/cook_options.h"
-#include "deform/deformers.h"
-#include "deform/fit/remembered.h"
+#include "deform/fit/fit.h"
 
 namespace marrow::cook {
 
-// How many poses tell where the elastic truth does not apply.
-inline constexpr std::size_t kLookedAt = 48;
-
 // How many moments of clips tell whether something jumps.
 inline constexpr std::size_t kFramesInARow = 64;
-
-const char* name_of(Truth truth);
-// Refers to `source`.
-deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
-
-// Makes `source.elastic` where that is the truth, and notes where it does not apply: by the source's range of motion,
-// too. `source`, of `mesh`, must not move afterwards. most_bytes: of poses that it keeps.
-void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
-                    DeformSource& source, Notes& notes, std::size_t most_bytes = deform::kRememberedBytes);
 
 // DeformSource::shown of a mesh: where examples are the truth they are read; else none.
 std::vector<ShownPose> find_examples(const LearnOptions& options, const Shown& shown);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cook/learn/check_truth.h"
 #include "cook/learn/learn.h"
+#include "cook/learn/truths.h"
 #include "cook/skin/joint_motion.h"
 #include "deform/helpers/helpers.h"
 

@@ -3,6 +3,7 @@
 
 #include "cook/skin/deform_source.h"
 #include "deform/fit/fit.h"
+#include "deform/motion/range_of_motion.h"
 
 namespace marrow::cook {
 
@@ -28,5 +29,15 @@ Trainees trainees(const DeformSource& source, const BuiltScene& built, const std
 // Poses in which the surface is known, and rest; nothing is made up, since nobody knows how it should look. In
 // ascending order of clips.
 Trainees trainees(const DeformSource& source, const std::vector<ShownPose>& shown);
+
+// Poses of one joint at a time, so that a fit knows what each joint does without the others. Each joint turned as in
+// `motion`, which fits are judged by, to two angles that are not in it: 0.4 and 0.85 of the farthest. At most `most`
+// poses, evenly; none counts as shipped. folds: how many cross-validation has.
+std::vector<deform::TrainingPose> single_joints(const std::vector<deform::MotionPose>& motion, std::size_t most,
+                                                std::uint32_t folds);
+
+// Poses in which the character is less than half or more than twice as large as in the bind pose are brought to the
+// size of that, so that they count as much as those of single joints: roots often scale centimetres to metres.
+void bring_to_bind_size(std::vector<deform::TrainingPose>& poses);
 
 }  // namespace marrow::cook

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/failure.h"
-#include "cook/learn/check_truth.h"
+#include "cook/learn/truths.h"
 #include "disk/cook_on_disk.h"
 #include "disk/files.h"
 #include "sample/embedded.h"

@@ -1,4 +1,5 @@
-// What a truth cannot do for a mesh, or in a pose: warned of, and kept out of what is learnt.
+// Truths: what each makes of a mesh, and what it cannot do for a mesh or in a pose, which is warned of and kept out of
+// what is learnt.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,21 @@
 #include "cook/scene/raw.h"
 #include "cook/skin/deform_source.h"
 #include "deform/fit/fit.h"
+#include "deform/fit/remembered.h"
 
 namespace marrow::cook {
+
+// How many poses tell where the elastic truth does not apply.
+inline constexpr std::size_t kLookedAt = 48;
+
+const char* name_of(Truth truth);
+// Refers to `source`.
+deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options);
+
+// Makes `source.elastic` where that is the truth, and notes where it does not apply: by the source's range of motion,
+// too. `source`, of `mesh`, must not move afterwards. most_bytes: of poses that it keeps.
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
+                    DeformSource& source, Notes& notes, std::size_t most_bytes = deform::kRememberedBytes);
 
 // Shortens delta mush's steps where smoothing would leave less than deform::kLeastArea of the mesh's area, with a
 // warning. Options that do not smooth stay as they are.

@@ -1,4 +1,4 @@
-#include "cook/learn/check_truth.h"
+#include "cook/learn/truths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,38 @@
 
 #include <fmt/format.h>
 
+#include "common/evenly.h"
+#include "cook/learn/examples.h"
+#include "deform/deformers.h"
+#include "deform/elastic/elastic.h"
 #include "deform/rotations.h"
 
 namespace marrow::cook {
 namespace {
+
+// A truth is a deformer of a mesh. A new one is a line here and in enum Truth, and a name among the options.
+struct TruthKind {
+  Truth truth;
+  const char* name;
+  deform::Deformer (*make)(const DeformSource& source, const LearnOptions& options);  // refers to the source
+};
+using Source = const DeformSource&;
+using Options = const LearnOptions&;
+
+constexpr TruthKind kTruths[] = {
+    {Truth::dual_quaternions, "dqs", [](Source s, Options) { return deform::dual_quaternions(s.mesh); }},
+    {Truth::centres_of_rotation, "cor", [](Source s, Options) { return deform::centres_of_rotation(s.mesh); }},
+    {Truth::delta_mush, "delta-mush", [](Source s, Options o) { return deform::delta_mush(s.mesh, o.delta_mush); }},
+    {Truth::delta_mush_over_dqs, "delta-mush-dqs",
+     [](Source s, Options o) { return deform::delta_mush(s.mesh, o.delta_mush, deform::dual_quaternions(s.mesh)); }},
+    {Truth::elastic, "elastic",
+     [](Source s, Options o) { return s.elastic ? s.elastic : deform::elastic(s.mesh, o.elastic); }},
+    {Truth::examples, "examples", [](Source s, Options) { return as_shown(s.mesh, s.shown); }},
+};
+
+const TruthKind& kind_of(Truth truth) {
+  return *std::ranges::find(kTruths, truth, &TruthKind::truth);
+}
 
 bool is_finite(const deform::Matrix& m) {
   for (int c = 0; c < 4; ++c)
@@ -21,6 +49,28 @@ bool is_finite(const deform::Matrix& m) {
 }
 
 }  // namespace
+
+const char* name_of(Truth truth) {
+  return kind_of(truth).name;
+}
+
+deform::Deformer make_truth(const DeformSource& source, const LearnOptions& options) {
+  return kind_of(options.truth).make(source, options);
+}
+
+void remember_truth(const LearnOptions& options, const RawScene& scene, const RawSkin& skin, const RawMesh& mesh,
+                    DeformSource& source, Notes& notes, std::size_t most_bytes) {
+  if (options.truth != Truth::elastic) return;
+  if (options.known_elastic) {
+    source.elastic = options.known_elastic;
+    return;
+  }
+  std::vector<deform::Pose> poses;
+  for (const deform::MotionPose& turned : tools::evenly(source.motion, kLookedAt)) poses.push_back(turned.pose());
+  std::vector<double> rig_shares;
+  source.elastic = deform::remembered(deform::elastic(source.mesh, options.elastic, poses, &rig_shares), most_bytes);
+  note_stiff_parts(scene, skin, mesh, source.mesh, rig_shares, notes);
+}
 
 LearnOptions with_gentle_steps(LearnOptions options, const deform::SkinnedMesh& mesh, const std::string& pointer,
                                Notes& notes) {
