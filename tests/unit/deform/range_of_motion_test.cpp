@@ -105,7 +105,7 @@ TEST(RangeOfMotion, SaysWhichJointsHaveNone) {
   EXPECT_EQ(of_joint(motion, 1).size(), 12u);
   EXPECT_EQ(motion.poses.size(), 12u);
   for (const MotionPose& pose : motion.poses)
-    for (const Matrix& m : pose.pose()) EXPECT_TRUE(is_finite({m[0], m[1], m[2], m[3]}));
+    for (const Matrix& m : pose.pose()) EXPECT_TRUE(is_finite(m));
 }
 
 // Ten vertices without triangles: poses, and no ring to measure.
