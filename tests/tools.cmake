@@ -134,13 +134,16 @@ marrow_tools_test(marrow_road_tests road
 target_link_libraries(marrow_road_tests PRIVATE marrow_reference marrow_cook_on_disk marrow_export marrow_pose)
 
 marrow_tools_test(marrow_cli_tests cli
-  cli/atomic_test.cpp cli/bad_input_test.cpp cli/batch_test.cpp cli/bench_test.cpp cli/between_test.cpp
-  cli/bvh_test.cpp cli/cache_test.cpp cli/clip_pack_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
-  cli/demo_test.cpp cli/depfile_test.cpp cli/export_test.cpp cli/film_test.cpp cli/graph_test.cpp cli/wrong_graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp
-  cli/looks_test.cpp cli/movie_test.cpp cli/names_test.cpp cli/outfit_test.cpp cli/parameters_test.cpp
-  cli/progress_test.cpp cli/report_test.cpp cli/rig_maps_test.cpp cli/road_test.cpp cli/same_bytes_test.cpp cli/same_names_test.cpp
-  cli/sample_test.cpp cli/schema_test.cpp cli/settings_test.cpp cli/split_test.cpp
-  cli/support/cookings.cpp cli/support/process.cpp cli/view_graph_test.cpp cli/view_test.cpp cli/watch_test.cpp)
+  cli/bad_input_test.cpp cli/bench_test.cpp cli/between_test.cpp cli/compare_test.cpp cli/corpus_test.cpp
+  cli/export_test.cpp cli/graph_test.cpp cli/info_test.cpp cli/kinds_test.cpp cli/names_test.cpp cli/outfit_test.cpp
+  cli/parameters_test.cpp cli/progress_test.cpp cli/road_test.cpp cli/sample_test.cpp cli/wrong_graph_test.cpp
+  cli/cook/atomic_test.cpp cli/cook/batch_test.cpp cli/cook/bvh_test.cpp cli/cook/cache_test.cpp
+  cli/cook/clip_pack_test.cpp cli/cook/depfile_test.cpp cli/cook/report_test.cpp cli/cook/rig_maps_test.cpp
+  cli/cook/same_bytes_test.cpp cli/cook/same_names_test.cpp cli/cook/schema_test.cpp cli/cook/settings_test.cpp
+  cli/cook/split_test.cpp cli/cook/watch_test.cpp
+  cli/pictures/demo_test.cpp cli/pictures/film_test.cpp cli/pictures/looks_test.cpp cli/pictures/movie_test.cpp
+  cli/pictures/view_graph_test.cpp cli/pictures/view_test.cpp
+  cli/support/cookings.cpp cli/support/process.cpp)
 target_link_libraries(marrow_cli_tests PRIVATE marrow_reference nlohmann_json::nlohmann_json PNG::PNG)
 # Drivers leak, which the address sanitizer would report; pictures are then left to the tests under gl/.
 if(MARROW_GLES AND NOT MARROW_SANITIZE)
@@ -175,7 +178,7 @@ if(NOT MARROW_SANITIZE)
   target_compile_options(marrow_last_bit_shim PRIVATE -fno-builtin)
   marrow_warnings(marrow_last_bit_shim)
   add_dependencies(marrow_cli_tests marrow_last_bit_shim)
-  target_sources(marrow_cli_tests PRIVATE cli/last_bit_test.cpp)
+  target_sources(marrow_cli_tests PRIVATE cli/cook/last_bit_test.cpp)
 endif()
 # Nothing that a cooked file's bytes come through calls functions whose last bits differ between C libraries.
 set(cookers marrow_common marrow_cook marrow_jobs marrow_deform marrow_draco marrow_gltf marrow_meshopt marrow_options
