@@ -17,12 +17,6 @@ constexpr float kLifted = 0.012f;
 constexpr float kMostAside = 1.05f, kMostUp = 0.6f;  // of the look, radians
 constexpr float kHeelBehindAnkle = 0.03f, kToesBeforeBall = 0.06f;
 
-std::uint32_t joint_with(const Roles& roles, Role role) {
-  const std::uint16_t joint = joint_of(roles, role);
-  if (joint == kNoJoint) throw Failure(Exit::internal, "the sample", "", std::string("no ") + role_name(role), "");
-  return joint;
-}
-
 void put(float (&to)[3], const glm::vec3& v) {
   for (int c = 0; c < 3; ++c) to[c] = v[c];
 }
@@ -40,6 +34,13 @@ void face_ahead(Aim& aim, const Affine& at_rest) {
 }
 
 }  // namespace
+
+std::uint32_t joint_with(const Roles& roles, Role role) {
+  const std::uint16_t joint = joint_of(roles, role);
+  if (joint == kNoJoint)
+    throw Failure(Exit::internal, "the sample", "", std::string("no ") + role_name(role), "please report this");
+  return joint;
+}
 
 Adjuster::Adjuster(const File& file) {
   const Skeleton skeleton = file.skeleton(0);

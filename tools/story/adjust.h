@@ -12,6 +12,9 @@
 
 namespace marrow::tools {
 
+// The sample's joint of a role. Throws Failure (internal) if it has none.
+std::uint32_t joint_with(const Roles& roles, Role role);
+
 class Adjuster {
  public:
   static constexpr std::size_t kFeet = 2;  // the left one first
