@@ -110,7 +110,7 @@ marrow_tools_test(marrow_deform_tests deform
   unit/deform/subdivide_test.cpp unit/deform/tangents_test.cpp)
 # compare's own reckoning stands beside what it judges.
 if(MARROW_ALL_COMMANDS)
-  target_sources(marrow_deform_tests PRIVATE unit/commands/verdict_test.cpp unit/deform/thesis_test.cpp)
+  target_sources(marrow_deform_tests PRIVATE unit/compare/thesis_test.cpp unit/compare/verdict_test.cpp)
   target_link_libraries(marrow_deform_tests PRIVATE marrow_compare)
   # A table to tune deformers by; no test, built when asked for.
   add_executable(marrow_folds_table EXCLUDE_FROM_ALL folds/folds_table.cpp)

@@ -10,9 +10,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "commands/compare/study.h"
 #include "common/evenly.h"
 #include "common/parallel.h"
+#include "compare/study.h"
 #include "cook/gltf/read.h"
 #include "cook/options/options.h"
 #include "deform/elastic/elastic.h"

@@ -233,6 +233,23 @@ TEST(Includes, CommandsDoNotKnowOneAnother) {
   EXPECT_GT(checked, 15);
 }
 
+// Rooms of the tools that others enter by one header alone.
+TEST(Includes, RoomsWithADoorAreEnteredByIt) {
+  const std::map<std::string, std::string> doors = {
+      {"compare", "compare/compare.h"}, {"open", "open/open_model.h"}, {"paint", "paint/painting.h"}};
+  int entered = 0;
+  for (const auto& entry : fs::directory_iterator(kTools)) {
+    if (!entry.is_directory()) continue;
+    for (const Include& include : includes_under(entry.path())) {
+      const auto door = doors.find(tool_of(include.name));
+      if (door == doors.end() || entry.path().filename() == door->first) continue;
+      EXPECT_EQ(include.name, door->second) << include.file;
+      ++entered;
+    }
+  }
+  EXPECT_GT(entered, 5);
+}
+
 TEST(Includes, TheRuntimeKnowsNoFilesNoJsonNoStreams) {
   const std::vector<Include> all = includes_under(kRuntime);
   EXPECT_GT(all.size(), 30u);

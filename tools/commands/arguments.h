@@ -1,24 +1,37 @@
 // Arguments that several sub-commands have.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-#include "pose/choose.h"
+#include "open/open_model.h"
 #include "text/choices.h"
 
 namespace marrow::tools {
 
-void add_input(CLI::App* command, std::string& to);
-// Files that the character wears, behind it.
-void add_outfits(CLI::App* command, std::vector<std::string>& to);
+// What a command line says of a model (open/open_model.h). Call those that the command has, in the order of its help.
 
+// The file itself.
+void add_input(CLI::App* command, ModelArguments& to);
+// Files that the character wears, behind it.
+void add_outfits(CLI::App* command, ModelArguments& to);
 // --clip and --clips. without: what happens without a clip.
-void add_clip(CLI::App* command, Choice& choice, const std::string& without);
+void add_clip(CLI::App* command, ModelArguments& to, const std::string& without);
 // These, --time and --set.
-void add_choice(CLI::App* command, Choice& choice);
+void add_choice(CLI::App* command, ModelArguments& to);
+// --lod.
+void add_level(CLI::App* command, ModelArguments& to);
+// --graph, and in place of add_clip()'s --clips, which takes one pack, one that takes several. Returns the first.
+CLI::Option* add_graph(CLI::App* command, ModelArguments& to);
+// Once the line is read, of a command that has add_graph(): whether it goes by a graph, and what --clips is for. Throws
+// Failure (usage): of the options `others`, which do not go with a graph, of several packs without one.
+void take_graph(const CLI::App& command, std::initializer_list<const char*> others, ModelArguments& to);
+
+// What others have, too.
+
 void add_deformer(CLI::App* command, Deformer& to, std::span<const Named<Deformer>> deformers = kDeformers);
 
 // For CLI::Option::check.

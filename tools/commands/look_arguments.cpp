@@ -16,15 +16,15 @@ void add_skin_path(CLI::App* command, SkinPath& to, std::span<const NamedSkinPat
 
 void add_look(CLI::App* command, LookArguments& a, std::span<const NamedSkinPath> paths,
               std::span<const Named<Deformer>> deformers) {
-  add_input(command, a.file);
-  add_choice(command, a.choice);
+  add_input(command, a);
+  add_choice(command, a);
   add_deformer(command, a.deformer, deformers);
   add_skin_path(command, a.path, paths);
   add_one_of(command, "--normals", kAsNormals, a.normals,
              "in animation space: through the blended matrix, as meshes with morph targets always have them, or those "
              "of the deformed surface, through its tangents: exact, with every fold and dent of it");
   command->add_option("--size", a.size, "pixels")->type_name("WxH")->capture_default_str();
-  command->add_option("--lod", a.lod, "level of detail; 0: in full")->type_name("N")->capture_default_str();
+  add_level(command, a);
   command->add_option("--heatmap", a.heatmap, "colour the distance between two deformers, as in ssd:as")
       ->type_name("A:B");
   command

@@ -1,12 +1,14 @@
-// What --clip, --clips and --time say: what is played on a cooked file, and when.
+// What --clip, --clips and --time say: a clip as a command line names it, what is played on a cooked file, and when.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "common/load_mrw.h"
+#include "marrow/file.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
@@ -38,5 +40,14 @@ std::vector<Play> plays_of_pack(const std::string& pack_path, const File& pack, 
 
 // What --set says. Throws Failure (usage) unless each names a parameter of `file` and gives it a number.
 std::map<std::string, float> set_parameters(const std::string& path, const File& file, const Choice& choice);
+
+struct NamedClip {
+  std::uint32_t clip = 0;
+  bool alone = false;  // what other skeletons play by the same name does not go with it
+};
+
+// By name or else by number; where clips of several skeletons have a name, one of them alone by CLIP@SKELETON, the
+// skeleton (of a pack the reference) by name or number, too. Throws Failure (usage) that lists what there is.
+NamedClip find_clip(const std::string& path, const File& file, const std::string& wanted);
 
 }  // namespace marrow::tools

@@ -5,23 +5,22 @@
 #include <utility>
 
 #include "common/failure.h"
+#include "common/formats.h"
 #include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/read.h"
 #include "disk/disk_files.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 ImagePlaces places_beside(const std::string& source) {
   return {fs::path(source).parent_path().string(), source};
 }
 
-ImagePlaces places_of_cooked(const std::string& path, const std::string& from) {
+ImagePlaces places_of(const std::string& path, const std::string& from) {
+  if (from.empty() && is_named_source(path)) return places_beside(path);
   std::error_code error;
   if (fs::is_regular_file(from, error)) return places_beside(from);
   ImagePlaces out{from.empty() ? fs::path(path).parent_path().string() : from, ""};

@@ -20,9 +20,9 @@ struct ImagePlaces {
 // Those of a source that is about to be cooked, or just was.
 ImagePlaces places_beside(const std::string& source);
 
-// Those of a cooked file: its folder, and a glTF file of the same name in it. from: a folder instead of the file's, or
-// the source; empty: neither.
-ImagePlaces places_of_cooked(const std::string& path, const std::string& from);
+// Those of what a command opens: of a cooked file its folder, and a glTF file of the same name in it; or of a model.
+// from: a folder instead of the file's, or the source; empty: neither.
+ImagePlaces places_of(const std::string& path, const std::string& from);
 
 class ImageFinder {
  public:

@@ -39,22 +39,6 @@ std::optional<DeformerPair> parse_pair(const std::string& text) {
   return DeformerPair{*a, *b};
 }
 
-LoadedFile load_level(const std::string& path, std::uint32_t level) {
-  LoadedFile loaded = load_mrw(path);
-  expect_level(path, loaded.file, level);
-  return loaded;
-}
-
-void expect_level(const std::string& path, const File& file, std::uint32_t level) {
-  std::size_t coarsest = 0;
-  for (std::uint32_t m = 0; m < file.mesh_count(); ++m) coarsest = std::max(coarsest, file.mesh(m).lods.size);
-  if (level <= coarsest) return;
-  throw Failure(Exit::usage, path, "", "no level of detail " + std::to_string(level),
-                coarsest == 0
-                    ? "there is 1 level, 0, in full; more are cooked by marrow cook --lod"
-                    : "there are " + std::to_string(coarsest + 1) + " levels, 0 to " + std::to_string(coarsest));
-}
-
 std::vector<Drawable> drawables_of(const std::string& path, const File& file, const Character& character,
                                    Figure& figure, const Manner& manner, Shot& shot) {
   std::vector<PosedMesh> posed;

@@ -5,22 +5,20 @@
 #include <string>
 #include <utility>
 
-#include "pose/choose.h"
+#include "open/open_model.h"
 #include "pose/reach.h"
 #include "render/figure.h"
 #include "render/paths.h"
 
 namespace marrow::tools {
 
-struct LookArguments {
-  std::string file, heatmap;
-  std::string images_from;  // as places_of_cooked() takes it
+struct LookArguments : ModelArguments {
+  std::string heatmap;
+  std::string images_from;  // as places_of() takes it
   Deformer deformer = Deformer::ssd;
   SkinPath path = SkinPath::ubo;
   AsNormals normals = AsNormals::blended;
   std::string size = "960x720";
-  std::uint32_t lod = 0;
-  Choice choice;
   ReachArguments reach;
 };
 
@@ -30,11 +28,6 @@ std::pair<int, int> parse_size(const std::string& text);
 using DeformerPair = std::pair<Deformer, Deformer>;
 // "ssd:as" → the two deformers; "" → none. Throws Failure (usage).
 std::optional<DeformerPair> parse_pair(const std::string& text);
-
-// The cooked file, which has this level of detail. Throws Failure: usage if it has not, and what load_mrw() throws.
-LoadedFile load_level(const std::string& path, std::uint32_t level);
-// Throws Failure (usage) if `file`, of this path, has not this level of detail.
-void expect_level(const std::string& path, const File& file, std::uint32_t level);
 
 // Deformer and path, or the distance between two deformers as colours.
 struct Manner {

@@ -19,6 +19,9 @@ struct Moments {
       {};  // whether the camera goes along; else if the character goes farther than it is large
 };
 
+// Of a picture, the share that is left free on every side of what it frames.
+inline constexpr float kFrameMargin = 0.09f;
+
 class Performance {
  public:
   // Looks at 16 moments of what is played, or at the rest pose. Leaves `character` in some pose.

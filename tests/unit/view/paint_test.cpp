@@ -6,10 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "commands/view/paint/history.h"
-#include "commands/view/paint/mirror.h"
-#include "commands/view/paint/ray.h"
-#include "commands/view/paint/stroke.h"
+#include "paint/canvas.h"
+#include "paint/mirror.h"
+#include "paint/stroke.h"
 
 namespace marrow::tools {
 namespace {

@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include "commands/view/files/source.h"
-#include "commands/view/paint/painting.h"
+#include "commands/view/opening.h"
 #include "common/failure.h"
 #include "deform/weights/places.h"
 #include "disk/cook_on_disk.h"
 #include "disk/files.h"
+#include "paint/painting.h"
 #include "pose/evaluate.h"
 #include "support/places.h"
 

@@ -6,8 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "commands/view/files/graph_on_disk.h"
-#include "commands/view/files/source.h"
+#include "commands/view/opening.h"
 #include "commands/view/stage/rehearsal.h"
 #include "support/places.h"
 
@@ -39,7 +38,7 @@ transition = [
 class RehearsalTest : public ::testing::Test {
  protected:
   static const Source& newt() {
-    static const Source source = open_source(test::newt_glb(), {"", true});
+    static const Source source = open_source(test::newt_glb(), "", Opens::models_by_graph);
     return source;
   }
   static const File& file() { return newt().loaded.file; }
@@ -173,7 +172,7 @@ TEST_F(RehearsalTest, AnotherGraphTakesWhatIsSet) {
 }
 
 TEST(GraphOnDisk, IsReadAgainWhenItChanges) {
-  const Source& newt = open_source(test::newt_glb(), {"", true});
+  const Source& newt = open_source(test::newt_glb(), "", Opens::models_by_graph);
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("marrow_graph_text_" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);

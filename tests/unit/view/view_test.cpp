@@ -7,12 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "commands/view/files/changed_files.h"
-#include "commands/view/files/source.h"
+#include "commands/view/changed_files.h"
+#include "commands/view/opening.h"
 #include "commands/view/overlay/among_figures.h"
 #include "commands/view/stage/recording.h"
 #include "commands/view/stage/rigging.h"
-#include "commands/view/stage/timeline.h"
 #include "marrow/limits.h"
 #include "support/places.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "commands/demo/plain_skin.h"
 #include "commands/demo/timings.h"
 #include "commands/demo/worst_place.h"
 #include "image/image.h"
@@ -33,5 +33,30 @@ std::string name_of_clip(const File& file, std::uint32_t clip);
 // All clips of the name of the worst place's play, one a skeleton. Without a clip the rest pose is shown from four
 // sides.
 Sheet make_sheet(const Gl& gl, const Subject& subject, const WorstPlace& worst);
+
+// How a sheet is laid out: rows of cells, with words about them.
+inline constexpr int kSheetColumns = 4;
+inline constexpr int kCellWidth = 305;   // of a sheet that is 1280 wide
+inline constexpr int kCellHeight = 305;  // where a sheet does not choose another
+inline constexpr int kCellGap = 4;
+// Of each of so many cells that fill a row.
+constexpr int cell_width(int columns) {
+  return (kSheetColumns * kCellWidth + (kSheetColumns - columns) * kCellGap) / columns;
+}
+
+struct SheetRow {
+  std::string name, about;
+  std::vector<Image> cells;           // of one size; kSheetColumns that are kCellWidth wide, or fewer and wider
+  std::vector<std::string> captions;  // below each cell; empty: none
+  std::string right;                  // at the right end of the strip
+  float ramp_m = 0;                   // instead of it the colours of distances up to this one, if it is not 0
+};
+
+struct SheetPage {
+  std::string title, scene, right;  // bold; beside it; at the right edge
+  std::vector<SheetRow> rows;
+};
+
+Image lay_out(const SheetPage& page);
 
 }  // namespace marrow::tools

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "commands/demo/plain_skin.h"
+#include "commands/demo/worst_place.h"
 
 namespace marrow::tools {
 

@@ -1,14 +1,42 @@
 // Where plain skinning spoils a character most, and is seen to: which clip, when, at which joint, from which side.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "commands/demo/plain_skin.h"
+#include "common/load_mrw.h"
+#include "pose/evaluate.h"
 #include "render/clearest_side.h"
 
 namespace marrow::tools {
+
+// A character by plain skinning, whatever else its file has.
+class PlainSkin {
+ public:
+  // Cooks the source once more. file: the same source cooked in any other way, but for the order of its vertices as
+  // precise; outlives it. Throws Failure.
+  PlainSkin(const std::string& source, const File& file);
+
+  // In another character's pose, who is of `file`, slot by slot of it.
+  std::vector<PosedMesh> skin(const Character& posed);
+
+  // What it was cooked to, and who is of it: as skin() has posed them.
+  const File& file() const { return loaded_.file; }
+  const Character& character() const { return *character_; }
+
+ private:
+  struct Place {
+    std::uint32_t mesh, slot;
+  };
+  const File& other_;
+  LoadedFile loaded_;
+  std::unique_ptr<Character> character_;
+  std::vector<std::vector<Place>> places_;  // a slot of each mesh of the other file
+  std::vector<std::uint32_t> twin_;         // a mesh: one of the other file's that is of the same primitive
+};
 
 struct WorstPlace {
   std::optional<std::uint32_t> clip;  // none if there is none

@@ -1,4 +1,5 @@
-// A character that plays a graph by a script, at any moment of it, with the prints that its feet leave.
+// A character that plays a graph by a script, at any moment of it, with the prints that its feet leave; and all of it
+// as a trace.
 #pragma once
 
 #include <functional>
@@ -7,13 +8,12 @@
 #include <vector>
 
 #include "behave/behaviour.h"
-#include "render/overlay/footfall.h"
+#include "render/overlay/ground.h"
 
 namespace marrow::tools {
 
-// What `marrow render --graph` says.
+// What `marrow render --graph` says of when what happens.
 struct ActingArguments {
-  BehaviourArguments behaviour;
   std::string script;            // empty: parameters stay as they are at first
   std::optional<float> seconds;  // none: kAfterScript_s after the script's last line
 };
@@ -21,7 +21,8 @@ struct ActingArguments {
 class Acting {
  public:
   // As Behaviour, and what read_script() throws.
-  Acting(const std::string& path, const File& file, const ActingArguments& arguments);
+  Acting(const std::string& path, const File& file, const BehaviourArguments& behaviour,
+         const ActingArguments& arguments);
 
   Behaviour& behaviour() { return behaviour_; }
   const Behaviour& behaviour() const { return behaviour_; }
@@ -62,5 +63,9 @@ class Acting {
   Feet feet_;
   std::vector<Print> prints_;
 };
+
+// `--trace`: what a graph does, frame by frame, as JSON. Of as many frames a second, from 0 to the end.
+// docs/reference/graphs.md has the fields. Throws Failure.
+std::string trace_text(const std::string& path, Acting& acting, double duration_s, int fps);
 
 }  // namespace marrow::tools

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "commands/render/render.h"
 #include "commands/render/sitting.h"
 
 namespace marrow::tools {

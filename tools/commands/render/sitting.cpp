@@ -8,7 +8,6 @@
 #include "common/formats.h"
 #include "pose/worn.h"
 #include "render/heat.h"
-#include "render/legend.h"
 #include "render/overlay/mark.h"
 #include "text/printable.h"
 #include "text/quantity.h"
@@ -16,30 +15,15 @@
 namespace marrow::tools {
 namespace {
 
-constexpr float kFrameMargin = 0.09f;
-
-LoadedFile load_for(const RenderArguments& arguments) {
-  if (!arguments.acting) return load_level(arguments.file, arguments.lod);
-  OpenedCharacter opened = open_character(arguments.file, {.takes_roots = true, .look = {}});
-  expect_level(arguments.file, opened.loaded.file, arguments.lod);
-  return std::move(opened.loaded);
-}
-
 std::unique_ptr<Acting> act(const RenderArguments& arguments, const File& file) {
-  if (!arguments.acting) return nullptr;
-  auto acting = std::make_unique<Acting>(arguments.file, file, *arguments.acting);
+  if (!arguments.by_graph) return nullptr;
+  auto acting = std::make_unique<Acting>(arguments.file, file, arguments.behaviour, arguments.acting);
   for (const std::string& warning : acting->behaviour().found().warnings) fmt::print(stderr, "{}\n", warning);
   return acting;
 }
 
 std::uint32_t layers_of(const Acting* acting) {
   return std::max(Character::kMostLayers, acting != nullptr ? acting->behaviour().layers() : 0);
-}
-
-ImagePlaces places_for(const RenderArguments& arguments) {
-  return is_named_source(arguments.file) && arguments.images_from.empty()
-             ? places_beside(arguments.file)
-             : places_of_cooked(arguments.file, arguments.images_from);
 }
 
 }  // namespace
@@ -49,37 +33,36 @@ Sitting::Sitting(const RenderArguments& arguments)
       size_(parse_size(arguments.size)),
       manner_{arguments.deformer, arguments.path, parse_pair(arguments.heatmap)},
       normals_(arguments.normals),
-      loaded_(load_for(arguments)),
-      chosen_(choose(arguments.file, loaded_.file, arguments.choice, !arguments.outfits.empty())),
-      acting_(act(arguments, loaded_.file)),
-      viewpoint_(make_viewpoint(arguments.file, loaded_.file, arguments.viewpoint)),
-      reach_(loaded_.file, arguments.reach),
-      springs_(loaded_.file),
-      character_(loaded_.file, normals_, arguments.lod, layers_of(acting_.get())),
+      model_(open_model(arguments, arguments.by_graph ? Opens::models_by_graph : Opens::cooked_files)),
+      acting_(act(arguments, file())),
+      viewpoint_(make_viewpoint(arguments.file, file(), arguments.viewpoint)),
+      reach_(file(), arguments.reach),
+      springs_(file()),
+      character_(file(), normals_, arguments.lod, layers_of(acting_.get())),
       performance_(perform()),
-      textures_(gl_, arguments.file, loaded_.file, places_for(arguments)),
+      textures_(gl_, arguments.file, file(), places_of(arguments.file, arguments.images_from)),
       studio_(gl_, size_.first, size_.second),
-      figure_(gl_, studio_.programs(), loaded_.file, &textures_, normals_, arguments.lod),
+      figure_(gl_, studio_.programs(), file(), &textures_, normals_, arguments.lod),
       strokes_(gl_) {
   for (const Deformer deformer :
        {manner_.heat ? manner_.heat->first : manner_.deformer, manner_.heat ? manner_.heat->second : manner_.deformer})
-    expect_deformer(arguments.file, loaded_.file, deformer);
+    expect_deformer(arguments.file, file(), deformer);
   for (const std::shared_ptr<Worn>& worn : character_.worn())
     worn_.push_back(std::make_unique<WornFigure>(gl_, studio_.programs(), *worn, arguments));
   if (manner_.path != SkinPath::crowd || manner_.heat) return;
-  baked_ = figure_.bake(arguments.file, chosen_.play, manner_.deformer);
+  baked_ = figure_.bake(arguments.file, play(), manner_.deformer);
   manner_.baked = baked_.get();
 }
 
 Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const Worn& worn,
                                 const RenderArguments& arguments)
-    : textures(gl, worn.path, worn.loaded.file, places_of_cooked(worn.path, arguments.images_from)),
+    : textures(gl, worn.path, worn.loaded.file, places_of(worn.path, arguments.images_from)),
       figure(gl, programs, worn.loaded.file, &textures, arguments.normals, arguments.lod) {}
 
 Performance Sitting::perform() {
   Character& character = prepared();
-  if (!acting_) return {loaded_.file, character, chosen_.play};
-  Performance out(loaded_.file, character,
+  if (!acting_) return {file(), character, play()};
+  Performance out(file(), character,
                   Moments{duration_s(), [this](float time_s) { pose_at(time_s); }, arguments_.camera_follows});
   if (const std::optional<float> ground = acting_->ground_height()) out.set_ground_height(*ground);
   return out;
@@ -87,13 +70,11 @@ Performance Sitting::perform() {
 
 // Dressed, and with its goals.
 Character& Sitting::prepared() {
-  const std::map<std::string, float> parameters = set_parameters(arguments_.file, loaded_.file, arguments_.choice);
-  character_.set_parameters(parameters);
-  if (arguments_.between.kind) frames_.emplace(loaded_.file, chosen_.play, arguments_.between, parameters);
+  if (arguments_.between.kind) frames_.emplace(file(), play(), arguments_.between, model_.parameters);
   if (!arguments_.outfits.empty() && manner_.path == SkinPath::crowd)
     throw Failure(Exit::usage, "--path crowd", "", "crowds are baked from one file, without outfits",
                   "use another --path");
-  put_on(arguments_.outfits, arguments_.file, loaded_.file, chosen_.play, character_, normals_, arguments_.lod);
+  prepare(arguments_, model_, character_, normals_);
   if (arguments_.springs && !springs_.has_any())
     throw Failure(Exit::usage, "--springs", "", "the file has no springs", "draw without; marrow info lists them");
   if (reach_.empty() && !arguments_.springs && !frames_) return character_;
@@ -122,7 +103,7 @@ Character& Sitting::prepared() {
 }
 
 void Sitting::act_to(float time_s) {
-  if (time_s < acting_->now_s() || acting_->now_s() < 0) springs_ = FileSprings(loaded_.file);
+  if (time_s < acting_->now_s() || acting_->now_s() < 0) springs_ = FileSprings(file());
   if (arguments_.springs) swung_s_ = time_s;
   acting_->play_to(static_cast<double>(time_s), [this](float dt_s) {
     dt_s_ = dt_s;
@@ -136,13 +117,13 @@ void Sitting::act_to(float time_s) {
 void Sitting::pose_at(float time_s) {
   if (acting_) return act_to(time_s);
   if (frames_) frames_->move_to(time_s);
-  character_.pose(chosen_.play, time_s);
+  character_.pose(play(), time_s);
 }
 
 // Step by step from where springs are, or from the clip's beginning; the next pose shows them.
 void Sitting::swing_to(float time_s) {
   if (swung_s_ < 0 || time_s < swung_s_) {
-    springs_ = FileSprings(loaded_.file);
+    springs_ = FileSprings(file());
     swung_s_ = dt_s_ = 0;
     pose_at(0);
   }
@@ -161,8 +142,7 @@ void Sitting::agree_on_heat(std::span<const Instant> instants) {
   float largest = 0;
   for (const Instant& instant : instants) {
     pose_at(instant.time_s);
-    largest = std::max(largest,
-                       largest_distance(skin_all(loaded_.file, character_, a), skin_all(loaded_.file, character_, b)));
+    largest = std::max(largest, largest_distance(skin_all(file(), character_, a), skin_all(file(), character_, b)));
   }
   manner_.heat_scale = sensible_scale(largest, performance_.diagonal());
   largest_m_ = largest;
@@ -235,7 +215,7 @@ Image Sitting::glimpse(const Instant& instant) {
   pose_at(instant.time_s);
   Shot shot = frame(instant);
   if (baked_) baked_->blend(instant.time_s);
-  std::vector<Drawable> drawables = drawables_of(arguments_.file, loaded_.file, character_, figure_, manner_, shot);
+  std::vector<Drawable> drawables = drawables_of(arguments_.file, file(), character_, figure_, manner_, shot);
   for (std::size_t i = 0; i < worn_.size(); ++i) {
     const Worn& worn = *character_.worn()[i];
     for (const Drawable& d :

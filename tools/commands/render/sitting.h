@@ -4,16 +4,34 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "behave/open_character.h"
+#include "commands/between.h"
 #include "commands/render/acting.h"
-#include "commands/render/render.h"
+#include "commands/render/viewpoint.h"
+#include "open/open_model.h"
 #include "pose/file_springs.h"
+#include "render/look.h"
 #include "render/performance.h"
 
 namespace marrow::tools {
+
+struct RenderArguments : LookArguments {
+  std::string output;  // empty: nothing is drawn
+  ViewpointArguments viewpoint;
+  ActingArguments acting;              // by a graph
+  std::optional<bool> camera_follows;  // the character over the ground; of a graph alone
+  std::string trace;                   // empty: none
+  std::optional<int> film;             // so many moments in one picture
+  bool movie = false;
+  bool held = false;  // a movie of the moment --time
+  int fps = 15;
+  bool springs = false;
+  BetweenArguments between;
+  std::optional<float> turn_deg;
+};
 
 struct Instant {
   float time_s = 0;
@@ -26,10 +44,10 @@ class Sitting {
   explicit Sitting(const RenderArguments& arguments);
 
   // How long what is played takes; 0: nothing moves.
-  float duration_s() const { return acting_ ? acting_->duration_s() : chosen_.play.duration_s; }
+  float duration_s() const { return acting_ ? acting_->duration_s() : play().duration_s; }
   // Whether it ends elsewhere than it begins.
   bool is_acting() const { return acting_ != nullptr; }
-  const File& file() const { return loaded_.file; }
+  const File& file() const { return model_.file(); }
   int width() const { return size_.first; }
   int height() const { return size_.second; }
   const Gl& gl() const { return gl_; }
@@ -52,6 +70,7 @@ class Sitting {
     float largest_m = 0;
     int pictures = 0;
   };
+  const Play& play() const { return model_.chosen.play; }  // nothing with a graph
   Character& prepared();
   Performance perform();
   void act_to(float time_s);
@@ -64,8 +83,7 @@ class Sitting {
   std::pair<int, int> size_;
   Manner manner_;
   AsNormals normals_;
-  LoadedFile loaded_;
-  Chosen chosen_;                   // nothing with a graph
+  Model model_;
   std::unique_ptr<Acting> acting_;  // null: a clip plays
   Viewpoint viewpoint_;
   Reach reach_;

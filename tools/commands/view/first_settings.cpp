@@ -28,7 +28,7 @@ void set_overlays(const ViewArguments& arguments, Settings& s) {
     if (const auto flag = value_of(kOverlays, name)) s.overlays.*(*flag) = true;
   }
   s.overlays.bones |= arguments.bones;
-  s.overlays.steps |= arguments.graph.has_value();
+  s.overlays.steps |= arguments.by_graph;
   s.overlays.ghosts = arguments.ghosts;
 }
 
@@ -38,7 +38,7 @@ Settings first_settings(const ViewArguments& arguments, const std::optional<Defo
   Settings s;
   s.clip = actor.chosen();
   // Without --clip the first there is.
-  if (!arguments.graph && arguments.choice.clip.empty() && actor.plays().size() > 1) s.clip = 1;
+  if (!arguments.by_graph && arguments.choice.clip.empty() && actor.plays().size() > 1) s.clip = 1;
   if (actor.rehearsal() != nullptr) s.parameter = first_number(actor.rehearsal()->behaviour().graph());
   const float duration_s = actor.plays()[s.clip].play.duration_s;
   s.playback.time_s = static_cast<double>(std::clamp(arguments.choice.time_s, 0.0f, duration_s));

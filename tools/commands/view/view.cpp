@@ -11,17 +11,14 @@
 
 #include <backends/imgui_impl_glfw.h>
 
-#include "commands/view/files/graph_on_disk.h"
-#include "commands/view/files/opening.h"
 #include "commands/view/first_settings.h"
-#include "commands/view/graph_keys.h"
+#include "commands/view/keys.h"
+#include "commands/view/opening.h"
 #include "commands/view/overlay/among_figures.h"
-#include "commands/view/overlay/brush_hand.h"
 #include "commands/view/overlay/picture.h"
-#include "commands/view/painter.h"
 #include "commands/view/panel/panel.h"
 #include "commands/view/stage/actor.h"
-#include "commands/view/stage/timeline.h"
+#include "commands/view/stage/recording.h"
 #include "commands/view/window.h"
 #include "common/failure.h"
 #include "common/formats.h"
@@ -32,7 +29,6 @@
 namespace marrow::tools {
 namespace {
 
-constexpr float kFrameMargin = 0.09f;
 constexpr float kFirstBrush = 0.12f;             // of the figure's radius
 constexpr float kLongestStep = 0.5f;             // seconds: who stops the program does not miss the clip
 constexpr float kScreenshotStep = 1.0f / 60.0f;  // seconds a frame
@@ -62,7 +58,7 @@ bool drawn_by_processor(const Gl& gl) {
 }
 
 std::vector<std::string> packs_of(const ViewArguments& arguments) {
-  if (arguments.graph) return arguments.graph->clips;
+  if (arguments.by_graph) return arguments.behaviour.clips;
   return arguments.choice.clips.empty() ? std::vector<std::string>() : std::vector<std::string>{arguments.choice.clips};
 }
 
@@ -80,8 +76,8 @@ class View {
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
-        opening_({arguments.images_from, arguments.graph.has_value()}, packs_of(arguments),
-                 !arguments.screenshot.empty()),
+        opening_(arguments.images_from, arguments.by_graph ? Opens::models_by_graph : Opens::models,
+                 packs_of(arguments), !arguments.screenshot.empty()),
         source_(opening_.open(arguments.file)),
         chosen_(choose_first()),
         window_(title_of(source_), size_.first, size_.second, arguments.screenshot.empty()),
@@ -150,17 +146,17 @@ class View {
   }
 
   Chosen choose_first() {
-    expect_level(arguments_.file, source_.loaded.file, arguments_.lod);
-    const Reach goals(source_.loaded.file, arguments_.reach);  // throws what is wrong with them
-    if (arguments_.graph) const Behaviour tried(arguments_.file, source_.loaded.file, *arguments_.graph);  // likewise
-    return choose(arguments_.file, source_.loaded.file, arguments_.choice);
+    expect_level(arguments_.file, source_.file(), arguments_.lod);
+    const Reach goals(source_.file(), arguments_.reach);  // throws what is wrong with them
+    if (arguments_.by_graph) const Behaviour tried(arguments_.file, source_.file(), arguments_.behaviour);  // likewise
+    return choose(arguments_.file, source_.file(), arguments_.choice);
   }
 
   // What the arguments say, which the actor plays then.
   std::optional<GraphOnDisk> first_graph() {
-    if (!arguments_.graph) return std::nullopt;
-    GraphOnDisk out(arguments_.graph->graph, !arguments_.screenshot.empty());
-    actor_->rehearse(out.read(arguments_.file, actor_->file()), arguments_.graph->clips);
+    if (!arguments_.by_graph) return std::nullopt;
+    GraphOnDisk out(arguments_.behaviour.graph, !arguments_.screenshot.empty());
+    actor_->rehearse(out.read(arguments_.file, actor_->file()), arguments_.behaviour.clips);
     return out;
   }
 
@@ -170,7 +166,7 @@ class View {
     std::optional<FoundGraph> found = graph_->poll(arguments_.file, actor_->file());
     if (!found) return;
     try {
-      actor_->rehearse(std::move(*found), arguments_.graph->clips);
+      actor_->rehearse(std::move(*found), arguments_.behaviour.clips);
       settings_.parameter = first_number(actor_->rehearsal()->behaviour().graph());
     } catch (const Failure& why) {
       graph_->set_error(why.what());
@@ -202,10 +198,10 @@ class View {
     Choice choice = same ? arguments_.choice : Choice();
     if (choice.clips.empty()) choice.clip.clear();
     try {
-      Chosen chosen = choose(source->path, source->loaded.file, choice);
+      Chosen chosen = choose(source->path, source->file(), choice);
       auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
       if (graph_) {
-        next->rehearse(graph_->read(source_path, next->file()), arguments_.graph->clips);
+        next->rehearse(graph_->read(source_path, next->file()), arguments_.behaviour.clips);
         next->rehearsal()->take(actor_->rehearsal()->kept());
       }
       if (same && !unsaved_paint().empty()) next->painting(settings_).add(unsaved_paint());
@@ -226,36 +222,6 @@ class View {
     arguments_.file = actor_->source().path;
     arguments_.choice = choice;
     window_.set_title(title_of(actor_->source()));
-  }
-
-  void use_keys() {
-    Settings& s = settings_;
-    if (window_.pressed(kKeySpace)) s.playing = !s.playing;
-    if (actor_->rehearsal() != nullptr) return use_graph_keys(window_, *actor_->rehearsal(), s);
-    const float duration_s = actor_->plays()[s.clip].play.duration_s, rate = actor_->rate_hz(s);
-    const auto go = [&](int key, double time_s) {
-      if (!window_.pressed(key)) return;
-      s.playback.time_s = time_s;
-      s.playing = false;
-    };
-    if (s.painting) use_paint_keys();
-    go(kKeyLeft, stepped(s.playback.time_s, -1, duration_s, rate));
-    go(kKeyRight, stepped(s.playback.time_s, 1, duration_s, rate));
-    go(kKeyHome, 0);
-    go(kKeyEnd, time_of_frame(last_frame(duration_s, rate), duration_s, rate));
-  }
-
-  void use_paint_keys() {
-    constexpr float kFiner = 0.85f;
-    Settings& s = settings_;
-    if (window_.pressed(kKeySmaller)) s.brush.radius *= kFiner;
-    if (window_.pressed(kKeyLarger)) s.brush.radius /= kFiner;
-    const float all = actor_->performance().radius();
-    s.brush.radius = std::clamp(s.brush.radius, 0.002f * all, all);
-    if (!actor_->paints(s)) return;
-    if (window_.pressed(kKeyZ, true)) actor_->painting(s).undo();
-    if (window_.pressed(kKeyY, true)) actor_->painting(s).redo();
-    s.save_paint |= window_.pressed(kKeyS, true);
   }
 
   void save_paint() {
@@ -283,7 +249,7 @@ class View {
     const auto [width, height] = window_.pixels();
     const float left = std::min(panel_width(window_.scale()), ImGui::GetIO().DisplaySize.x);
     const int panel_pixels = static_cast<int>(left * ImGui::GetIO().DisplayFramebufferScale.x);
-    if (!ImGui::GetIO().WantTextInput) use_keys();
+    if (!ImGui::GetIO().WantTextInput) use_keys(window_, *actor_, settings_);
     if (settings_.playing) play(step_s);
     if (settings_.painting) settings_.lod = 0;
     pose(step_s);

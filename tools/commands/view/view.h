@@ -1,19 +1,16 @@
 // `marrow view`: a character in a window, cooked or to be cooked.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "behave/behaviour.h"
 #include "render/look.h"
 
 namespace marrow::tools {
 
 struct ViewArguments : LookArguments {
   ViewArguments() { size = "1280x800"; }
-  std::optional<BehaviourArguments> graph;  // that the character goes by; none: clips play
-  bool held = false;                        // --time: begin there, paused
+  bool held = false;  // --time: begin there, paused
   bool bones = false;
   std::vector<std::string> show;  // names of kOverlays, and "uv"
   int ghosts = 0;                 // before and after each

@@ -1,5 +1,5 @@
+#include "commands/arguments.h"
 #include "commands/command.h"
-#include "commands/graph_arguments.h"
 #include "commands/look_arguments.h"
 #include "commands/view/stage/view_settings.h"
 #include "commands/view/view.h"
@@ -47,8 +47,7 @@ void add_view(CLI::App& app, int&) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
       ->needs(screenshot);
-  static GraphOptions graph;
-  add_graph(command, graph);
+  add_graph(command, a);
   command->footer(
       "What the options choose is where the panel begins. With --time the clip is paused there. A .gltf, .glb or .vrm "
       "file is cooked in memory, by the nearest marrow.toml. What changes on the disk is loaded again, and what is "
@@ -61,7 +60,7 @@ void add_view(CLI::App& app, int&) {
   command->callback([command] {
     a.held = command->count("--time") > 0;
     a.paints = command->count("--paint") > 0;
-    a.graph = graph_of(*command, graph, {"--clip", "--time", "--ik", "--ghosts", "--paint"}, a.choice);
+    take_graph(*command, {"--clip", "--time", "--ik", "--ghosts", "--paint"}, a);
     run_view(a);
   });
 }

@@ -1,11 +1,15 @@
-// A window with an OpenGL ES 3.0 context, by GLFW.
+// A window with an OpenGL ES 3.0 context, by GLFW, and the painter of its panel.
 #pragma once
 
 #include <map>
 #include <string>
 #include <utility>
 
+#include "render/gl.h"
+
 struct GLFWwindow;
+struct ImDrawData;
+struct ImDrawCmd;
 
 namespace marrow::tools {
 
@@ -42,6 +46,30 @@ class Window {
   GLFWwindow* window_ = nullptr;
   std::map<std::pair<int, bool>, int> pressed_;  // how often, by key and whether with Ctrl
   std::string dropped_;
+};
+
+// Draws what Dear ImGui leaves, by the tools' own OpenGL functions: its backend as packaged is built for desktop
+// OpenGL.
+class Painter {
+ public:
+  // After the fonts are chosen: they go up now. Throws Failure (internal) if the driver refuses. `gl` outlives it.
+  explicit Painter(const Gl& gl);
+  ~Painter();
+  Painter(const Painter&) = delete;
+  Painter& operator=(const Painter&) = delete;
+
+  // Into the window.
+  void paint(const ImDrawData& data);
+
+ private:
+  void upload_fonts();
+  void draw(const ImDrawData& data, const ImDrawCmd& command, int height);
+
+  const Gl& gl_;
+  gles3::Program program_;
+  GlTexture font_;
+  GlBuffer vertices_, indices_;
+  GlVertexArray array_;
 };
 
 }  // namespace marrow::tools

@@ -6,8 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "commands/view/overlay/way.h"
-#include "commands/view/stage/timeline.h"
+#include "commands/view/stage/recording.h"
 
 namespace marrow::tools {
 namespace {
@@ -89,6 +88,52 @@ void add_ghosts(Actor& actor, const Settings& s, const Shot& shot, Strokes& stro
     for (std::uint32_t m = 0; m < posed.size(); ++m)
       add_ghost(actor.file().mesh(m, static_cast<std::uint32_t>(actor.coarsest_lod())).geometry, posed[m],
                 i < 0 ? kBefore : kAfter, strength, shot, strokes);
+  }
+}
+
+constexpr glm::vec3 kWay{0.26f, 0.78f, 0.26f};
+constexpr float kWayWidth = 0.018f;   // radii
+constexpr float kWayStrength = 0.8f;  // of what is new
+constexpr float kPiece = 0.04f;       // radii, at least: of one straight piece
+
+// As a ribbon, which has a width on any screen, and lies under what stands on it.
+void add_ribbon(const Rehearsal& rehearsal, const Shot& shot, Strokes& strokes) {
+  const double now_s = rehearsal.time_s();
+  const float half = 0.5f * kWayWidth * shot.radius;
+  std::vector<std::pair<glm::vec3, double>> points;
+  for (const Rehearsal::Place& place : rehearsal.way()) {
+    if (place.at_s > now_s) break;
+    const glm::vec3 at(place.at.x, shot.ground_height, place.at.z);
+    if (points.size() < 2 || glm::length(at - points[points.size() - 2].first) > kPiece * shot.radius) {
+      points.emplace_back(at, place.at_s);
+    } else {
+      points.back() = {at, place.at_s};
+    }
+  }
+  const auto colour = [&](double at_s) {
+    const auto age = static_cast<float>((now_s - at_s) / Rehearsal::kKept_s);
+    return glm::vec4(kWay, kWayStrength * (1 - age) * (1 - age));
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto& [from, from_s] = points[i - 1];
+    const auto& [to, to_s] = points[i];
+    const float length = glm::length(to - from);
+    if (!(length > 0)) continue;
+    const glm::vec3 side = half / length * glm::vec3(to.z - from.z, 0, from.x - to.x);
+    const Strokes::Corner a{from - side, colour(from_s)}, b{from + side, colour(from_s)}, c{to + side, colour(to_s)},
+        d{to - side, colour(to_s)};
+    strokes.face(a, b, c);
+    strokes.face(a, c, d);
+  }
+}
+
+// What a character that goes by a graph leaves on the ground, up to the moment of now.
+void add_way(const Rehearsal& rehearsal, const Shot& shot, Strokes& strokes) {
+  add_squares(shot, {}, strokes);
+  add_ribbon(rehearsal, shot, strokes);
+  for (const Rehearsal::Print& print : rehearsal.prints()) {
+    if (print.at_s > rehearsal.time_s()) break;
+    add_print(print.print, rehearsal.time_s() - print.at_s, shot, strokes);
   }
 }
 

@@ -1,4 +1,5 @@
-// What the overlays draw among the figures: ground grid, wireframe, normals, ghosts.
+// What is drawn among the figures: ground grid, wireframe, normals, ghosts; of a character that goes by a graph squares
+// to go over, prints of its feet, the root's way.
 #pragma once
 
 #include <string>

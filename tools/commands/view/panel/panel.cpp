@@ -1,15 +1,13 @@
 #include "commands/view/panel/panel.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <imgui.h>
 
 #include "commands/view/panel/sections.h"
-#include "commands/view/panel/widgets.h"
 #include "render/heat.h"
 
 namespace marrow::tools {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "commands/view/stage/timeline.h"
+#include "commands/view/stage/recording.h"
 #include "math/affine.h"
 #include "render/heat.h"
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "commands/view/files/source.h"
+#include "commands/view/opening.h"
 #include "commands/view/overlay/footprints.h"
-#include "commands/view/paint/painting.h"
 #include "commands/view/stage/recording.h"
 #include "commands/view/stage/rehearsal.h"
 #include "commands/view/stage/rigging.h"
 #include "commands/view/stage/view_settings.h"
+#include "paint/painting.h"
 #include "render/figure.h"
 #include "render/performance.h"
 

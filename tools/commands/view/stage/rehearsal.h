@@ -10,7 +10,7 @@
 
 #include "behave/behaviour.h"
 #include "marrow/roles.h"
-#include "render/overlay/footfall.h"
+#include "render/overlay/ground.h"
 
 namespace marrow::tools {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "commands/view/paint/brush.h"
 #include "marrow/playback.h"
 #include "marrow/springs.h"
+#include "paint/painting.h"
 #include "pose/reach.h"
 #include "render/camera.h"
 #include "render/look.h"
