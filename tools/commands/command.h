@@ -1,5 +1,5 @@
-// The sub-commands of `marrow`. Each has a folder here, and in it a file NAME_command.cpp that declares its command
-// line.
+// The sub-commands of `marrow`. Each has a file NAME_command.cpp, here or in a folder of its own, that declares its
+// command line.
 #pragma once
 
 #include <CLI/CLI.hpp>
