@@ -1,4 +1,4 @@
-#include "cook/roles/find_trunk.h"
+#include "cook/roles/role_body.h"
 
 #include <algorithm>
 

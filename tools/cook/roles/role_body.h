@@ -1,4 +1,4 @@
-// A skeleton as roles are looked for in it, and the roles found so far.
+// A skeleton as roles are looked for in it, what its names say, and the roles found so far.
 #pragma once
 
 #include <array>
@@ -10,11 +10,63 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "cook/roles/joint_part.h"
+#include "cook/roles/name_words.h"
 #include "cook/scene/built.h"
 #include "marrow/roles.h"
 
 namespace marrow::cook {
+
+enum class Part : std::uint8_t {
+  none,     // the name says nothing
+  unknown,  // it has a word that nobody knows
+  other,    // it says something that has no role
+  root,
+  hips,
+  spine,
+  chest,
+  upper_chest,
+  neck,
+  head,
+  jaw,
+  eye,
+  tail,
+  // Of legs, from the body out. A hip with a side is a girdle or the leg's first joint.
+  leg_girdle,
+  hip,
+  upper_leg,
+  leg,
+  lower_leg,
+  ankle,
+  foot,
+  toes,
+  // Of arms and front legs, likewise.
+  arm_girdle,
+  shoulder,
+  upper_arm,
+  arm,
+  lower_arm,
+  wrist,
+  hand,
+  palm,
+  thumb,
+  index,
+  middle,
+  ring,
+  little,
+};
+
+struct JointPart {
+  Part part = Part::none;
+  Side side = Side::none;  // of the name, or of the nearest joint above that has one
+  bool own_side = false;
+  bool is_end = false;    // the name says that it is no joint but an end
+  bool is_front = false;  // of a front leg
+  bool is_humerus = false;
+  int number = -1;  // of a finger's joint; -1: none
+};
+
+// Of all joints of a skeleton, since what their names have in common says nothing. parents: 65535 for roots.
+std::vector<JointPart> parts_of(const std::vector<std::string>& names, const std::vector<std::uint16_t>& parents);
 
 // What is said of a joint that was left out.
 using Doubt = std::function<void(int joint, const std::string& why)>;
@@ -73,5 +125,21 @@ Role other_side(Role role);
 inline Role on_side(Role left, Side side) {
   return side == Side::right ? other_side(left) : left;
 }
+
+// Gives upper_leg, lower_leg, foot and toes, shoulder, upper_arm, lower_arm and hand of both sides.
+void find_limbs(Body& body, const Doubt& doubt);
+
+// Gives the three joints of each finger, from the palm out, where they hang below the hand, or below the lower arm of
+// what has none. After limbs.
+void find_fingers(Body& body);
+
+// Of characters that stand upright in the scene and look along z or against it. Two chains that mirror each other and
+// reach the lowest joints are legs; two more, farther up from where those meet, are front legs if they too reach the
+// ground, else arms are the longest such chains. Does nothing where a name says anything.
+void find_by_shape(Body& body);
+
+// Hips are where the legs meet each other and the trunk; the trunk goes from there to where the arms meet, the neck on
+// to the head. Names decide where they agree with that. After limbs.
+void find_trunk(Body& body, const Doubt& doubt);
 
 }  // namespace marrow::cook
