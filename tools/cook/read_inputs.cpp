@@ -7,8 +7,7 @@
 #include "common/failure.h"
 #include "common/hash.h"
 #include "cook/prepare/mirrors.h"
-#include "cook/retarget/cooked_motion.h"
-#include "cook/retarget/retarget_map.h"
+#include "cook/retarget/retarget.h"
 #include "cook/rig/read_template.h"
 #include "text/printable.h"
 

@@ -12,7 +12,6 @@
 #include "cook/retarget/make_pose_map.h"
 #include "cook/retarget/mirror_clips.h"
 #include "cook/retarget/retarget.h"
-#include "cook/retarget/retarget_map.h"
 #include "cook/roles/build_roles.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "text/safe_name.h"

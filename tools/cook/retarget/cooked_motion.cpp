@@ -1,4 +1,4 @@
-#include "cook/retarget/cooked_motion.h"
+#include "cook/retarget/retarget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "common/failure.h"
 #include "common/hash.h"
 #include "common/load_mrw.h"
-#include "cook/prepare/match_skeletons.h"
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
 #include "deform/rotations.h"

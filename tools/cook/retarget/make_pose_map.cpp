@@ -12,7 +12,6 @@
 #include "asset/skeleton_hash.h"
 #include "common/failure.h"
 #include "cook/retarget/plan/retarget_plan.h"
-#include "cook/retarget/plan/retarget_puppet.h"
 #include "marrow/roles.h"
 
 namespace marrow::cook {

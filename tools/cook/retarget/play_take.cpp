@@ -3,21 +3,165 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "asset/format.h"
+#include "common/elementary.h"
 #include "common/failure.h"
-#include "cook/retarget/feet/hold_feet.h"
-#include "cook/retarget/feet/level_feet.h"
-#include "cook/retarget/feet/retarget_stand.h"
-#include "cook/retarget/meet_hands.h"
-#include "cook/retarget/plan/retarget_puppet.h"
-#include "cook/retarget/twist_joints.h"
+#include "cook/clip/build_tracks.h"
+#include "cook/motion/find_contacts.h"
+#include "cook/motion/foot_points.h"
+#include "cook/motion/trace_clip.h"
+#include "cook/retarget/plan/limbs.h"
+#include "cook/retarget/plan/pair_rigs.h"
+#include "cook/roles/name_words.h"
 
 namespace marrow::cook {
+
+std::vector<FootSpans> taken_contacts(const BuiltSkeleton& rig, const RawClip& clip) {
+  int last = kNone;
+  for (const int node : rig.node_of_joint) last = std::max(last, node);
+  for (const RawChannel& channel : clip.channels) last = std::max(last, channel.node);
+  std::vector<int> joint_of_node(to_index(last + 1), kNone);
+  for (std::size_t j = 0; j < rig.node_of_joint.size(); ++j)
+    joint_of_node[to_index(rig.node_of_joint[j])] = static_cast<int>(j);
+  const ClipTrace trace = trace_clip(build_tracks(clip, joint_of_node), rig, find_foot_points(rig, {}));
+  if (!(trace.frame_s > 0)) return {};
+  const Contacts contacts = find_contacts(trace);
+  std::vector<FootSpans> out;
+  for (std::size_t foot = 0; foot < trace.feet.size(); ++foot) {
+    FootSpans& of = out.emplace_back();
+    of.foot = trace.feet[foot].role;
+    for (const Contact& span : contacts.spans) {
+      if (span.foot != foot) continue;
+      const double from = static_cast<double>(span.from) * trace.frame_s;
+      const double to = static_cast<double>(span.to) * trace.frame_s;
+      of.spans_s.emplace_back(from, std::min(to, trace.duration_s()));
+      if (to > trace.duration_s()) of.spans_s.emplace_back(0, to - trace.duration_s());
+    }
+    std::ranges::sort(of.spans_s);
+  }
+  return out;
+}
+
 namespace {
+
+constexpr double kWholeTurn = 6.283185307179586;
+
+struct Bones {
+  Role upper, lower, end;
+};
+constexpr Bones kLimbs[] = {{Role::left_upper_arm, Role::left_lower_arm, Role::left_hand},
+                            {Role::right_upper_arm, Role::right_lower_arm, Role::right_hand},
+                            {Role::left_upper_leg, Role::left_lower_leg, Role::left_foot},
+                            {Role::right_upper_leg, Role::right_lower_leg, Role::right_foot}};
+
+// From `from` to `to`, in the space of `from` at rest.
+glm::dvec3 way_in(const RetargetJoint& from, const glm::dvec3& to) {
+  return glm::dvec3(glm::inverse(from.model_from_joint) * glm::dvec4(to, 1));
+}
+
+// The angle of a rotation about an axis, from minus half a turn to half a turn.
+double twist_of(const glm::dquat& q, const glm::dvec3& axis) {
+  const double angle = 2 * tools::angle_of(glm::dot(glm::dvec3(q.x, q.y, q.z), axis), q.w);
+  return angle > kWholeTurn / 2 ? angle - kWholeTurn : angle < -kWholeTurn / 2 ? angle + kWholeTurn : angle;
+}
+
+}  // namespace
+
+std::vector<TwistJoint> find_twists(const BuiltSkeleton& skeleton, const RetargetPlan& plan) {
+  std::vector<TwistJoint> out;
+  const auto add = [&](int bone, int end, bool is_upper) {
+    if (bone == kNone || end == kNone || !plan.joints[to_index(bone)].at.is_there()) return;
+    const RetargetJoint& of = plan.joints[to_index(bone)];
+    if (plan.joints[to_index(end)].parent != bone || glm::determinant(of.model_from_joint) == 0) return;
+    const glm::dvec3 whole = way_in(of, plan.joints[to_index(end)].place);
+    const double length = glm::length(whole);
+    if (!(length > 0)) return;
+    for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+      const RetargetJoint& joint = plan.joints[j];
+      if (joint.parent != bone || joint.at.is_there() || !words_of(skeleton.joint_names[j]).has(Word::twist)) continue;
+      const double along = std::clamp(glm::dot(way_in(of, joint.place), whole) / (length * length), 0.0, 1.0);
+      out.push_back({j, to_index(is_upper ? bone : end), whole / length, is_upper ? along - 1 : along});
+    }
+  };
+  for (const Bones& limb : kLimbs) {
+    const int lower = joint_with(skeleton, limb.lower);
+    add(joint_with(skeleton, limb.upper), lower, true);
+    add(lower, joint_with(skeleton, limb.end), false);
+  }
+  return out;
+}
+
+void twist(const RetargetPlan& plan, const std::vector<TwistJoint>& joints, Puppet& puppet) {
+  for (const TwistJoint& of : joints) {
+    const glm::dquat &rest = plan.joints[of.follows].rest.rotation, &now = puppet.local[of.follows];
+    // In the bone's space: before an upper bone's own rotation, after a hand's.
+    const glm::dquat turned = of.share < 0 ? glm::conjugate(rest) * now : now * glm::conjugate(rest);
+    const double half = of.share * twist_of(turned, of.axis) / 2, sine = tools::sine(half);
+    const glm::dquat by(tools::cosine(half), sine * of.axis.x, sine * of.axis.y, sine * of.axis.z);
+    puppet.local[of.joint] = by * plan.joints[of.joint].rest.rotation;
+    puppet.is_turned[of.joint] = 1;
+  }
+}
+
+namespace {
+
+struct Hands {
+  Limb left, right;
+  double scale = 1;  // lengths of the character's arms in those of the take's
+};
+
+constexpr double kNear = 0.5, kFar = 1;  // of an arm's length
+constexpr int kSteps = 2;                // where one arm is too short the other goes farther
+
+std::optional<Limb> arm_of(const BuiltSkeleton& skeleton, const RetargetPlan& plan, Role top, Role middle, Role end) {
+  const int joints[] = {joint_with(skeleton, top), joint_with(skeleton, middle), joint_with(skeleton, end)};
+  for (const int joint : joints)
+    if (joint == kNone || !plan.joints[to_index(joint)].at.is_there()) return std::nullopt;
+  if (std::ranges::find(skeleton.roles.soles, joints[2], &JointSole::joint) != skeleton.roles.soles.end())
+    return std::nullopt;
+  const Limb out = limb_of(plan.joints, to_index(joints[0]), joints[1], to_index(joints[2]));
+  return out.middle == kNone ? std::nullopt : std::optional(out);
+}
+
+// By roles, where both arms have counterparts and no front legs are meant.
+std::optional<Hands> find_hands(const BuiltSkeleton& skeleton, const RetargetPlan& plan, const Take& take) {
+  const std::optional<Limb> left = arm_of(skeleton, plan, Role::left_upper_arm, Role::left_lower_arm, Role::left_hand);
+  const std::optional<Limb> right =
+      arm_of(skeleton, plan, Role::right_upper_arm, Role::right_lower_arm, Role::right_hand);
+  if (!left || !right) return std::nullopt;
+  const double own = length_of(plan, *left) + length_of(plan, *right);
+  const double theirs = taken_length(plan, *left, take) + taken_length(plan, *right, take);
+  if (!(own > 0) || !(theirs > 0)) return std::nullopt;
+  return Hands{*left, *right, own / theirs};
+}
+
+// Bends the arms of a puppet that is posed so that the way from hand to hand is the take's, scaled; each hand goes half
+// of it. This is so for hands that are less than half an arm apart, and fades until they are a whole one apart.
+void meet_hands(const RetargetPlan& plan, const Hands& hands, const Take& take, Puppet& puppet) {
+  const auto place = [&](std::size_t joint) { return take.place(plan.joints[joint].at); };
+  const glm::dvec3 wanted = hands.scale * (plan.facing * (place(hands.left.end) - place(hands.right.end)));
+  const double arm = (length_of(plan, hands.left) + length_of(plan, hands.right)) / 2;
+  const double fade = std::clamp((kFar - glm::length(wanted) / arm) / (kFar - kNear), 0.0, 1.0);
+  if (!(fade > 0)) return;
+  const glm::dvec3 own = puppet.place(hands.left.end) - puppet.place(hands.right.end);
+  const glm::dvec3 goal = own + fade * fade * (3 - 2 * fade) * (wanted - own);
+  const auto bend = [&](const Limb& limb, const glm::dvec3& by) {
+    const glm::dvec3 backwards =
+        puppet.turns[limb.top] * glm::conjugate(plan.joints[limb.top].aligned) * plan.facing * glm::dvec3(0, 0, -1);
+    reach(limb, puppet.place(limb.end) + by, backwards, length_of(plan, limb), puppet);
+  };
+  for (int step = 0; step < kSteps; ++step) {
+    const glm::dvec3 off = goal - (puppet.place(hands.left.end) - puppet.place(hands.right.end));
+    bend(hands.left, 0.5 * off);
+    bend(hands.right, -0.5 * off);
+    puppet.pose(plan);
+  }
+}
 
 // Of each carried joint's legs and frames.
 using Offsets = std::vector<std::vector<std::vector<glm::dvec3>>>;

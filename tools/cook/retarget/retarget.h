@@ -1,10 +1,14 @@
 // Clips of one rig onto another: joints of a character turn as those of another body that are for the same.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cook/prepare/match_skeletons.h"
 #include "cook/retarget/plan/pair_rigs.h"
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"
+#include "marrow/cook_host.h"
 
 namespace marrow::cook {
 
@@ -68,5 +72,18 @@ Matched scene_of(const Character& character, std::vector<RetargetedClips> all, R
 
 // Of motion capture, as such a scene.
 Matched retarget(const Character& character, RawScene capture, Notes& notes);
+
+// A table [joints]: JOINT = "SOURCE", or JOINT = ["SOURCE", "OTHER", SHARE] for one between two. Throws tools::Failure
+// (usage), located by line and column, for what is no such file.
+RetargetMap parse_retarget_map(const std::string& path, std::string_view text);
+
+// A map that says what pair_with() has found, joint by joint of the character; those without a counterpart and the
+// source's that are none are comments.
+std::string retarget_map_text(const Character& character, const RawScene& source, const RigPairing& pairing);
+
+// A scene of the file's joints, which its clips move, but for additive ones: keys every 1/60 s, or farther apart where
+// they would be too many. Throws tools::Failure as load_mrw(), and (invalid) for a clip pack, which does not say how
+// its joints rest.
+RawScene read_cooked_motion(const std::string& name, Files& files);
 
 }  // namespace marrow::cook

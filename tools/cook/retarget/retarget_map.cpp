@@ -1,4 +1,4 @@
-#include "cook/retarget/retarget_map.h"
+#include "cook/retarget/retarget.h"
 
 #include <algorithm>
 #include <set>

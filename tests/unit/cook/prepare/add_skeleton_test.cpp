@@ -13,7 +13,7 @@
 #include "cook/options/options.h"
 #include "cook/prepare/bind_bones.h"
 #include "cook/read_inputs.h"
-#include "cook/retarget/plan/pair_joints.h"
+#include "cook/retarget/plan/pair_rigs.h"
 #include "cook/rig/read_template.h"
 #include "deform/weights/auto_weights.h"
 #include "disk/cook_on_disk.h"

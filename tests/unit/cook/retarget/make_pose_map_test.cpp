@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "cook/retarget/plan/retarget_plan.h"
-#include "cook/retarget/retarget_map.h"
+#include "cook/retarget/retarget.h"
 #include "cook/scene/matrices.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "support/places.h"

@@ -1,5 +1,5 @@
 // Maps of joints: what pairs them, what a map says, and what is wrong with one.
-#include "cook/retarget/retarget_map.h"
+#include "cook/retarget/retarget.h"
 
 #include "common/failure.h"
 #include "cook/skeleton/build_skeletons.h"

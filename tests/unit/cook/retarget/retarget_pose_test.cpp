@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cook/retarget/plan/retarget_puppet.h"
+#include "cook/retarget/plan/retarget_plan.h"
+#include "cook/retarget/play_take.h"
 #include "cook/retarget/retarget.h"
-#include "cook/retarget/twist_joints.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "unit/cook/retarget/raw_rig.h"
 #include "unit/cook/scene_document.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cook/retarget/plan/pair_joints.h"
+#include "cook/retarget/plan/pair_rigs.h"
 #include "unit/cook/retarget/retarget_bodies.h"
 
 namespace marrow::cook::mocap {

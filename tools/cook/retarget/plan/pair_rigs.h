@@ -10,6 +10,11 @@
 
 namespace marrow::cook {
 
+// For each of `joints` the index of its counterpart in `others`; kNone: none. First those of exactly the same name,
+// then of those that are left the ones that are called alike: "mixamorig:Left_Arm" is "leftarm" too, for what stands
+// before the last colon, case, blanks, "_" and "." do not count. Names that several have on one side pair nothing.
+std::vector<int> pair_joints(const std::vector<std::string>& joints, const std::vector<std::string>& others);
+
 // A line of a map: a joint, and what it turns as. See read_retarget_map().
 struct MappedJoint {
   std::string joint, source;

@@ -10,7 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
-#include "cook/retarget/plan/retarget_feet.h"
+#include "cook/retarget/plan/limbs.h"
 #include "cook/retarget/plan/take.h"
 #include "cook/scene/built.h"
 #include "cook/scene/views.h"
@@ -60,5 +60,32 @@ RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltS
 
 // Where the character of a joint stands.
 glm::dvec3 origin_of(const std::vector<RetargetJoint>& joints, std::size_t joint);
+
+struct Puppet {
+  explicit Puppet(std::size_t joints);
+
+  // As turns and places are wanted; joints that none is wanted of stand as at rest below their parents.
+  void pose(const RetargetPlan& plan);
+
+  glm::dvec3 place(std::size_t joint) const { return glm::dvec3(model_from_joint[joint][3]); }
+
+  // Puts a joint at a place in the scene, from the next pose() on, and below a parent that is where it will be then.
+  void put(const RetargetPlan& plan, std::size_t joint, const glm::dvec3& place);
+
+  std::vector<char> is_turned;     // a turn is wanted
+  std::vector<glm::dquat> wanted;  // rotations in the scene
+  std::vector<glm::dquat> turns;   // that came out
+  std::vector<glm::dquat> local;   // the same, below the parent
+  std::vector<glm::dmat4> model_from_joint;
+  std::vector<char> is_put;             // a place is wanted
+  std::vector<glm::dvec3> local_place;  // below the parent
+};
+
+// The shortest turn that takes one direction to another; both of length 1.
+glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to);
+
+// By how much each joint turns in the scene, from its rest pose to that pose: A, see retarget().
+std::vector<glm::dquat> arcs_of(const BuiltSkeleton& skeleton, const std::vector<RetargetJoint>& joints,
+                                const Take& take, const glm::dquat& facing);
 
 }  // namespace marrow::cook
