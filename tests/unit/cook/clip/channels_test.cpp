@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/clip/build_channels.h"
 #include "cook/clip/build_tracks.h"
 #include "marrow/sample.h"
 #include "support/rig.h"
