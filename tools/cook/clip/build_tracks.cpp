@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "cook/clip/compress/round_keys.h"
+#include "cook/clip/compress/compress_clip.h"
 #include "cook/scene/without_tiny.h"
 
 namespace marrow::cook {

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstring>
 
-#include "cook/clip/compress/packed_cost.h"
+#include "cook/clip/compress/coded_track.h"
 #include "cook/geometry/record.h"
 #include "cook/geometry/symbol_encoder.h"
 #include "cook/write/list_exponents.h"

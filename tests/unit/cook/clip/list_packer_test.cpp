@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/clip/compress/round_keys.h"
+#include "cook/clip/compress/compress_clip.h"
 #include "cook/write/clip_packer.h"
 #include "cook/write/list_exponents.h"
 #include "support/aligned.h"

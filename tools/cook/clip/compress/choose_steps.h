@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cook/clip/compress/coded_track.h"
-#include "cook/clip/compress/packed_cost.h"
 #include "cook/clip/compress/strays.h"
 #include "cook/scene/cook_options.h"
 

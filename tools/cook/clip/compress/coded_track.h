@@ -1,4 +1,4 @@
-// One coded sub-track of one segment: integers a frame, and what they stand for.
+// One coded sub-track of one segment: integers a frame, what they stand for, and what they cost on disk.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "cook/clip/measure/source_curves.h"
+#include "unpack/clip/clip_codec.h"
 
 namespace marrow::cook {
 
@@ -41,5 +42,26 @@ glm::dvec3 decode(const CodedTrack& track, std::size_t frame);
 // Modified Rodrigues parameters, axis · tan(θ/4), and back. -q gives other parameters than q: the caller chooses.
 glm::dvec3 to_rodrigues(const glm::dquat& q);
 glm::dquat from_rodrigues(const glm::dvec3& m);
+
+using ClipFrames = std::vector<std::array<std::int32_t, 3>>;
+
+bool moves(const ClipFrames& frames, std::size_t component);
+// The predictor that a component of a track is coded with, and how far it is off at first. Of two that are about the
+// same, the first.
+ClipCurve choose_curve(const ClipFrames& frames, std::size_t component);
+
+// An estimate: by the coder itself, but with models that stay as they are at first.
+class PackedCost {
+ public:
+  static constexpr std::uint64_t kBit = 256;
+
+  PackedCost();
+  // In 1 / kBit of a bit. curves: of choose_curve for this track, or for the same one in other steps.
+  std::uint64_t of(const ClipFrames& frames, const std::array<ClipCurve, 3>& curves);
+
+ private:
+  ClipModels models_;
+  std::vector<std::uint16_t> cost_of_share_;
+};
 
 }  // namespace marrow::cook

@@ -1,10 +1,25 @@
-// A clip of keys → the same clip in coded segments, within a promised error.
+// A clip of keys → the same clip in coded segments, or in rounded keys, within a promised error.
 #pragma once
 
+#include <span>
+
 #include "cook/clip/measure/hung.h"
+#include "cook/clip/measure/rig.h"
+#include "cook/scene/built.h"
 #include "cook/scene/cook_options.h"
 
 namespace marrow::cook {
+
+// The nearest whole number of the largest power of two that keeps it within the slack; itself where there is none.
+float rounded_within(double slack, float value);
+
+// What a tangent of such keys adds to a value at most, for each unit that it is off.
+double tangent_lever(std::span<const float> times_s);
+
+// The tracks' values as whole numbers of a power of two each, near which a track alone strays by about `share` of the
+// promise; tangents of another, by the longest time between two keys. Rotations of LINEAR and STEP tracks stay as they
+// are, since they must be unit quaternions.
+BuiltClip with_rounded_keys(const BuiltClip& clip, const Rig& rig, const Promise& promise, double share);
 
 // Replaces the tracks of `clip` by coded ones where that keeps the promise and saves bytes; STEP tracks stay as they
 // are. The promise is checked with the runtime's own decoder, in model space through the whole hierarchy, against the
