@@ -6,7 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
-#include "cook/clip/measure/source_curves.h"
+#include "cook/clip/measure/rig.h"
 #include "cook/motion/foot_points.h"
 #include "cook/scene/built.h"
 

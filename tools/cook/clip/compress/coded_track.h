@@ -7,7 +7,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "cook/clip/measure/source_curves.h"
+#include "cook/clip/measure/rig.h"
 #include "unpack/clip/clip_codec.h"
 
 namespace marrow::cook {

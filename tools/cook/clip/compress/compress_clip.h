@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "cook/clip/measure/hung.h"
+#include "cook/clip/measure/clip_measure.h"
 #include "cook/clip/measure/rig.h"
 #include "cook/scene/built.h"
 #include "cook/scene/cook_options.h"

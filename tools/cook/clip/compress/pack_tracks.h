@@ -6,7 +6,7 @@
 
 #include "asset/format.h"
 #include "cook/clip/compress/choose_steps.h"
-#include "cook/clip/measure/source_curves.h"
+#include "cook/clip/measure/rig.h"
 #include "cook/scene/built.h"
 
 namespace marrow::cook {
