@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
-#include "cook/geometry/symbol_encoder.h"
+#include "cook/geometry/record.h"
 #include "core/step.h"
 #include "marrow/meshopt.h"
 #include "support/fan.h"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "cook/geometry/owned_streams.h"
@@ -18,5 +20,29 @@ std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim);
 
 // meshoptimizer's codecs; vertices are put into the order in which the runtime will store them.
 std::vector<std::byte> encode_meshopt(OwnedStreams& streams);
+
+class SkinApart {
+ public:
+  // Takes them out of the streams. Nothing, and nothing is changed, where there are none that bits can say, and where
+  // vertices differ in them alone.
+  static std::optional<SkinApart> take(OwnedStreams& streams);
+
+  // Puts them back, when a codec has ordered the vertices, of which it may have made more. Returns the bits.
+  std::vector<std::byte> give_back(OwnedStreams& streams) const;
+
+ private:
+  OwnedStreams before_;
+};
+
+struct PackedApart {
+  OwnedStreams streams;            // linear blend skinning's with the residual's bits, as the codec gives them back
+  std::vector<std::byte> encoded;  // what the codec made of them
+};
+
+// encode: as encode_draco(). `streams`, welded, then are in its order, and where they come of smoothing alone their
+// residual may have gone a step towards the guess. Returns nothing, and changes nothing, where a residual cannot be
+// apart: without one; beside multi-weights; where no vertex follows two joints; and where vertices differ in it alone.
+std::optional<PackedApart> pack_apart(OwnedStreams& streams, const ResidualSource& source,
+                                      const std::function<std::vector<std::byte>(OwnedStreams&)>& encode);
 
 }  // namespace marrow::cook

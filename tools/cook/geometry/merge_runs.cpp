@@ -1,4 +1,4 @@
-#include "cook/geometry/merge_runs.h"
+#include "cook/geometry/owned_streams.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "cook/geometry/residual_apart.h"
+#include "cook/geometry/encode_streams.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,7 @@
 
 #include "common/aligned_bytes.h"
 #include "common/failure.h"
-#include "cook/geometry/rows.h"
-#include "cook/geometry/symbol_encoder.h"
+#include "cook/geometry/record.h"
 #include "unpack/residual.h"
 
 namespace marrow::cook {

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "cook/geometry/record.h"
-#include "cook/geometry/symbol_encoder.h"
 #include "unpack/clip/bounds_codec.h"
 
 namespace marrow::cook {

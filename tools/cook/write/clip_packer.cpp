@@ -6,7 +6,6 @@
 
 #include "cook/clip/compress/coded_track.h"
 #include "cook/geometry/record.h"
-#include "cook/geometry/symbol_encoder.h"
 #include "cook/write/list_exponents.h"
 #include "unpack/clip/clip_record.h"
 #include "unpack/clip/segments.h"

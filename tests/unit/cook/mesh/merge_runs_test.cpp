@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/geometry/merge_runs.h"
+#include "cook/geometry/owned_streams.h"
 #include "support/rig.h"
 
 namespace marrow::test {

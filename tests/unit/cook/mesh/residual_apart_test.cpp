@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "cook/geometry/build_geometry.h"
-#include "cook/geometry/symbol_encoder.h"
+#include "cook/geometry/record.h"
 #include "deform/animation_space.h"
 #include "deform/cylinder.h"
 #include "support/ring.h"

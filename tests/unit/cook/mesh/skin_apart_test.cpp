@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cook/geometry/skin_apart.h"
+#include "cook/geometry/encode_streams.h"
 #include "draco/decode_skin.h"
 #include "draco/skin_codec.h"
 #include "support/rig.h"
