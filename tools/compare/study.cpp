@@ -11,7 +11,7 @@
 #include "cook/learn/truths.h"
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "cook/skin/joint_motion.h"
+#include "cook/skin/deform_source.h"
 #include "deform/cylinder.h"
 #include "deform/surface.h"
 

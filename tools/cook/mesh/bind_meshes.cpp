@@ -10,7 +10,7 @@
 #include "cook/mesh/scene_scale.h"
 #include "cook/mesh/subdivide_mesh.h"
 #include "cook/skin/deform_source.h"
-#include "cook/skin/split_primitives.h"
+#include "cook/skin/primitive_palette.h"
 #include "unpack/packed.h"
 
 namespace marrow::cook {

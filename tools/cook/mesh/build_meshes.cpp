@@ -20,9 +20,7 @@
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
 #include "cook/scene/whole_steps.h"
-#include "cook/skin/bound_deformers.h"
 #include "cook/skin/primitive_palette.h"
-#include "cook/skin/split_primitives.h"
 
 namespace marrow::cook {
 namespace {

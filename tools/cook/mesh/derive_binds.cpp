@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "cook/scene/matrices.h"
-#include "cook/skin/sampled_poses.h"
+#include "cook/skin/deform_source.h"
 #include "unpack/structure.h"
 
 namespace marrow::cook {

@@ -11,8 +11,8 @@
 
 #include "common/parallel.h"
 #include "cook/skin/deform_source.h"
-#include "cook/skin/fewer_joints.h"
-#include "cook/skin/split_primitives.h"
+#include "cook/skin/primitive_palette.h"
+#include "cook/skin/skin_binding.h"
 #include "deform/pose_metric.h"
 #include "deform/simplify/surface_error.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cook/scene/matrices.h"
-#include "cook/skin/sampled_poses.h"
+#include "cook/skin/deform_source.h"
 
 namespace marrow::cook {
 

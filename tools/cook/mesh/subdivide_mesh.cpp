@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/parallel.h"
-#include "cook/skin/fewer_joints.h"
+#include "cook/skin/skin_binding.h"
 #include "deform/simplify/subdivide.h"
 
 namespace marrow::cook {

@@ -1,14 +1,38 @@
 // A mesh of the scene as the offline deformers take it, and its poses.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
-#include "cook/skin/sampled_poses.h"
+#include "cook/scene/built.h"
 #include "cook/skin/skin_binding.h"
 #include "deform/motion/range_of_motion.h"
 #include "deform/skinned_mesh.h"
 
 namespace marrow::cook {
+
+struct SampledPose {
+  std::vector<SoaTransform> local;
+  std::uint32_t clip = 0;  // which of the built scene
+  float time_s = 0;
+};
+
+// Moments of all clips of a skeleton, `rate_hz` a second and both ends, thinned evenly to at most `most`, but two a
+// clip.
+std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skeleton, double rate_hz, std::size_t most);
+
+// `count` poses in each of which every joint is somewhere between two moments of `poses`, each joint between others:
+// they go together as they may. Without poses they are turned_poses() of 45°. The same on every run.
+std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const std::vector<SampledPose>& poses,
+                                         std::size_t count);
+
+// `count` poses in each of which every joint is turned from rest by up to `most_rad` about any axis, and then back into
+// its limit if it has one. The same on every run.
+std::vector<SampledPose> turned_poses(const BuiltSkeleton& skeleton, std::size_t count, double most_rad);
+
+// model_from_joint.
+std::vector<Affine> model_pose(const BuiltSkeleton& skeleton, const std::vector<SoaTransform>& local);
 
 // A pose in which the surface is known.
 struct ShownPose {
@@ -56,5 +80,14 @@ std::vector<deform::FramesInARow> frames_in_a_row(const DeformSource& source, co
 // joints.
 std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinBinding& binding,
                                          const BuiltScene& built);
+
+// skeleton: the source's, with its limits. A limit is about the joint's rotation beside the joint above it in the bind
+// pose, or at rest where that one is not in the skin.
+deform::RangeOfMotion range_of_motion(const DeformSource& source, const BuiltSkeleton& skeleton);
+
+// A line for each reason that joints were left out for, with their names. "moves_as_one", which is no fault, is not
+// among them.
+std::vector<std::string> left_out_of_motion(const DeformSource& source, const BuiltSkeleton& skeleton,
+                                            const std::vector<deform::LeftOut>& left_out);
 
 }  // namespace marrow::cook

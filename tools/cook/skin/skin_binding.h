@@ -10,6 +10,7 @@
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"
 #include "deform/helpers/helpers.h"
+#include "deform/pose_metric.h"
 
 namespace marrow::cook {
 
@@ -45,5 +46,13 @@ struct SkinBinding {
 // Weights as the file has them: joints named twice merged, zeros dropped, the largest kept, normalised in double
 // precision. Notes what it mends.
 SkinBinding bind_to_skin(const RawMesh& mesh, Notes& notes);
+
+// In animation space.
+std::vector<deform::Coordinate> coordinates_of(const BoundVertex& vertex, const glm::dvec3& position);
+
+// On at most so many joints: what animation space makes of it and what linear blend skinning does, each as close to
+// what it was as they allow, and both as they were in the bind pose.
+BoundVertex with_fewer_joints(const deform::PoseMetric& metric, const BoundVertex& vertex, const glm::dvec3& position,
+                              bool has_residual, std::size_t most);
 
 }  // namespace marrow::cook

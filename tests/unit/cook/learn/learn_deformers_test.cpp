@@ -10,7 +10,7 @@
 #include "cook/clip/build_clips.h"
 #include "cook/learn/learn.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "cook/skin/bound_deformers.h"
+#include "cook/skin/primitive_palette.h"
 #include "deform/cylinder.h"
 #include "deform/fit/multi_weight.h"
 #include "deform/fit/pose_space.h"

@@ -1,5 +1,5 @@
 // Meshes with more joints than a palette may have, in parts: each triangle once, and few parts.
-#include "cook/skin/split_primitives.h"
+#include "cook/skin/primitive_palette.h"
 
 #include <algorithm>
 #include <chrono>

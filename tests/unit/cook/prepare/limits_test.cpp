@@ -7,7 +7,7 @@
 
 #include "cook/skeleton/build_limits.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "cook/skin/joint_motion.h"
+#include "cook/skin/deform_source.h"
 #include "export/export.h"
 #include "marrow/limits.h"
 #include "support/json_schema.h"
