@@ -15,7 +15,7 @@
 #include "cook/clip/compress/compress_clip.h"
 #include "cook/clip/measure/clip_measure.h"
 #include "cook/clip/measure/rig.h"
-#include "cook/motion/root_track.h"
+#include "cook/motion/build_motions.h"
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
 #include "cook/skeleton/group_trees.h"

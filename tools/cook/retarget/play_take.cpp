@@ -13,7 +13,6 @@
 #include "common/failure.h"
 #include "cook/clip/build_tracks.h"
 #include "cook/motion/find_contacts.h"
-#include "cook/motion/foot_points.h"
 #include "cook/motion/trace_clip.h"
 #include "cook/retarget/plan/limbs.h"
 #include "cook/retarget/plan/pair_rigs.h"
