@@ -6,7 +6,7 @@
 
 #include "cook/build_pack.h"
 #include "cook/clip/build_clips.h"
-#include "cook/graph/read_graphs.h"
+#include "cook/graph/build_graph.h"
 #include "cook/learn/eigen_targets.h"
 #include "cook/mesh/build_examples.h"
 #include "cook/mesh/build_materials.h"

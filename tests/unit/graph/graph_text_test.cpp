@@ -5,7 +5,7 @@
 #include <set>
 #include <sstream>
 
-#include "cook/graph/triangulate.h"
+#include "cook/graph/build_graph.h"
 #include "support/json_schema.h"
 #include "support/places.h"
 #include "unit/graph/graph_mistakes.h"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
-#include "cook/graph/triangulate.h"
 #include "graph/graph_fault.h"
 #include "text/nearest.h"
 #include "toml/toml_reader.h"

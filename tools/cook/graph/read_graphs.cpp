@@ -1,9 +1,8 @@
-#include "cook/graph/read_graphs.h"
+#include "cook/graph/build_graph.h"
 
 #include <algorithm>
 #include <set>
 
-#include "cook/graph/build_graph.h"
 #include "text/nearest.h"
 
 namespace marrow::cook {

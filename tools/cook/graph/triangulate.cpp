@@ -1,4 +1,4 @@
-#include "cook/graph/triangulate.h"
+#include "cook/graph/build_graph.h"
 
 #include <algorithm>
 #include <array>
