@@ -23,10 +23,8 @@
 #include "cook/road.h"
 #include "cook/roles/build_roles.h"
 #include "cook/scene/morphed_meshes.h"
-#include "cook/skeleton/build_limits.h"
-#include "cook/skeleton/build_nodes.h"
+#include "cook/skeleton/build_details.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "cook/skeleton/build_springs.h"
 #include "cook/write/report_scene.h"
 #include "cook/write/write_scene.h"
 

@@ -18,7 +18,7 @@
 #include "cook/motion/build_motions.h"
 #include "cook/scene/matrices.h"
 #include "cook/scene/views.h"
-#include "cook/skeleton/group_trees.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "marrow/local_to_model.h"
 #include "marrow/sample.h"
 #include "text/nearest.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "common/distinct.h"
-#include "cook/skeleton/group_trees.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
 

@@ -7,7 +7,6 @@
 #include "common/failure.h"
 #include "cook/prepare/check_bind_pose.h"
 #include "cook/skeleton/build_skeletons.h"
-#include "cook/skeleton/group_trees.h"
 #include "text/nearest.h"
 
 namespace marrow::cook {

@@ -10,7 +10,7 @@
 #include "cook/prepare/bind_weights.h"
 #include "cook/prepare/idle_motion.h"
 #include "cook/prepare/weights_over_time.h"
-#include "cook/skeleton/group_trees.h"
+#include "cook/skeleton/build_skeletons.h"
 
 namespace marrow::cook {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "cook/skeleton/build_limits.h"
+#include "cook/skeleton/build_details.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/skin/deform_source.h"
 #include "export/export.h"
