@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "common/failure.h"
-#include "cook/paint/paint_places.h"
+#include "cook/paint/paint_weights.h"
 #include "disk/files.h"
 #include "paint/mirror.h"
 #include "text/printable.h"

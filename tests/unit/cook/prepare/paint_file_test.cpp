@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "cook/options/options.h"
-#include "cook/paint/paint_places.h"
 #include "cook/paint/paint_weights.h"
 #include "disk/cook_on_disk.h"
 #include "unit/cook/scene_document.h"
