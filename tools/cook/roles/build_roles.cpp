@@ -23,12 +23,8 @@ namespace {
 std::string with_underscores(const std::string& bone) {
   std::string out;
   for (const char c : bone) {
-    if (c >= 'A' && c <= 'Z') {
-      out += '_';
-      out += static_cast<char>(c - 'A' + 'a');
-    } else {
-      out += c;
-    }
+    if (is_capital(c)) out += '_';
+    out += small_letter(c);
   }
   return out;
 }
@@ -114,17 +110,12 @@ void check_rules_of_roles(const std::vector<RoleRule>& rules, const std::vector<
 }
 
 constexpr double kMirroredPlaces = 0.02;    // of the body's size: how far mirrored places may be off
-constexpr std::size_t kMostChildren = 256;  // of a joint of a body
+constexpr std::size_t kMostSiblings = 256;  // of a joint of a body
 
 // A name without its side, and which that is.
 std::string without_side(const NameWords& words, const std::string& name) {
-  std::string out;
-  for (const char c : name) {
-    if (c >= 'A' && c <= 'Z')
-      out += static_cast<char>(c - 'A' + 'a');
-    else
-      out += c;
-  }
+  std::string out = name;
+  for (char& c : out) c = small_letter(c);
   for (const auto& [left, right] : {std::pair{"left", "right"}, {"lft", "rgt"}}) {
     const std::string side = words.side == Side::left ? left : right;
     if (const std::size_t at = out.find(side); at != std::string::npos) return out.replace(at, side.size(), "?");
@@ -133,7 +124,7 @@ std::string without_side(const NameWords& words, const std::string& name) {
   const auto is_letter = [&](std::size_t i) { return i < out.size() && out[i] >= 'a' && out[i] <= 'z'; };
   for (std::size_t i = 0; i < out.size(); ++i) {
     const bool stands_alone = (i == 0 || !is_letter(i - 1)) && !is_letter(i + 1);
-    const bool before_capital = i + 1 < name.size() && name[i + 1] >= 'A' && name[i + 1] <= 'Z';
+    const bool before_capital = i + 1 < name.size() && is_capital(name[i + 1]);
     const bool first = i == 0 || !is_letter(i - 1);
     if (out[i] == letter && (stands_alone || (first && before_capital))) return out.replace(i, 1, "?");
   }
@@ -207,7 +198,7 @@ class PairFinder {
     if (parent == kNone) return kNone;
     const int there = other_[to_index(parent)] != kNone ? other_[to_index(parent)] : parent;
     const std::vector<int>& children = body_.children[to_index(there)];
-    if (children.size() > kMostChildren) return kNone;
+    if (children.size() > kMostSiblings) return kNone;
     int found = kNone;
     for (const int j : children) {
       if (other_[to_index(j)] != kNone || body_.role(j) != Role::none) continue;
@@ -426,12 +417,8 @@ std::vector<BuiltRoles> build_roles(const RawScene& scene, const BuiltScene& bui
                                     const std::vector<RoleRule>& rules, Notes& notes) {
   check_rules_of_roles(rules, built.skeletons);
   std::vector<BuiltRoles> out;
-  for (std::size_t s = 0; s < built.skeletons.size(); ++s) {
-    std::vector<Mesh> own;
-    for (const Mesh& mesh : meshes)
-      if (mesh.skeleton == s) own.push_back(mesh);
-    out.push_back(build_roles_of(scene, built.skeletons[s], own, rules, notes));
-  }
+  for (std::size_t s = 0; s < built.skeletons.size(); ++s)
+    out.push_back(build_roles_of(scene, built.skeletons[s], meshes_of(meshes, s), rules, notes));
   return out;
 }
 
@@ -440,5 +427,4 @@ void find_roles(const RawScene& scene, const std::vector<Mesh>& meshes, const st
   std::vector<BuiltRoles> roles = build_roles(scene, built, meshes, rules, notes);
   for (std::size_t s = 0; s < roles.size(); ++s) built.skeletons[s].roles = std::move(roles[s]);
 }
-
 }  // namespace marrow::cook

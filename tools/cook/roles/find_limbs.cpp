@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -14,40 +15,13 @@ namespace {
 enum class Step : std::uint8_t { no, girdle, socket, upper, plain, lower, hinge, end, toes };
 
 Step step_of(const JointPart& p, bool leg) {
-  switch (p.part) {
-    case Part::leg_girdle:
-      return leg ? Step::girdle : Step::no;
-    case Part::hip:
-      return leg ? Step::socket : Step::no;
-    case Part::upper_leg:
-      return leg ? Step::upper : Step::no;
-    case Part::leg:
-      return leg ? Step::plain : Step::no;
-    case Part::lower_leg:
-      return leg ? Step::lower : Step::no;
-    case Part::ankle:
-      return leg ? Step::hinge : Step::no;
-    case Part::foot:
-      return leg ? Step::end : Step::no;
-    case Part::toes:
-      return leg ? Step::toes : Step::no;
-    case Part::arm_girdle:
-      return leg ? Step::no : Step::girdle;
-    case Part::shoulder:
-      return leg ? Step::no : Step::socket;
-    case Part::upper_arm:
-      return leg ? Step::no : Step::upper;
-    case Part::arm:
-      return leg ? Step::no : Step::plain;
-    case Part::lower_arm:
-      return leg ? Step::no : Step::lower;
-    case Part::wrist:
-      return leg ? Step::no : Step::hinge;
-    case Part::hand:
-      return leg ? Step::no : Step::end;
-    default:
-      return Step::no;
-  }
+  static constexpr Part kLeg[] = {Part::leg_girdle, Part::hip,   Part::upper_leg, Part::leg,
+                                  Part::lower_leg,  Part::ankle, Part::foot,      Part::toes};
+  static constexpr Part kArm[] = {Part::arm_girdle, Part::shoulder, Part::upper_arm, Part::arm,
+                                  Part::lower_arm,  Part::wrist,    Part::hand};
+  const std::span<const Part> parts = leg ? std::span<const Part>(kLeg) : kArm;  // in the order of steps
+  const auto found = std::ranges::find(parts, p.part);
+  return found == parts.end() ? Step::no : static_cast<Step>(1 + (found - parts.begin()));
 }
 
 struct Link {
@@ -223,16 +197,6 @@ void tell_of_lost_ends(const Body& body, const Doubt& doubt) {
   }
 }
 
-}  // namespace
-
-void find_limbs(Body& body, const Doubt& doubt) {
-  for (const bool leg : {true, false})
-    for (const Side side : {Side::left, Side::right}) find_limb(body, leg, side, doubt);
-  tell_of_lost_ends(body, doubt);
-}
-
-namespace {
-
 // The joints of one finger below a joint, each below the one before; empty if they lie otherwise.
 std::vector<int> joints_of_finger(const Body& body, int above, Part finger, Side side) {
   std::vector<int> out;
@@ -253,29 +217,6 @@ std::size_t first_of(const Body& body, const std::vector<int>& joints, Part fing
     if (body.part(joints[i]).number == 1 && joints.size() - i >= 3) return i;
   return 0;
 }
-
-}  // namespace
-
-void find_fingers(Body& body) {
-  constexpr std::pair<Part, Role> kFingers[] = {{Part::thumb, Role::left_thumb_metacarpal},
-                                                {Part::index, Role::left_index_proximal},
-                                                {Part::middle, Role::left_middle_proximal},
-                                                {Part::ring, Role::left_ring_proximal},
-                                                {Part::little, Role::left_little_proximal}};
-  for (const Side side : {Side::left, Side::right}) {
-    int above = body.joint_of(on_side(Role::left_hand, side));
-    if (above == kNone) above = body.joint_of(on_side(Role::left_lower_arm, side));
-    if (above == kNone) continue;
-    for (const auto& [part, role] : kFingers) {
-      const std::vector<int> joints = joints_of_finger(body, above, part, side);
-      const std::size_t first = first_of(body, joints, part);
-      for (std::size_t i = first; i < joints.size() && i < first + 3; ++i)
-        body.give(on_side(static_cast<Role>(static_cast<std::size_t>(role) + i - first), side), joints[i]);
-    }
-  }
-}
-
-namespace {
 
 constexpr double kMirroredChains = 0.03;                  // of the height: how far mirrored joints may be off
 constexpr double kOnGround = 0.15;                        // of the height: where feet are
@@ -449,6 +390,31 @@ bool find_arms(const Body& body, const std::vector<Chains>& all, const Limbs& le
 
 }  // namespace
 
+void find_limbs(Body& body, const Doubt& doubt) {
+  for (const bool leg : {true, false})
+    for (const Side side : {Side::left, Side::right}) find_limb(body, leg, side, doubt);
+  tell_of_lost_ends(body, doubt);
+}
+
+void find_fingers(Body& body) {
+  constexpr std::pair<Part, Role> kFingers[] = {{Part::thumb, Role::left_thumb_metacarpal},
+                                                {Part::index, Role::left_index_proximal},
+                                                {Part::middle, Role::left_middle_proximal},
+                                                {Part::ring, Role::left_ring_proximal},
+                                                {Part::little, Role::left_little_proximal}};
+  for (const Side side : {Side::left, Side::right}) {
+    int above = body.joint_of(on_side(Role::left_hand, side));
+    if (above == kNone) above = body.joint_of(on_side(Role::left_lower_arm, side));
+    if (above == kNone) continue;
+    for (const auto& [part, role] : kFingers) {
+      const std::vector<int> joints = joints_of_finger(body, above, part, side);
+      const std::size_t first = first_of(body, joints, part);
+      for (std::size_t i = first; i < joints.size() && i < first + 3; ++i)
+        body.give(on_side(static_cast<Role>(static_cast<std::size_t>(role) + i - first), side), joints[i]);
+    }
+  }
+}
+
 void find_by_shape(Body& body) {
   const bool named = std::ranges::any_of(body.parts, [](const JointPart& p) {
     return p.part != Part::none && p.part != Part::unknown && p.part != Part::other && p.part != Part::root;
@@ -468,5 +434,4 @@ void find_by_shape(Body& body) {
   give(body, legs[0], true, forward < 0);
   if (has_arms) give(body, arms, false, forward < 0);
 }
-
 }  // namespace marrow::cook

@@ -72,106 +72,38 @@ constexpr Row kEnglish[] = {
      "horse bulge pec lat trap biceps bicep triceps glasses backpack chain rope button prop camera light"},
 };
 
-// Without marks on letters, and without what is another word in English, as French "main".
+// French, German, Spanish and Italian; without marks on letters, and without what is another word in English, as
+// French "main".
 constexpr Row kOtherLanguages[] = {
-    // French
-    {Word::pelvis, "bassin"},
-    {Word::hip, "hanche hanches"},
-    {Word::leg, "jambe"},
-    {Word::thigh, "cuisse"},
-    {Word::knee, "genou"},
-    {Word::ankle, "cheville"},
-    {Word::foot, "pied sabot"},
-    {Word::toe, "orteil orteils"},
-    {Word::spine, "colonne torse"},
-    {Word::chest, "poitrine"},
-    {Word::neck, "cou"},
-    {Word::head, "tete"},
-    {Word::jaw, "machoire"},
-    {Word::eye, "oeil"},
-    {Word::collar, "clavicule omoplate"},
-    {Word::shoulder, "epaule"},
-    {Word::arm, "bras"},
-    {Word::elbow, "coude"},
-    {Word::wrist, "poignet"},
-    {Word::finger, "doigt"},
-    {Word::thumb, "pouce"},
-    {Word::tail, "queue"},
-    {Word::root, "racine"},
-    {Word::other, "museau oreille cheveux"},
-    // German
-    {Word::pelvis, "becken"},
-    {Word::hip, "huefte"},
     {Word::upper, "ober"},
     {Word::lower, "unter"},
-    {Word::leg, "bein"},
-    {Word::thigh, "oberschenkel"},
-    {Word::shin, "unterschenkel"},
-    {Word::knee, "knie"},
-    {Word::ankle, "knoechel"},
-    {Word::foot, "fuss pfote huf"},
-    {Word::toe, "zehe zehen"},
-    {Word::spine, "wirbel wirbelsaeule"},
-    {Word::chest, "brustkorb"},
-    {Word::neck, "hals"},
-    {Word::head, "kopf"},
-    {Word::jaw, "kiefer unterkiefer"},
-    {Word::eye, "auge"},
-    {Word::collar, "schluesselbein"},
-    {Word::shoulder, "schulter"},
-    {Word::elbow, "ellbogen ellenbogen"},
-    {Word::wrist, "handgelenk"},
-    {Word::thumb, "daumen"},
-    {Word::tail, "schwanz"},
-    {Word::root, "wurzel"},
-    // Spanish
-    {Word::hip, "cadera caderas"},
-    {Word::leg, "pierna"},
-    {Word::thigh, "muslo"},
-    {Word::shin, "pantorrilla"},
-    {Word::knee, "rodilla"},
-    {Word::ankle, "tobillo"},
-    {Word::foot, "pie"},
-    {Word::spine, "columna"},
-    {Word::chest, "pecho"},
-    {Word::neck, "cuello"},
-    {Word::head, "cabeza"},
-    {Word::jaw, "mandibula"},
-    {Word::eye, "ojo"},
-    {Word::collar, "clavicula"},
-    {Word::shoulder, "hombro"},
-    {Word::arm, "brazo"},
-    {Word::forearm, "antebrazo"},
-    {Word::elbow, "codo"},
-    {Word::wrist, "muneca"},
+    {Word::leg, "jambe bein pierna gamba"},
+    {Word::thigh, "cuisse oberschenkel muslo coscia"},
+    {Word::shin, "unterschenkel pantorrilla"},
+    {Word::knee, "genou knie rodilla ginocchio"},
+    {Word::ankle, "cheville knoechel tobillo caviglia"},
+    {Word::foot, "pied sabot fuss pfote huf pie piede"},
+    {Word::toe, "orteil orteils zehe zehen"},
+    {Word::hip, "hanche hanches huefte cadera caderas anca"},
+    {Word::pelvis, "bassin becken bacino"},
+    {Word::spine, "colonne torse wirbel wirbelsaeule columna colonna"},
+    {Word::chest, "poitrine brustkorb pecho petto torace"},
+    {Word::neck, "cou hals cuello collo"},
+    {Word::head, "tete kopf cabeza testa"},
+    {Word::jaw, "machoire kiefer unterkiefer mandibula mandibola mascella"},
+    {Word::eye, "oeil auge ojo occhio"},
+    {Word::collar, "clavicule omoplate schluesselbein clavicula"},
+    {Word::shoulder, "epaule schulter hombro spalla"},
+    {Word::arm, "bras brazo braccio"},
+    {Word::forearm, "antebrazo avambraccio"},
+    {Word::elbow, "coude ellbogen ellenbogen codo gomito"},
+    {Word::wrist, "poignet handgelenk muneca polso"},
     {Word::hand, "mano"},
-    {Word::finger, "dedo"},
-    {Word::thumb, "pulgar"},
-    {Word::tail, "cola"},
-    {Word::root, "raiz"},
-    // Italian
-    {Word::pelvis, "bacino"},
-    {Word::hip, "anca"},
-    {Word::leg, "gamba"},
-    {Word::thigh, "coscia"},
-    {Word::knee, "ginocchio"},
-    {Word::ankle, "caviglia"},
-    {Word::foot, "piede"},
-    {Word::spine, "colonna"},
-    {Word::chest, "petto torace"},
-    {Word::neck, "collo"},
-    {Word::head, "testa"},
-    {Word::jaw, "mandibola mascella"},
-    {Word::eye, "occhio"},
-    {Word::shoulder, "spalla"},
-    {Word::arm, "braccio"},
-    {Word::forearm, "avambraccio"},
-    {Word::elbow, "gomito"},
-    {Word::wrist, "polso"},
-    {Word::finger, "dito"},
-    {Word::thumb, "pollice"},
-    {Word::tail, "coda"},
-    {Word::root, "radice"},
+    {Word::finger, "doigt dedo dito"},
+    {Word::thumb, "pouce daumen pulgar pollice"},
+    {Word::tail, "queue schwanz cola coda"},
+    {Word::root, "racine wurzel raiz radice"},
+    {Word::other, "museau oreille cheveux"},
 };
 
 std::map<std::string_view, Word> read_table() {
@@ -218,9 +150,6 @@ Corner corner_of(std::string_view text) {
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-bool is_capital(char c) {
-  return c >= 'A' && c <= 'Z';
 }
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -318,8 +247,7 @@ NameWords words_of(std::string_view name) {
         while (end < name.size() && is_letter(name[end]) && !is_capital(name[end])) ++end;
       }
       std::string small(name.substr(at, end - at));
-      for (char& c : small)
-        if (is_capital(c)) c = static_cast<char>(c - 'A' + 'a');
+      for (char& c : small) c = small_letter(c);
       reader.add_letters(small);
     } else if (static_cast<unsigned char>(name[at]) >= 0x80) {
       reader.add_letters("?");
@@ -328,5 +256,4 @@ NameWords words_of(std::string_view name) {
   }
   return reader.finish();
 }
-
 }  // namespace marrow::cook

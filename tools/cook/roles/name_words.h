@@ -77,6 +77,13 @@ struct NameWords {
   }
 };
 
+inline bool is_capital(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+inline char small_letter(char c) {
+  return is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 // Of any name; costs as much as it is long.
 NameWords words_of(std::string_view name);
 

@@ -182,31 +182,6 @@ std::vector<JointPart> parts_of(const std::vector<std::string>& names, const std
   return out;
 }
 
-namespace {
-
-void number_joints(Body& body) {
-  const std::size_t count = body.size();
-  std::vector<std::uint32_t> below(count, 1);  // itself, and what hangs on it
-  for (std::size_t j = count; j-- > 0;)
-    if (body.parents[j] != kNone) below[to_index(body.parents[j])] += below[j];
-  body.order.assign(count, 0);
-  std::uint32_t next = 0;
-  for (std::size_t j = 0; j < count; ++j) {
-    if (body.parents[j] == kNone) {
-      body.order[j] = next;
-      next += below[j];
-    }
-    std::uint32_t at = body.order[j] + 1;
-    for (const int child : body.children[j]) {
-      body.order[to_index(child)] = at;
-      at += below[to_index(child)];
-    }
-    body.end_below.push_back(at);
-  }
-}
-
-}  // namespace
-
 int Body::common(int a, int b) const {
   if (a == kNone || b == kNone) return kNone;
   while (a != b) {
@@ -274,7 +249,7 @@ Body body_of(const BuiltSkeleton& skeleton) {
     out.places.emplace_back(out.model_from_joint[j][3]);
     if (!is_root) out.children[skeleton.parents[j]].push_back(static_cast<int>(j));
   }
-  number_joints(out);
+  out.descent = Descent(skeleton.parents);
   return out;
 }
 
@@ -292,5 +267,4 @@ Role other_side(Role role) {
   move(Role::left_thumb_metacarpal, Role::right_thumb_metacarpal, 15);
   return role;
 }
-
 }  // namespace marrow::cook

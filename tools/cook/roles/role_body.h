@@ -12,6 +12,7 @@
 
 #include "cook/roles/name_words.h"
 #include "cook/scene/built.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "marrow/roles.h"
 
 namespace marrow::cook {
@@ -76,8 +77,7 @@ struct Body {
   std::vector<int> parents;  // kNone: a root; before their children
   std::vector<std::vector<int>> children;
   std::vector<JointPart> parts;
-  std::vector<std::uint32_t> order;          // of a joint in a walk that goes down first
-  std::vector<std::uint32_t> end_below;      // behind the last of what hangs on it, in that order
+  Descent descent;
   std::vector<glm::dmat4> model_from_joint;  // at rest
   std::vector<glm::dvec3> places;            // the same
   std::vector<char> carries;                 // whether vertices follow a joint; empty: not known
@@ -92,9 +92,7 @@ struct Body {
 
   // Itself, or somewhere above.
   bool is_at_or_above(int above, int joint) const {
-    if (above == kNone || joint == kNone) return false;
-    const std::uint32_t at = order[to_index(joint)];
-    return at >= order[to_index(above)] && at < end_below[to_index(above)];
+    return above != kNone && joint != kNone && descent.is_at_or_above(above, joint);
   }
   // The lowest joint that is at or above both; kNone: they have different roots, or one is kNone.
   int common(int a, int b) const;
@@ -129,8 +127,8 @@ inline Role on_side(Role left, Side side) {
 // Gives upper_leg, lower_leg, foot and toes, shoulder, upper_arm, lower_arm and hand of both sides.
 void find_limbs(Body& body, const Doubt& doubt);
 
-// Gives the three joints of each finger, from the palm out, where they hang below the hand, or below the lower arm of
-// what has none. After limbs.
+// Gives the three joints of each finger, from the palm out, that hang below the hand, or without a hand below the lower
+// arm. Call it after find_limbs().
 void find_fingers(Body& body);
 
 // Of characters that stand upright in the scene and look along z or against it. Two chains that mirror each other and
@@ -138,8 +136,9 @@ void find_fingers(Body& body);
 // ground, else arms are the longest such chains. Does nothing where a name says anything.
 void find_by_shape(Body& body);
 
-// Hips are where the legs meet each other and the trunk; the trunk goes from there to where the arms meet, the neck on
-// to the head. Names decide where they agree with that. After limbs.
+// Gives hips, spine, chest, neck, head, jaw, eyes, root and tail; call it after find_limbs(). Hips are where the legs
+// meet each other and the trunk; the trunk goes from there to where the arms meet, the neck on to the head. Names
+// decide where they agree with that.
 void find_trunk(Body& body, const Doubt& doubt);
 
 }  // namespace marrow::cook

@@ -11,7 +11,7 @@ namespace marrow::cook {
 namespace {
 
 JointLimit build_limit(const RawScene& scene, const BuiltSkeleton& skeleton, std::size_t joint) {
-  const auto node = static_cast<std::size_t>(skeleton.node_of_joint[joint]);
+  const auto node = to_index(skeleton.node_of_joint[joint]);
   const RawLimit& raw = *scene.nodes[node].limit;
   LimitDescription d = raw.description;
   if (!raw.zero_is_given)
@@ -23,31 +23,6 @@ JointLimit build_limit(const RawScene& scene, const BuiltSkeleton& skeleton, std
                          "the limit was read but cannot be made");
   return limit;
 }
-
-}  // namespace
-
-std::vector<std::vector<JointLimit>> build_limits(const RawScene& scene, const BuiltScene& built, Notes& notes) {
-  std::vector<std::vector<JointLimit>> out;
-  for (const BuiltSkeleton& skeleton : built.skeletons) {
-    std::vector<JointLimit>& limits = out.emplace_back();
-    for (std::size_t j = 0; j < skeleton.node_of_joint.size(); ++j)
-      if (const int node = skeleton.node_of_joint[j];
-          node != kNone && scene.nodes[static_cast<std::size_t>(node)].limit)
-        limits.push_back(build_limit(scene, skeleton, j));
-  }
-  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
-    if (scene.nodes[n].limit && built.joint_of_node[n] == kNone)
-      notes.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras/marrow/limits", "limit-without-joint",
-                                "the node is no joint: no skin names it and no clip moves it"});
-  return out;
-}
-
-void set_limits(const RawScene& scene, BuiltScene& built, Notes& notes) {
-  std::vector<std::vector<JointLimit>> limits = build_limits(scene, built, notes);
-  for (std::size_t s = 0; s < limits.size(); ++s) built.skeletons[s].limits = std::move(limits[s]);
-}
-
-namespace {
 
 void set(float (&to)[3], const glm::dvec3& from) {
   for (int i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i]);
@@ -72,15 +47,45 @@ void add_chain(const RawSpring& raw, const std::vector<int>& joint_of_node, std:
   out.chains.push_back(record);
   for (std::size_t i = 0; i < raw.nodes.size(); ++i) {
     out.joints.push_back(raw.settings[i]);
-    out.joints.back().joint = static_cast<std::uint16_t>(joint_of_node[static_cast<std::size_t>(raw.nodes[i])]);
+    out.joints.back().joint = static_cast<std::uint16_t>(joint_of_node[to_index(raw.nodes[i])]);
   }
+}
+
+BuiltNode build_node(const RawNode& raw, const NearestJoint& nearest) {
+  BuiltNode node;
+  node.name = raw.name;
+  if (nearest.skeleton != kNone) node.skeleton = static_cast<std::uint32_t>(nearest.skeleton);
+  if (nearest.joint != kNone) node.joint = static_cast<std::uint16_t>(nearest.joint);
+  node.joint_from_node = to_affine(nearest.joint_from_node);
+  node.properties = raw.extras;
+  return node;
 }
 
 }  // namespace
 
+std::vector<std::vector<JointLimit>> build_limits(const RawScene& scene, const BuiltScene& built, Notes& notes) {
+  std::vector<std::vector<JointLimit>> out;
+  for (const BuiltSkeleton& skeleton : built.skeletons) {
+    std::vector<JointLimit>& limits = out.emplace_back();
+    for (std::size_t j = 0; j < skeleton.node_of_joint.size(); ++j)
+      if (const int node = skeleton.node_of_joint[j]; node != kNone && scene.nodes[to_index(node)].limit)
+        limits.push_back(build_limit(scene, skeleton, j));
+  }
+  for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+    if (scene.nodes[n].limit && built.joint_of_node[n] == kNone)
+      notes.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras/marrow/limits", "limit-without-joint",
+                                "the node is no joint: no skin names it and no clip moves it"});
+  return out;
+}
+
+void set_limits(const RawScene& scene, BuiltScene& built, Notes& notes) {
+  std::vector<std::vector<JointLimit>> limits = build_limits(scene, built, notes);
+  for (std::size_t s = 0; s < limits.size(); ++s) built.skeletons[s].limits = std::move(limits[s]);
+}
+
 std::vector<BuiltSprings> build_springs(const RawScene& scene, const BuiltScene& built, Notes& notes) {
   std::vector<BuiltSprings> out(built.skeletons.size());
-  const auto nearest = [&](int node) -> const NearestJoint& { return built.nearest[static_cast<std::size_t>(node)]; };
+  const auto nearest = [&](int node) -> const NearestJoint& { return built.nearest[to_index(node)]; };
   // Which bit a collider has in its own skeleton.
   std::vector<std::uint64_t> bit(scene.colliders.size(), 0);
   for (std::size_t c = 0; c < scene.colliders.size(); ++c) {
@@ -91,7 +96,7 @@ std::vector<BuiltSprings> build_springs(const RawScene& scene, const BuiltScene&
                                 "a collider hangs on this node, which hangs on no joint; it is left out"});
       continue;
     }
-    BuiltSprings& of = out[static_cast<std::size_t>(on.skeleton)];
+    BuiltSprings& of = out[to_index(on.skeleton)];
     bit[c] = std::uint64_t{1} << of.colliders.size();
     of.colliders.push_back(build_collider(raw, on));
   }
@@ -100,7 +105,7 @@ std::vector<BuiltSprings> build_springs(const RawScene& scene, const BuiltScene&
     std::uint64_t colliders = 0;
     for (std::size_t c = 0; c < scene.colliders.size(); ++c)
       if ((raw.colliders >> c & 1) != 0 && nearest(scene.colliders[c].node).skeleton == skeleton) colliders |= bit[c];
-    add_chain(raw, built.joint_of_node, colliders, out[static_cast<std::size_t>(skeleton)]);
+    add_chain(raw, built.joint_of_node, colliders, out[to_index(skeleton)]);
   }
   return out;
 }
@@ -109,30 +114,6 @@ void set_springs(const RawScene& scene, BuiltScene& built, Notes& notes) {
   std::vector<BuiltSprings> springs = build_springs(scene, built, notes);
   for (std::size_t s = 0; s < springs.size(); ++s) built.skeletons[s].springs = std::move(springs[s]);
 }
-
-namespace {
-
-struct Place {
-  std::uint32_t skeleton = 0;
-  NearestJoint nearest;
-};
-
-Place place_of(std::size_t node, const BuiltScene& scene) {
-  const NearestJoint& nearest = scene.nearest[node];
-  return {nearest.skeleton == kNone ? 0u : static_cast<std::uint32_t>(nearest.skeleton), nearest};
-}
-
-BuiltNode build_node(const RawNode& raw, const Place& place) {
-  BuiltNode node;
-  node.name = raw.name;
-  node.skeleton = place.skeleton;
-  if (place.nearest.joint != kNone) node.joint = static_cast<std::uint16_t>(place.nearest.joint);
-  node.joint_from_node = to_affine(place.nearest.joint_from_node);
-  node.properties = raw.extras;
-  return node;
-}
-
-}  // namespace
 
 BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std::vector<std::string>& keep,
                        Notes& notes) {
@@ -152,12 +133,11 @@ BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std
       notes.warnings.push_back({"/nodes/" + std::to_string(n) + "/extras", "extras-dropped",
                                 std::to_string(raw.dropped_extras) +
                                     " values are left out: nulls, infinite numbers, or texts with a zero character"});
-    out.nodes.push_back(build_node(raw, place_of(n, built)));
+    out.nodes.push_back(build_node(raw, built.nearest[n]));
   }
   for (const Kept& rule : out.kept)
     if (rule.nodes.empty())
       notes.warnings.push_back({"/nodes", "keep-fits-nothing", "no node of the scene is called \"" + rule.glob + "\""});
   return out;
 }
-
 }  // namespace marrow::cook

@@ -26,8 +26,8 @@ struct BuiltNodes {
   std::vector<Kept> kept;        // a GLOB
 };
 
-// Nodes that the source says to keep, and those that `keep` fits: names with wildcards. built: its skeletons. Notes
-// what fits nothing and what cannot be carried.
+// Nodes that the source says to keep, and those whose names one of `keep` fits, which may have wildcards. built: its
+// skeletons. Notes what fits nothing and what cannot be carried.
 BuiltNodes build_nodes(const RawScene& scene, const BuiltScene& built, const std::vector<std::string>& keep,
                        Notes& notes);
 

@@ -15,6 +15,23 @@ namespace marrow::cook {
 // for too many joints.
 BuiltScene build_skeletons(const RawScene& scene);
 
+// Which joints hang on which, each asked in O(1). Parents come before their children.
+class Descent {
+ public:
+  explicit Descent(const std::vector<std::uint16_t>& parents = {});
+  // Itself, or somewhere above.
+  bool is_at_or_above(int above, int joint) const {
+    const std::uint32_t at = first_[to_index(joint)];
+    return at >= first_[to_index(above)] && at < end_[to_index(above)];
+  }
+
+ private:
+  std::vector<std::uint32_t> first_, end_;  // of a joint and all below it, in a walk that goes down first
+};
+
+// Those of a skeleton.
+std::vector<Mesh> meshes_of(const std::vector<Mesh>& meshes, std::size_t skeleton);
+
 // For whoever makes skeletons otherwise.
 
 // Four joints that are not there.

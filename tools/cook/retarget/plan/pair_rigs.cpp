@@ -8,6 +8,7 @@
 
 #include "common/failure.h"
 #include "cook/scene/raw.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "marrow/roles.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -32,35 +33,24 @@ std::string exact(const std::string& name) {
 
 constexpr int kSeveral = -2;
 
+// Names, as `key` makes them, to joints; those that several have are kSeveral.
 template <class Key>
-std::map<std::string, int> by_key(const std::vector<std::string>& names, const std::vector<int>& partner, Key key) {
+std::map<std::string, int> by_name(const std::vector<std::string>& names, Key key) {
   std::map<std::string, int> out;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (partner[i] != kNone) continue;
-    const auto [at, is_new] = out.try_emplace(key(names[i]), static_cast<int>(i));
-    if (!is_new) at->second = kSeveral;
-  }
-  out.erase("");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (const auto [at, is_new] = out.try_emplace(key(names[i]), static_cast<int>(i)); !is_new) at->second = kSeveral;
   return out;
 }
 
-}  // namespace
-
-std::vector<int> pair_joints(const std::vector<std::string>& joints, const std::vector<std::string>& others) {
-  std::vector<int> other_of(joints.size(), kNone), joint_of(others.size(), kNone);
-  for (const auto key : {exact, loose}) {
-    const std::map<std::string, int> right = by_key(others, joint_of, key);
-    for (const auto& [name, joint] : by_key(joints, other_of, key)) {
-      const auto found = right.find(name);
-      if (joint == kSeveral || found == right.end() || found->second == kSeveral) continue;
-      other_of[static_cast<std::size_t>(joint)] = found->second;
-      joint_of[static_cast<std::size_t>(found->second)] = joint;
-    }
-  }
-  return other_of;
+// The same of joints that have no partner yet.
+template <class Key>
+std::map<std::string, int> unpaired_by_name(std::vector<std::string> names, const std::vector<int>& partner, Key key) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (partner[i] != kNone) names[i].clear();
+  std::map<std::string, int> out = by_name(names, key);
+  out.erase("");
+  return out;
 }
-
-namespace {
 
 int parent_of(const BuiltSkeleton& skeleton, int joint) {
   const std::uint16_t parent = skeleton.parents[to_index(joint)];
@@ -75,33 +65,6 @@ std::vector<int> way(const BuiltSkeleton& skeleton, int above, int joint) {
   std::ranges::reverse(out);
   return out;
 }
-
-// Which joints hang on which.
-class Descent {
- public:
-  explicit Descent(const BuiltSkeleton& skeleton) : first_(skeleton.parents.size()), end_(first_.size()) {
-    std::vector<std::uint32_t> below(first_.size(), 1);
-    for (std::size_t j = below.size(); j-- > 0;)
-      if (const int up = parent_of(skeleton, static_cast<int>(j)); up != kNone) below[to_index(up)] += below[j];
-    std::vector<std::uint32_t> next(first_.size());
-    std::uint32_t roots = 0;
-    for (std::size_t j = 0; j < below.size(); ++j) {
-      const int up = parent_of(skeleton, static_cast<int>(j));
-      std::uint32_t& at = up == kNone ? roots : next[to_index(up)];
-      first_[j] = at;
-      next[j] = at + 1;
-      end_[j] = at += below[j];
-    }
-  }
-  // Itself, or somewhere above.
-  bool is_at_or_above(int above, int joint) const {
-    const std::uint32_t at = first_[to_index(joint)];
-    return at >= first_[to_index(above)] && at < end_[to_index(above)];
-  }
-
- private:
-  std::vector<std::uint32_t> first_, end_;  // in a walk that goes down first
-};
 
 // The next joint above that has a counterpart, as long as joints are asked in their order.
 class Uppers {
@@ -151,7 +114,7 @@ class Pairs {
       if (used_[j] != 0) others[j].clear();
     const bool has_pairs = std::ranges::any_of(out_, &Counterpart::is_there);
     const std::vector<int> found = pair_joints(names, others);
-    const Descent descent(source_);
+    const Descent descent(source_.parents);
     Uppers uppers(target_);
     for (std::size_t j = 0; j < found.size(); ++j) {
       const int up = uppers.of(static_cast<int>(j), out_);
@@ -197,16 +160,6 @@ class Pairs {
   bool has_trunk_ = false;
 };
 
-// Names to joints; those that two have are kTwice.
-constexpr int kTwice = -2;
-std::map<std::string, int> by_name(const BuiltSkeleton& skeleton) {
-  std::map<std::string, int> out;
-  for (std::size_t j = 0; j < skeleton.joint_names.size(); ++j)
-    if (const auto [at, is_new] = out.try_emplace(skeleton.joint_names[j], static_cast<int>(j)); !is_new)
-      at->second = kTwice;
-  return out;
-}
-
 // Looks names of a map up.
 struct MapReader {
   const RetargetMap& map;
@@ -222,13 +175,27 @@ struct MapReader {
       for (const auto& [other, joint] : joints) names.push_back(other);
       fail(line, "no joint \"" + name + "\" in " + file, tools::suggestion(name, names));
     }
-    if (found->second == kTwice)
+    if (found->second == kSeveral)
       fail(line, "several joints \"" + name + "\" in " + file, "rename them, or leave the line out");
     return found->second;
   }
 };
 
 }  // namespace
+
+std::vector<int> pair_joints(const std::vector<std::string>& joints, const std::vector<std::string>& others) {
+  std::vector<int> other_of(joints.size(), kNone), joint_of(others.size(), kNone);
+  for (const auto key : {exact, loose}) {
+    const std::map<std::string, int> right = unpaired_by_name(others, joint_of, key);
+    for (const auto& [name, joint] : unpaired_by_name(joints, other_of, key)) {
+      const auto found = right.find(name);
+      if (joint == kSeveral || found == right.end() || found->second == kSeveral) continue;
+      other_of[to_index(joint)] = found->second;
+      joint_of[to_index(found->second)] = joint;
+    }
+  }
+  return other_of;
+}
 
 int joint_with(const BuiltSkeleton& skeleton, Role role) {
   const auto found = std::ranges::find(skeleton.roles.roles, role, &JointRole::role);
@@ -261,7 +228,8 @@ std::vector<Counterpart> pair_rigs(const BuiltSkeleton& target, const BuiltSkele
 std::vector<Counterpart> map_rigs(const BuiltSkeleton& target, const BuiltSkeleton& source, const RetargetMap& map,
                                   const std::string& target_file, const std::string& source_file) {
   const MapReader reader{map};
-  const std::map<std::string, int> own = by_name(target), others = by_name(source);
+  const std::map<std::string, int> own = by_name(target.joint_names, exact),
+                                   others = by_name(source.joint_names, exact);
   std::vector<Counterpart> out(target.joint_names.size());
   std::vector<const MappedJoint*> line_of(out.size(), nullptr);
   for (const MappedJoint& line : map.joints) {
@@ -274,7 +242,7 @@ std::vector<Counterpart> map_rigs(const BuiltSkeleton& target, const BuiltSkelet
     at.other = reader.find(others, line, line.other, source_file);
     at.share = line.share;
   }
-  const Descent descent(source);
+  const Descent descent(source.parents);
   Uppers uppers(target);
   for (std::size_t j = 0; j < out.size(); ++j) {
     const int up = uppers.of(static_cast<int>(j), out);
@@ -288,5 +256,4 @@ std::vector<Counterpart> map_rigs(const BuiltSkeleton& target, const BuiltSkelet
   }
   return out;
 }
-
 }  // namespace marrow::cook
