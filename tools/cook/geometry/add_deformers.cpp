@@ -120,35 +120,6 @@ void add_multi_weights(const RawPrimitive& p, const std::vector<Binding>& bindin
   out.mesh.flags |= format::kHasMwe;
 }
 
-// A stream, unless nothing is as large as half a step.
-void add_deltas(const std::vector<glm::dvec3>& deltas, std::uint32_t example, double finest, OwnedStreams& out,
-                MeshError& error) {
-  constexpr double kMost = (1 << (packed::kMaxTargetBits - 1)) - 1;
-  double most = 0;
-  for (const glm::dvec3& d : deltas)
-    for (int c = 0; c < 3; ++c) {
-      if (!is_sane(d[c])) refuse("a delta that is no sane number");
-      most = std::max(most, std::abs(d[c]));
-    }
-  const auto step = static_cast<float>(std::max(most / kMost, finest));
-  if (!(step > 0) || most * 2 < double{step}) return;
-  const auto rounded = [&](double x) { return std::clamp(std::round(x / double{step}), -kMost, kMost); };
-  Stream& s = out.add(StreamKind::pose_delta, 3,
-                      1 + static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint32_t>(rounded(most)))));
-  s.target = example;
-  s.step = step;
-  double worst = 0;
-  for (const glm::dvec3& d : deltas) {
-    glm::dvec3 miss;
-    for (int c = 0; c < 3; ++c) {
-      out.values.back().push_back((1 << (s.bits - 1)) + static_cast<std::int32_t>(rounded(d[c])));
-      miss[c] = rounded(d[c]) * double{step} - d[c];
-    }
-    worst = std::max(worst, glm::length(miss));
-  }
-  error.pose_space += worst;
-}
-
 void add_rotations(const PoseSpaceData& data, const PoseSpaceData::Example& example, OwnedStreams& out) {
   for (std::size_t j = 0; j < data.parents.size(); ++j) {
     const bool turns = data.parents[j] != kNoJoint;
@@ -173,7 +144,12 @@ void add_pose_space(const RawPrimitive& p, const PoseSpaceData& data, const Mesh
     const PoseSpaceData::Example& e = data.examples[k];
     if (e.deltas.size() != p.positions.size() || e.rotations.size() != data.parents.size())
       refuse("an example of other vertices or joints");
-    add_deltas(e.deltas, static_cast<std::uint32_t>(k), grid.step / static_cast<double>(count), out, error);
+    for (const glm::dvec3& d : e.deltas)
+      if (!is_sane(d.x) || !is_sane(d.y) || !is_sane(d.z)) refuse("a delta that is no sane number");
+    double worst = 0;
+    if (add_changes(StreamKind::pose_delta, e.deltas, static_cast<std::uint32_t>(k), 0,
+                    grid.step / static_cast<double>(count), out, worst))
+      error.pose_space += worst;
     add_rotations(data, e, out);
   }
   out.parents = data.parents;

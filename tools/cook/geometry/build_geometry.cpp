@@ -30,21 +30,6 @@ void narrow(std::vector<std::int32_t>& values, std::size_t width, std::size_t ke
   values.resize(to);
 }
 
-template <class Drops>
-void drop_streams(OwnedStreams& s, const Drops& drops) {
-  std::size_t to = 0;
-  for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    if (drops(s.streams[i], s.values[i])) continue;
-    if (to != i) {
-      s.streams[to] = s.streams[i];
-      s.values[to] = std::move(s.values[i]);
-    }
-    ++to;
-  }
-  s.streams.resize(to);
-  s.values.resize(to);
-}
-
 // As many influences as the part's vertices have at most.
 void narrow_influences(OwnedStreams& s) {
   const std::size_t width = s.mesh.influences;
@@ -63,7 +48,7 @@ void narrow_influences(OwnedStreams& s) {
     narrow(s.values[i], stream.components, kept);
     stream.components = static_cast<std::uint8_t>(kept);
   }
-  drop_streams(s, [&](const Stream& stream, const std::vector<std::int32_t>&) {
+  s.drop([&](const Stream& stream, const std::vector<std::int32_t>&) {
     const bool of_influence = stream.kind == StreamKind::residual || stream.kind == StreamKind::multi_weight;
     return stream.components == 0 || (of_influence && stream.target >= most) ||
            (stream.kind == StreamKind::joints && s.mesh.joint_count < 2);
@@ -72,7 +57,7 @@ void narrow_influences(OwnedStreams& s) {
 
 // Of morph targets and examples that move nothing of the part. They remain targets, so that all parts have as many.
 void drop_still(OwnedStreams& s) {
-  drop_streams(s, [](const Stream& stream, const std::vector<std::int32_t>& values) {
+  s.drop([](const Stream& stream, const std::vector<std::int32_t>& values) {
     if (stream.kind != StreamKind::target && stream.kind != StreamKind::pose_delta) return false;
     const std::int32_t nothing = 1 << (stream.bits - 1);
     return std::ranges::all_of(values, [&](std::int32_t n) { return n == nothing; });
@@ -108,14 +93,9 @@ OwnedStreams part_of_streams(const OwnedStreams& whole, const std::vector<std::u
   out.mesh.triangle_count = static_cast<std::uint32_t>(indices.size() / 3);
   for (const std::uint32_t v : indices) out.indices.push_back(place_of(vertices, v));
   out.streams = whole.streams;
-  for (std::size_t i = 0; i < whole.streams.size(); ++i) {
-    const std::size_t components = whole.streams[i].components;
-    std::vector<std::int32_t>& values = out.values.emplace_back();
-    for (const std::uint32_t v : vertices) {
-      const auto from = whole.values[i].begin() + static_cast<std::ptrdiff_t>(v * components);
-      values.insert(values.end(), from, from + static_cast<std::ptrdiff_t>(components));
-    }
-  }
+  for (std::size_t i = 0; i < whole.streams.size(); ++i)
+    out.values.push_back(
+        numbers_of(whole.streams[i], whole.values[i], vertices.size(), [&](std::size_t v) { return vertices[v]; }));
   if (std::vector<std::int32_t>* const joints = out.values_of(StreamKind::joints))
     for (std::int32_t& joint : *joints) joint = place_of(entries, static_cast<std::uint16_t>(joint));
   take_palette(whole, entries, out);
@@ -267,5 +247,4 @@ std::vector<BuiltGeometry> build_geometries(const RawPrimitive& primitive, const
   });
   return out;
 }
-
 }  // namespace marrow::cook

@@ -24,53 +24,9 @@ namespace {
 
 OwnedStreams without_skin(const OwnedStreams& streams) {
   OwnedStreams out = streams;
-  for (std::size_t i = out.streams.size(); i-- > 0;) {
-    if (!is_skin(out.streams[i].kind)) continue;
-    out.streams.erase(out.streams.begin() + static_cast<std::ptrdiff_t>(i));
-    out.values.erase(out.values.begin() + static_cast<std::ptrdiff_t>(i));
-  }
+  out.drop([](const Stream& stream, const auto&) { return is_skin(stream.kind); });
   return out;
 }
-
-}  // namespace
-
-std::optional<SkinApart> SkinApart::take(OwnedStreams& streams) {
-  if (!has_skin_for_bits(streams.view())) return {};
-  OwnedStreams bare = without_skin(streams);
-  if (places_of(Rows(bare), Rows(streams), streams.mesh.vertex_count).empty()) return {};
-  SkinApart out;
-  out.before_ = std::move(streams);
-  streams = std::move(bare);
-  return out;
-}
-
-std::vector<std::byte> SkinApart::give_back(OwnedStreams& streams) const {
-  const Rows old_rows(without_skin(before_)), rows(streams);
-  const Places places = places_of(old_rows, old_rows, before_.mesh.vertex_count);
-  for (std::size_t i = 0; i < before_.streams.size(); ++i) {
-    const Stream& stream = before_.streams[i];
-    if (!is_skin(stream.kind)) continue;
-    const auto at = static_cast<std::ptrdiff_t>(i);
-    streams.streams.insert(streams.streams.begin() + at, stream);
-    std::vector<std::int32_t>& values = *streams.values.emplace(streams.values.begin() + at);
-    for (std::size_t v = 0; v < streams.mesh.vertex_count; ++v) {
-      const auto from = before_.values[i].begin() +
-                        static_cast<std::ptrdiff_t>(std::size_t{places.at(rows.of(v))} * stream.components);
-      values.insert(values.end(), from, from + stream.components);
-    }
-  }
-  const MeshStreams mesh = streams.view();
-  const SkinBefore before(mesh);
-  const auto models = std::make_unique<SkinModels>();
-  models->begin();
-  SymbolEncoder encoder;
-  SkinCodec<SymbolEncoder> codec(mesh, before, *models, encoder);
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
-    if (!codec.code(v)) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "a skin that is none");
-  return encoder.finish();
-}
-
-namespace {
 
 // How one attempt encodes.
 struct Settings {
@@ -320,21 +276,6 @@ std::vector<std::byte> encode_surface(OwnedStreams& streams, DracoAim aim) {
                        "the encoded mesh does not decode to the same surface; use --mesh-codec meshopt");
 }
 
-}  // namespace
-
-std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
-  const std::optional<SkinApart> skin = SkinApart::take(streams);
-  const std::vector<std::byte> surface = encode_surface(streams, aim);
-  const std::vector<std::byte> bits = skin ? skin->give_back(streams) : std::vector<std::byte>();
-  std::vector<std::byte> out;
-  add_varint(static_cast<std::uint32_t>(bits.size()), out);
-  out.insert(out.end(), bits.begin(), bits.end());
-  out.insert(out.end(), surface.begin(), surface.end());
-  return out;
-}
-
-namespace {
-
 // Vertices in the order in which the runtime will store them: those with the same joints follow each other.
 void arrange_vertices(OwnedStreams& s) {
   const MeshStreams view = s.view();
@@ -344,13 +285,8 @@ void arrange_vertices(OwnedStreams& s) {
   if (!arrange(view, scratch, a)) throw tools::Failure(tools::Exit::internal, "", "", "arrange", "not enough memory");
   std::vector<std::uint32_t> place(view.vertex_count);
   for (std::uint32_t i = 0; i < view.vertex_count; ++i) place[a.order[i]] = i;
-  for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    const std::size_t components = s.streams[i].components;
-    std::vector<std::int32_t> values(s.values[i].size());
-    for (std::size_t v = 0; v < view.vertex_count; ++v)
-      std::copy_n(&s.values[i][a.order[v] * components], components, &values[v * components]);
-    s.values[i] = std::move(values);
-  }
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    s.values[i] = numbers_of(s.streams[i], s.values[i], view.vertex_count, [&](std::size_t v) { return a.order[v]; });
   for (std::uint32_t& index : s.indices) index = place[index];
   for (std::uint32_t& vertex : s.source_map)
     if (vertex != kNoSlot) vertex = place[vertex];
@@ -372,6 +308,50 @@ void add_part(const std::vector<unsigned char>& part, std::vector<std::byte>& ou
 }
 
 }  // namespace
+
+std::optional<SkinApart> SkinApart::take(OwnedStreams& streams) {
+  if (!has_skin_for_bits(streams.view())) return {};
+  OwnedStreams bare = without_skin(streams);
+  if (places_of(Rows(bare), Rows(streams), streams.mesh.vertex_count).empty()) return {};
+  SkinApart out;
+  out.before_ = std::move(streams);
+  streams = std::move(bare);
+  return out;
+}
+
+std::vector<std::byte> SkinApart::give_back(OwnedStreams& streams) const {
+  const Rows old_rows(without_skin(before_)), rows(streams);
+  const RowPlaces places = places_of(old_rows, old_rows, before_.mesh.vertex_count);
+  for (std::size_t i = 0; i < before_.streams.size(); ++i) {
+    const Stream& stream = before_.streams[i];
+    if (!is_skin(stream.kind)) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    streams.streams.insert(streams.streams.begin() + at, stream);
+    streams.values.insert(streams.values.begin() + at,
+                          numbers_of(stream, before_.values[i], streams.mesh.vertex_count,
+                                     [&](std::size_t v) { return places.at(rows.of(v)); }));
+  }
+  const MeshStreams mesh = streams.view();
+  const SkinBefore before(mesh);
+  const auto models = std::make_unique<SkinModels>();
+  models->begin();
+  SymbolEncoder encoder;
+  SkinCodec<SymbolEncoder> codec(mesh, before, *models, encoder);
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
+    if (!codec.code(v)) throw tools::Failure(tools::Exit::internal, "", "", "packed-geometry", "a skin that is none");
+  return encoder.finish();
+}
+
+std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim) {
+  const std::optional<SkinApart> skin = SkinApart::take(streams);
+  const std::vector<std::byte> surface = encode_surface(streams, aim);
+  const std::vector<std::byte> bits = skin ? skin->give_back(streams) : std::vector<std::byte>();
+  std::vector<std::byte> out;
+  add_varint(static_cast<std::uint32_t>(bits.size()), out);
+  out.insert(out.end(), bits.begin(), bits.end());
+  out.insert(out.end(), surface.begin(), surface.end());
+  return out;
+}
 
 std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
   arrange_vertices(s);
@@ -403,5 +383,4 @@ std::vector<std::byte> encode_meshopt(OwnedStreams& s) {
                          "the encoded mesh does not decode to itself");
   return out;
 }
-
 }  // namespace marrow::cook

@@ -108,14 +108,14 @@ class Merging {
 EntrySet set_of(const OwnedStreams& s, const std::vector<std::int32_t>& joints, std::size_t v) {
   return read_set(&joints[v * s.mesh.influences], s.mesh.influences);
 }
-Set numbers_of(const EntrySet& set) {
+Set joints_of(const EntrySet& set) {
   return {set.joints, set.joints + set.count};
 }
 
 // From each set the one that it becomes; not those that stay.
 std::map<Set, Set> merged_sets(const OwnedStreams& s, const std::vector<std::int32_t>& joints) {
   std::map<Set, std::size_t> counts;
-  for (std::size_t v = 0; v < s.mesh.vertex_count; ++v) ++counts[numbers_of(set_of(s, joints, v))];
+  for (std::size_t v = 0; v < s.mesh.vertex_count; ++v) ++counts[joints_of(set_of(s, joints, v))];
   std::map<std::int32_t, std::vector<AlikeVertices>> by_last;
   for (const auto& [set, count] : counts) by_last[set.back()].push_back({set, count});
   std::map<Set, Set> out;
@@ -176,7 +176,7 @@ void merge_runs(OwnedStreams& s) {
   const std::map<Set, Set> homes = merged_sets(s, *joints);
   for (std::size_t v = 0; v < s.mesh.vertex_count; ++v) {
     const EntrySet set = set_of(s, *joints, v);
-    if (const auto home = homes.find(numbers_of(set)); home != homes.end()) move_vertex(v, set, home->second, s);
+    if (const auto home = homes.find(joints_of(set)); home != homes.end()) move_vertex(v, set, home->second, s);
   }
 }
 

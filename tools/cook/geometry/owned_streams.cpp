@@ -144,6 +144,49 @@ std::vector<std::uint32_t> outer_parts_first(std::span<const std::uint32_t> indi
   return out;
 }
 
+// A number for each vertex that a triangle uses, the same for those that agree in all of the streams that `counts`
+// says; kNoSlot for the others.
+std::vector<std::uint32_t> equal_vertices(const OwnedStreams& s, bool (*counts)(StreamKind), std::size_t& distinct) {
+  const Rows rows(s, counts);
+  std::unordered_map<std::string_view, std::uint32_t> numbers;
+  std::vector<std::uint32_t> out(s.mesh.vertex_count, kNoSlot);
+  for (const std::uint32_t v : s.indices)
+    if (out[v] == kNoSlot)
+      out[v] = numbers.try_emplace(rows.of(v), static_cast<std::uint32_t>(numbers.size())).first->second;
+  distinct = numbers.size();
+  return out;
+}
+
+bool moves(StreamKind kind) {
+  return kind == StreamKind::position || kind == StreamKind::joints || kind == StreamKind::weights ||
+         kind == StreamKind::residual || is_centred(kind);
+}
+
+// The triangles that have an area; and of the others, if `every_vertex` is wanted, those with a corner that no kept
+// triangle has: then `collapsed` is set. place, same: each vertex's numbers; `distinct`: how many of `same` there are.
+std::vector<std::uint32_t> triangles_to_keep(const OwnedStreams& s, const std::vector<std::uint32_t>& place,
+                                             const std::vector<std::uint32_t>& same, std::size_t distinct,
+                                             bool every_vertex, bool& collapsed) {
+  std::vector<std::uint32_t> kept;
+  std::vector<bool> is_taken(distinct, false);
+  const auto keep = [&](const std::uint32_t* t) {
+    kept.insert(kept.end(), t, t + 3);
+    for (int corner = 0; corner < 3; ++corner) is_taken[same[t[corner]]] = true;
+  };
+  for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) {
+    const std::uint32_t* const t = &s.indices[i];
+    if (place[t[0]] != place[t[1]] && place[t[1]] != place[t[2]] && place[t[2]] != place[t[0]]) keep(t);
+  }
+  const std::size_t whole = kept.size();
+  for (std::size_t i = 0; every_vertex && i + 2 < s.indices.size(); i += 3) {
+    const std::uint32_t* const t = &s.indices[i];
+    if (!is_taken[same[t[0]]] || !is_taken[same[t[1]]] || !is_taken[same[t[2]]]) keep(t);
+  }
+  collapsed = kept.size() > whole;
+  if (kept.empty()) keep(s.indices.data());  // a mesh is never empty
+  return kept;
+}
+
 }  // namespace
 
 Stream& OwnedStreams::add(StreamKind kind, std::uint32_t components, std::uint32_t bits) {
@@ -183,72 +226,10 @@ std::vector<std::int32_t>* OwnedStreams::values_of(StreamKind kind) {
   return s == nullptr ? nullptr : &values[static_cast<std::size_t>(s - streams.data())];
 }
 
-namespace {
-
-// A number for each vertex that a triangle uses, the same for those that agree in all of the streams that `counts`
-// says; kNoSlot for the others.
-template <class Counts>
-std::vector<std::uint32_t> equal_vertices(const OwnedStreams& s, const Counts& counts, std::size_t& distinct) {
-  std::size_t width = 0;
-  for (const Stream& stream : s.streams) width += counts(stream.kind) ? std::size_t{stream.components} : 0u;
-  std::vector<std::int32_t> rows;
-  rows.reserve(width * s.mesh.vertex_count);
-  for (std::size_t v = 0; v < s.mesh.vertex_count; ++v) {
-    for (std::size_t i = 0; i < s.streams.size(); ++i) {
-      if (!counts(s.streams[i].kind)) continue;
-      const auto from = s.values[i].begin() + static_cast<std::ptrdiff_t>(v * s.streams[i].components);
-      rows.insert(rows.end(), from, from + s.streams[i].components);
-    }
-  }
-  const std::size_t bytes = width * sizeof(std::int32_t);
-  std::unordered_map<std::string_view, std::uint32_t> numbers;
-  std::vector<std::uint32_t> out(s.mesh.vertex_count, kNoSlot);
-  for (const std::uint32_t v : s.indices) {
-    if (out[v] != kNoSlot) continue;
-    const std::string_view row(reinterpret_cast<const char*>(rows.data()) + v * bytes, bytes);
-    out[v] = numbers.try_emplace(row, static_cast<std::uint32_t>(numbers.size())).first->second;
-  }
-  distinct = numbers.size();
-  return out;
-}
-
-bool moves(StreamKind kind) {
-  return kind == StreamKind::position || kind == StreamKind::joints || kind == StreamKind::weights ||
-         kind == StreamKind::residual || is_centred(kind);
-}
-
-// The triangles that have an area; and of the others, if `every_vertex` is wanted, those with a corner that no kept
-// triangle has: then `collapsed` is set. place, same: each vertex's numbers; `distinct`: how many of `same` there are.
-std::vector<std::uint32_t> triangles_to_keep(const OwnedStreams& s, const std::vector<std::uint32_t>& place,
-                                             const std::vector<std::uint32_t>& same, std::size_t distinct,
-                                             bool every_vertex, bool& collapsed) {
-  std::vector<std::uint32_t> kept;
-  std::vector<bool> is_taken(distinct, false);
-  const auto keep = [&](const std::uint32_t* t) {
-    kept.insert(kept.end(), t, t + 3);
-    for (int corner = 0; corner < 3; ++corner) is_taken[same[t[corner]]] = true;
-  };
-  for (std::size_t i = 0; i + 2 < s.indices.size(); i += 3) {
-    const std::uint32_t* const t = &s.indices[i];
-    if (place[t[0]] != place[t[1]] && place[t[1]] != place[t[2]] && place[t[2]] != place[t[0]]) keep(t);
-  }
-  const std::size_t whole = kept.size();
-  for (std::size_t i = 0; every_vertex && i + 2 < s.indices.size(); i += 3) {
-    const std::uint32_t* const t = &s.indices[i];
-    if (!is_taken[same[t[0]]] || !is_taken[same[t[1]]] || !is_taken[same[t[2]]]) keep(t);
-  }
-  collapsed = kept.size() > whole;
-  if (kept.empty()) keep(s.indices.data());  // a mesh is never empty
-  return kept;
-}
-
-}  // namespace
-
 void weld(OwnedStreams& s, bool keep_map) {
   std::size_t distinct = 0;
   const std::vector<std::uint32_t> place = equal_vertices(s, moves, distinct);
-  const std::vector<std::uint32_t> same = equal_vertices(
-      s, [](StreamKind) { return true; }, distinct);
+  const std::vector<std::uint32_t> same = equal_vertices(s, nullptr, distinct);
   std::vector<std::uint32_t> kept = triangles_to_keep(s, place, same, distinct, keep_map, s.has_collapsed);
   // Numbered anew by first use.
   std::vector<std::uint32_t> number(distinct, kNoSlot), first(distinct);
@@ -261,16 +242,8 @@ void weld(OwnedStreams& s, bool keep_map) {
     }
     index = n;
   }
-  for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    const std::size_t components = s.streams[i].components;
-    std::vector<std::int32_t> values;
-    values.reserve(count * components);
-    for (std::uint32_t v = 0; v < count; ++v) {
-      const auto from = s.values[i].begin() + static_cast<std::ptrdiff_t>(first[v] * components);
-      values.insert(values.end(), from, from + static_cast<std::ptrdiff_t>(components));
-    }
-    s.values[i] = std::move(values);
-  }
+  for (std::size_t i = 0; i < s.streams.size(); ++i)
+    s.values[i] = numbers_of(s.streams[i], s.values[i], count, [&](std::size_t v) { return first[v]; });
   if (keep_map) {
     s.source_map.clear();
     for (const std::uint32_t n : same) s.source_map.push_back(n == kNoSlot ? kNoSlot : number[n]);
@@ -313,25 +286,27 @@ void optimise_order(OwnedStreams& s) {
   s.indices = outer_parts_first(ordered, positions, kCacheMissesForOverdraw);
 }
 
-Rows::Rows(const OwnedStreams& s) {
-  for (const Stream& stream : s.streams) bytes_ += stream.components * sizeof(std::int32_t);
+Rows::Rows(const OwnedStreams& s, bool (*counts)(StreamKind)) {
+  const auto width_of = [&](const Stream& stream) {
+    return counts == nullptr || counts(stream.kind) ? stream.components * sizeof(std::int32_t) : 0;
+  };
+  for (const Stream& stream : s.streams) bytes_ += width_of(stream);
   all_.resize(bytes_ * s.mesh.vertex_count);
   std::size_t at = 0;
   for (std::size_t i = 0; i < s.streams.size(); ++i) {
-    const std::size_t width = s.streams[i].components * sizeof(std::int32_t);
-    for (std::size_t v = 0; v < s.mesh.vertex_count; ++v)
+    const std::size_t width = width_of(s.streams[i]);
+    for (std::size_t v = 0; v < s.mesh.vertex_count && width > 0; ++v)
       std::memcpy(&all_[v * bytes_ + at], &s.values[i][v * s.streams[i].components], width);
     at += width;
   }
 }
 
-Places places_of(const Rows& rows, const Rows& whole, std::uint32_t count) {
-  Places out;
+RowPlaces places_of(const Rows& rows, const Rows& whole, std::uint32_t count) {
+  RowPlaces out;
   for (std::uint32_t v = 0; v < count; ++v) {
     const auto [at, is_new] = out.try_emplace(rows.of(v), v);
     if (!is_new && whole.of(v) != whole.of(at->second)) return {};
   }
   return out;
 }
-
 }  // namespace marrow::cook

@@ -63,6 +63,18 @@ class OwnedStreams {
   // Of bind streams, of which there is one a kind at most.
   const Stream* find(StreamKind kind) const;
   std::vector<std::int32_t>* values_of(StreamKind kind);
+  // Leaves out the streams for which drops(stream, values) is true.
+  template <class Drops>
+  void drop(const Drops& drops) {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+      if (drops(streams[i], values[i])) continue;
+      std::swap(streams[to], streams[i]);
+      values[to++].swap(values[i]);
+    }
+    streams.resize(to);
+    values.resize(to);
+  }
 };
 
 // How finely meshes are quantised.
@@ -88,6 +100,11 @@ OwnedStreams quantised_streams(const RawPrimitive& primitive, const std::vector<
 Binding quantised_binding(const Binding& binding, const glm::vec3& position, const MeshGrid& grid,
                           const MeshPrecision& precision);
 
+// Changes of vertices as a stream of `kind`, on steps no finer than 16 bits allow. False if nothing moves by half a
+// step. worst: gets how far a change is off at most.
+bool add_changes(StreamKind kind, const std::vector<glm::dvec3>& changes, std::uint32_t target, std::uint8_t attribute,
+                 double finest, OwnedStreams& out, double& worst);
+
 // Adds what the deformers need to streams that either of the above has made of the same vertices: residuals of weights
 // on the weights that the streams have, and examples' deltas in 16 bits. Steps are such that the errors, as MeshError
 // has them, stay below the grid's step; where that takes more bits than there are, or without a grid, all bits are used
@@ -95,6 +112,19 @@ Binding quantised_binding(const Binding& binding, const glm::vec3& position, con
 // tools::Failure (unsupported) if the data are not as they must be.
 void add_deformers(const RawPrimitive& primitive, const std::vector<Binding>& bindings, const DeformerData& data,
                    const MeshGrid& grid, OwnedStreams& streams, MeshError& error);
+
+// A stream's numbers of `count` vertices: the i-th is vertex from(i).
+template <class From>
+std::vector<std::int32_t> numbers_of(const Stream& stream, const std::vector<std::int32_t>& values, std::size_t count,
+                                     const From& from) {
+  std::vector<std::int32_t> out;
+  out.reserve(count * stream.components);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(std::size_t{from(i)} * stream.components);
+    out.insert(out.end(), first, first + stream.components);
+  }
+  return out;
+}
 
 // Merges vertices that agree in everything, drops triangles that have no area in any pose and vertices without a
 // triangle. keep_map: fill in source_map. A vertex of a dropped triangle then goes to one in its place, and where there
@@ -115,10 +145,10 @@ void optimise_order(OwnedStreams& streams);
 // mesh's most. Of welded streams.
 void merge_runs(OwnedStreams& streams);
 
-// All numbers of each vertex, one behind the other.
+// All numbers of each vertex, one behind the other; of streams of the kinds that count, if not of all.
 class Rows {
  public:
-  explicit Rows(const OwnedStreams& streams);
+  explicit Rows(const OwnedStreams& streams, bool (*counts)(StreamKind) = nullptr);
   std::string_view of(std::size_t vertex) const { return {&all_[vertex * bytes_], bytes_}; }
 
  private:
@@ -126,8 +156,9 @@ class Rows {
   std::vector<char> all_;
 };
 
-// The first vertex of each row of `rows`, which must outlive this. Empty if some are alike but not in `whole`.
-using Places = std::unordered_map<std::string_view, std::uint32_t>;
-Places places_of(const Rows& rows, const Rows& whole, std::uint32_t count);
+// The first vertex of each row of `rows`, which must outlive this. Empty if two vertices are alike in `rows` but not in
+// `whole`.
+using RowPlaces = std::unordered_map<std::string_view, std::uint32_t>;
+RowPlaces places_of(const Rows& rows, const Rows& whole, std::uint32_t count);
 
 }  // namespace marrow::cook

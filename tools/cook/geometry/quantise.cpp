@@ -351,37 +351,6 @@ std::vector<RoundedBinding> add_influences(const RawPrimitive& p, const std::vec
   return vertices;
 }
 
-// One attribute of a morph target, on steps no finer than 16 bits allow. False if nothing moves by half a step.
-// worst: gets how far a change is off at most.
-bool add_changes(const std::vector<glm::vec3>& changes, std::uint32_t target, std::uint8_t attribute, double finest,
-                 OwnedStreams& out, double& worst) {
-  constexpr double kMost = (1 << (packed::kMaxTargetBits - 1)) - 1;
-  double most = 0;
-  for (const glm::vec3& d : changes)
-    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double{d[c]}));
-  const double step = double{static_cast<float>(std::max(most / kMost, finest))};
-  if (!(step > 0) || most * 2 < step) {
-    for (const glm::vec3& d : changes) worst = std::max(worst, glm::length(glm::dvec3(d)));
-    return false;
-  }
-  const auto largest = static_cast<std::int32_t>(std::lround(std::min(most / step, kMost)));
-  Stream& s = out.add(StreamKind::target, 3, bits_for(largest) + 1);
-  s.target = target;
-  s.attribute = attribute;
-  s.step = static_cast<float>(step);
-  const std::int32_t nothing = 1 << (s.bits - 1);
-  for (const glm::vec3& d : changes) {
-    glm::dvec3 miss;
-    for (int c = 0; c < 3; ++c) {
-      const double steps = std::clamp(std::round(double{d[c]} / step), -kMost, kMost);
-      out.values.back().push_back(nothing + static_cast<std::int32_t>(steps));
-      miss[c] = steps * step - double{d[c]};
-    }
-    worst = std::max(worst, glm::length(miss));
-  }
-  return true;
-}
-
 // position_step: of the grid, or 0. A change of a unit vector of less than a thousandth of a degree is noise.
 void add_targets(const RawPrimitive& p, double position_step, double direction_step, OwnedStreams& out,
                  MeshError& error) {
@@ -391,9 +360,13 @@ void add_targets(const RawPrimitive& p, double position_step, double direction_s
   for (std::size_t t = 0; t < p.targets.size(); ++t) {
     const RawTarget& target = p.targets[t];
     const auto number = static_cast<std::uint32_t>(t);
-    moves |= add_changes(target.positions, number, 0, position_step, out, error.targets[t]);
-    if (!p.normals.empty()) moves |= add_changes(target.normals, number, 1, direction_step, out, of_directions);
-    if (!p.tangents.empty()) moves |= add_changes(target.tangents, number, 2, direction_step, out, of_directions);
+    const auto add = [&](const std::vector<glm::vec3>& changes, std::uint8_t attribute, double finest, double& worst) {
+      const std::vector<glm::dvec3> exact(changes.begin(), changes.end());
+      moves |= add_changes(StreamKind::target, exact, number, attribute, finest, out, worst);
+    };
+    add(target.positions, 0, position_step, error.targets[t]);
+    if (!p.normals.empty()) add(target.normals, 1, direction_step, of_directions);
+    if (!p.tangents.empty()) add(target.tangents, 2, direction_step, of_directions);
   }
   if (!moves) return;
   out.mesh.target_count = static_cast<std::uint32_t>(p.targets.size());
@@ -421,6 +394,35 @@ void add_verbatim_residuals(const std::vector<Binding>& bindings, OwnedStreams& 
 }
 
 }  // namespace
+
+bool add_changes(StreamKind kind, const std::vector<glm::dvec3>& changes, std::uint32_t target, std::uint8_t attribute,
+                 double finest, OwnedStreams& out, double& worst) {
+  constexpr double kMost = (1 << (packed::kMaxTargetBits - 1)) - 1;
+  double most = 0;
+  for (const glm::dvec3& d : changes)
+    for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(d[c]));
+  const double step = double{static_cast<float>(std::max(most / kMost, finest))};
+  if (!(step > 0) || most * 2 < step) {
+    for (const glm::dvec3& d : changes) worst = std::max(worst, glm::length(d));
+    return false;
+  }
+  const auto largest = static_cast<std::int32_t>(std::lround(std::min(most / step, kMost)));
+  Stream& s = out.add(kind, 3, bits_for(largest) + 1);
+  s.target = target;
+  s.attribute = attribute;
+  s.step = static_cast<float>(step);
+  const std::int32_t nothing = 1 << (s.bits - 1);
+  for (const glm::dvec3& d : changes) {
+    glm::dvec3 miss;
+    for (int c = 0; c < 3; ++c) {
+      const double steps = std::clamp(std::round(d[c] / step), -kMost, kMost);
+      out.values.back().push_back(nothing + static_cast<std::int32_t>(steps));
+      miss[c] = steps * step - d[c];
+    }
+    worst = std::max(worst, glm::length(miss));
+  }
+  return true;
+}
 
 OwnedStreams verbatim_streams(const RawPrimitive& p, const std::vector<Binding>& bindings, std::size_t joint_count,
                               MeshError& error) {

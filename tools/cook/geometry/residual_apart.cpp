@@ -48,19 +48,16 @@ OwnedStreams linear_blend(const OwnedStreams& s) {
       if (j + 1 < most) weights.push_back(j + 1 < vertex.size() ? vertex[j].second : 0);
     }
   out.mesh.influences = static_cast<std::uint32_t>(most);
-  for (std::size_t i = out.streams.size(); i-- > 0;) {
-    Stream& stream = out.streams[i];
+  for (Stream& stream : out.streams) {
     if (stream.kind == StreamKind::joints) stream.components = static_cast<std::uint8_t>(most);
     if (stream.kind == StreamKind::weights) stream.components = static_cast<std::uint8_t>(most - 1);
-    if (stream.kind != StreamKind::residual) continue;
-    out.streams.erase(out.streams.begin() + static_cast<std::ptrdiff_t>(i));
-    out.values.erase(out.values.begin() + static_cast<std::ptrdiff_t>(i));
   }
+  out.drop([](const Stream& stream, const auto&) { return stream.kind == StreamKind::residual; });
   return out;
 }
 
 // The streams that the file comes to: of animation space by where vertices were, all else as it is now.
-OwnedStreams joined(const OwnedStreams& old, const OwnedStreams& now, const Places& places) {
+OwnedStreams joined(const OwnedStreams& old, const OwnedStreams& now, const RowPlaces& places) {
   OwnedStreams out = now;
   out.streams = old.streams;
   out.values.clear();
@@ -70,16 +67,11 @@ OwnedStreams joined(const OwnedStreams& old, const OwnedStreams& now, const Plac
   std::size_t k = 0;  // of now.streams, which lack residuals
   for (std::size_t i = 0; i < old.streams.size(); ++i) {
     const Stream& s = old.streams[i];
-    std::vector<std::int32_t>& values = out.values.emplace_back();
-    if (!is_of_animation_space(s.kind)) {
-      values = now.values[k];
-    } else {
-      for (std::size_t v = 0; v < now.mesh.vertex_count; ++v) {
-        const std::size_t before = places.at(rows.of(v));
-        const auto from = old.values[i].begin() + static_cast<std::ptrdiff_t>(before * s.components);
-        values.insert(values.end(), from, from + s.components);
-      }
-    }
+    if (is_of_animation_space(s.kind))
+      out.values.push_back(
+          numbers_of(s, old.values[i], now.mesh.vertex_count, [&](std::size_t v) { return places.at(rows.of(v)); }));
+    else
+      out.values.push_back(now.values[k]);
     k += s.kind == StreamKind::residual ? 0u : 1u;
   }
   return out;
@@ -185,7 +177,7 @@ std::optional<PackedApart> pack_apart(OwnedStreams& streams, const ResidualSourc
     if (work.smooth() && work.take_guess()) work.follow_guess();
   }
   const Rows before(out.streams);
-  const Places places = places_of(before, Rows(full), out.streams.mesh.vertex_count);
+  const RowPlaces places = places_of(before, Rows(full), out.streams.mesh.vertex_count);
   if (places.empty()) return {};
   out.encoded = encode(out.streams);
   full = joined(full, out.streams, places);
