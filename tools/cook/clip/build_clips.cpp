@@ -37,14 +37,14 @@ struct ClipPart {
 
 // At least one part a clip, in the order of clips, in each of skeletons. built: its skeletons.
 std::vector<ClipPart> split_clips(const RawScene& scene, const BuiltScene& built) {
-  const auto skeleton_of = [&](int node) { return built.nearest[static_cast<std::size_t>(node)].skeleton; };
+  const auto skeleton_of = [&](int node) { return built.nearest[to_index(node)].skeleton; };
   std::vector<ClipPart> out;
   for (const RawClip& clip : scene.clips) {
     std::map<int, RawClip> parts;
     float duration_s = 0;
     for (const RawChannel& channel : clip.channels) {
       // Outside the scene, as the reader has said.
-      if (built.joint_of_node[static_cast<std::size_t>(channel.node)] == kNone) continue;
+      if (built.joint_of_node[to_index(channel.node)] == kNone) continue;
       parts[skeleton_of(channel.node)].channels.push_back(channel);
       duration_s = std::max(duration_s, channel.times_s.back());
     }
@@ -299,14 +299,11 @@ struct Rigged {
 };
 
 void hang_all(std::uint32_t skeleton, const Carried& carried, Rigged& to) {
-  std::vector<Mesh> meshes;
-  for (const Mesh& mesh : carried.meshes)
-    if (mesh.skeleton == skeleton) meshes.push_back(mesh);
   Promise watched = to.promise;
   std::vector<MorphedMesh> morphed;
   for (const MorphedMesh& one : carried.morphed)
     if (one.mesh.skeleton == skeleton) morphed.push_back(one);
-  to.hung = hang(meshes, morphed, to.rig, watched);
+  to.hung = hang(meshes_of(carried.meshes, skeleton), morphed, to.rig, watched);
   for (const BuiltNode& node : carried.nodes)
     if (node.skeleton == skeleton && node.joint != kNoJoint) {
       const auto& rows = node.joint_from_node.rows;
@@ -391,5 +388,4 @@ std::vector<BuiltClip> build_raw_clips(const RawScene& scene, const BuiltScene& 
   Notes of_the_others;
   return build_clips(scene, built, {}, raw, of_the_others);
 }
-
 }  // namespace marrow::cook

@@ -42,7 +42,7 @@ std::vector<ListedChannel> by_list(const RawClip& clip, const std::vector<int>& 
   std::map<std::vector<float>, std::size_t> lists;
   std::vector<ListedChannel> out;
   for (const RawChannel& channel : clip.channels) {
-    const int joint = joint_of_node[static_cast<std::size_t>(channel.node)];
+    const int joint = joint_of_node[to_index(channel.node)];
     if (joint == kNone) continue;  // outside the scene; the reader has said so
     const std::size_t list = lists.try_emplace(channel.times_s, lists.size()).first->second;
     out.push_back({list, static_cast<std::uint16_t>(joint), &channel});
@@ -54,37 +54,6 @@ std::vector<ListedChannel> by_list(const RawClip& clip, const std::vector<int>& 
   });
   return out;
 }
-
-}  // namespace
-
-BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_node) {
-  BuiltClip out;
-  out.name = clip.name;
-  const std::vector<ListedChannel> channels = by_list(clip, joint_of_node);
-  std::uint32_t first_time = 0;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const RawChannel& channel = *channels[i].channel;
-    if (i == 0 || channels[i].list != channels[i - 1].list) {
-      first_time = static_cast<std::uint32_t>(out.times_s.size());
-      out.times_s.insert(out.times_s.end(), channel.times_s.begin(), channel.times_s.end());
-    }
-    Track track;
-    track.joint = channels[i].joint;
-    track.path = static_cast<TrackPath>(channel.path);
-    track.interpolation = static_cast<Interpolation>(channel.interpolation);
-    track.key_count = static_cast<std::uint32_t>(channel.times_s.size());
-    track.first_time = first_time;
-    track.first_value = static_cast<std::uint32_t>(out.values.size());
-    out.tracks.push_back(track);
-    add_values(channel, out.values);
-    out.duration_s = std::max(out.duration_s, channel.times_s.back());
-    out.most_keys = std::max(out.most_keys, track.key_count);
-  }
-  for (const RawScalar& scalar : clip.scalars) out.duration_s = std::max(out.duration_s, scalar.times_s.back());
-  return out;
-}
-
-namespace {
 
 // As a share of a channel's largest value: how far a LINEAR one may move where keys are left out, and how far each key
 // may be off. Together a thousandth of a millimetre of a shape that moves a vertex by 13 cm.
@@ -200,6 +169,33 @@ std::vector<RawScalar> reduce_all(const std::vector<RawScalar>& scalars) {
 
 }  // namespace
 
+BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_node) {
+  BuiltClip out;
+  out.name = clip.name;
+  const std::vector<ListedChannel> channels = by_list(clip, joint_of_node);
+  std::uint32_t first_time = 0;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const RawChannel& channel = *channels[i].channel;
+    if (i == 0 || channels[i].list != channels[i - 1].list) {
+      first_time = static_cast<std::uint32_t>(out.times_s.size());
+      out.times_s.insert(out.times_s.end(), channel.times_s.begin(), channel.times_s.end());
+    }
+    Track track;
+    track.joint = channels[i].joint;
+    track.path = static_cast<TrackPath>(channel.path);
+    track.interpolation = static_cast<Interpolation>(channel.interpolation);
+    track.key_count = static_cast<std::uint32_t>(channel.times_s.size());
+    track.first_time = first_time;
+    track.first_value = static_cast<std::uint32_t>(out.values.size());
+    out.tracks.push_back(track);
+    add_values(channel, out.values);
+    out.duration_s = std::max(out.duration_s, channel.times_s.back());
+    out.most_keys = std::max(out.most_keys, track.key_count);
+  }
+  for (const RawScalar& scalar : clip.scalars) out.duration_s = std::max(out.duration_s, scalar.times_s.back());
+  return out;
+}
+
 void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip) {
   const std::vector<RawScalar> scalars = all_keys ? raw.scalars : reduce_all(raw.scalars);
   // The last track's list stands first, so that channels can share it.
@@ -233,5 +229,4 @@ void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip) {
     clip.channel_names.push_back(scalar->name);
   }
 }
-
 }  // namespace marrow::cook

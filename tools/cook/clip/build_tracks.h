@@ -8,10 +8,12 @@
 
 namespace marrow::cook {
 
-// Of channels that all belong to one skeleton, or to none: those are left out.
+// Keys become tracks, without loss: the source's values at the source's times. All channels must belong to one
+// skeleton; those of no joint are left out.
 BuiltClip build_tracks(const RawClip& clip, const std::vector<int>& joint_of_node);
 
-// Behind the tracks, which must be final. all_keys: keep those too that others make superfluous.
+// Numbers over time become channels: constants have one key, superfluous keys are left out unless `all_keys`. The
+// clip's tracks must be final.
 void add_channels(const RawClip& raw, bool all_keys, BuiltClip& clip);
 
 }  // namespace marrow::cook

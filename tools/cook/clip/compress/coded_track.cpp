@@ -15,6 +15,50 @@ namespace {
 
 constexpr double kLargestInteger = 1e9;  // so that sums of two stay in 32 bits
 
+// A product of numbers from 1 to 2^64, which orders as the sum of their logarithms does: rest · 2^(512 · scales).
+struct LongProduct {
+  std::size_t scales = 0;
+  double rest = 1;
+
+  void times(double x) {
+    rest *= x;
+    if (rest < 0x1p512) return;
+    rest *= 0x1p-512;
+    ++scales;
+  }
+  auto operator<=>(const LongProduct&) const = default;
+};
+
+// Adds up what symbols would take.
+struct BitCounter {
+  static constexpr bool kEncodes = true;
+
+  const std::uint16_t* cost_of_share;
+  std::uint64_t sum = 0;
+
+  std::uint32_t symbol(const SymbolModel& model, std::uint32_t symbol) {
+    sum += cost_of_share[model.share(symbol).size];
+    return symbol;
+  }
+  std::uint32_t raw_bits(std::uint32_t count, std::uint32_t value) {
+    sum += count * PackedCost::kBit;
+    return value;
+  }
+};
+
+// Of a number of at least 1, in 1 / kBit, rounded down: a bit of the result for each squaring.
+std::uint64_t binary_logarithm(double x) {
+  std::uint64_t out = 0;
+  for (; x >= 2; x /= 2) out += PackedCost::kBit;
+  for (std::uint64_t bit = PackedCost::kBit / 2; bit > 0; bit /= 2) {
+    x *= x;
+    if (x < 2) continue;
+    x /= 2;
+    out += bit;
+  }
+  return out;
+}
+
 }  // namespace
 
 void fit(CodedTrack& track) {
@@ -85,54 +129,6 @@ glm::dquat from_rodrigues(const glm::dvec3& m) {
   return glm::dquat((1 - squared) * inverse, 2 * inverse * m.x, 2 * inverse * m.y, 2 * inverse * m.z);
 }
 
-namespace {
-
-// A product of numbers from 1 to 2^64, which orders as the sum of their logarithms does: rest · 2^(512 · scales).
-struct LongProduct {
-  std::size_t scales = 0;
-  double rest = 1;
-
-  void times(double x) {
-    rest *= x;
-    if (rest < 0x1p512) return;
-    rest *= 0x1p-512;
-    ++scales;
-  }
-  auto operator<=>(const LongProduct&) const = default;
-};
-
-// Adds up what symbols would take.
-struct BitCounter {
-  static constexpr bool kEncodes = true;
-
-  const std::uint16_t* cost_of_share;
-  std::uint64_t sum = 0;
-
-  std::uint32_t symbol(const SymbolModel& model, std::uint32_t symbol) {
-    sum += cost_of_share[model.share(symbol).size];
-    return symbol;
-  }
-  std::uint32_t raw_bits(std::uint32_t count, std::uint32_t value) {
-    sum += count * PackedCost::kBit;
-    return value;
-  }
-};
-
-// Of a number of at least 1, in 1 / kBit, rounded down: a bit of the result for each squaring.
-std::uint64_t binary_logarithm(double x) {
-  std::uint64_t out = 0;
-  for (; x >= 2; x /= 2) out += PackedCost::kBit;
-  for (std::uint64_t bit = PackedCost::kBit / 2; bit > 0; bit /= 2) {
-    x *= x;
-    if (x < 2) continue;
-    x /= 2;
-    out += bit;
-  }
-  return out;
-}
-
-}  // namespace
-
 bool moves(const ClipFrames& frames, std::size_t component) {
   return std::any_of(frames.begin(), frames.end(), [&](const auto& n) { return n[component] != frames[0][component]; });
 }
@@ -186,5 +182,4 @@ std::uint64_t PackedCost::of(const ClipFrames& frames, const std::array<ClipCurv
   codec.code_numbers(track, walks);
   return counter.sum;
 }
-
 }  // namespace marrow::cook

@@ -33,7 +33,7 @@ void fit(CodedTrack& track);
 // Some frames of a track that fits.
 CodedTrack part_of(const CodedTrack& track, std::size_t first_frame, std::size_t frame_count);
 
-// The code of the largest step that is not above `step`, clamped to what a byte holds.
+// The code of the largest step that is at most `step`, clamped to what a byte holds.
 int code_of_step(double step);
 
 // What a frame of the integers stands for.
@@ -46,11 +46,11 @@ glm::dquat from_rodrigues(const glm::dvec3& m);
 using ClipFrames = std::vector<std::array<std::int32_t, 3>>;
 
 bool moves(const ClipFrames& frames, std::size_t component);
-// The predictor that a component of a track is coded with, and how far it is off at first. Of two that are about the
-// same, the first.
+// The predictor that codes a component of a track in the fewest bits, and how far off it is at first. Of equal ones the
+// first.
 ClipCurve choose_curve(const ClipFrames& frames, std::size_t component);
 
-// An estimate: by the coder itself, but with models that stay as they are at first.
+// Estimates what the integers of a track take in a packed file, by the coder itself, but with models that do not learn.
 class PackedCost {
  public:
   static constexpr std::uint64_t kBit = 256;

@@ -24,47 +24,6 @@ double slack_of(const Track& track, const Rig& rig, const Promise& promise, doub
   return least / (std::sqrt(3.0) * std::max(lever, 1e-30));
 }
 
-}  // namespace
-
-float rounded_within(double slack, float value) {
-  constexpr int kFinest = -100, kCoarsest = 80;
-  int exponent = 0;
-  std::frexp(2 * slack, &exponent);  // the power of two is at most that much
-  if (!(slack > 0) || exponent < kFinest) return value;
-  const double step = std::ldexp(0.5, std::min(exponent, kCoarsest));
-  const double steps = std::round(static_cast<double>(value) / step);
-  return static_cast<float>(steps * step) + 0.0f;  // no -0
-}
-
-// Twice the largest of t³ − 2 t² + t, as both ends have one.
-double tangent_lever(std::span<const float> times_s) {
-  double longest_s = 0;
-  for (std::size_t k = 1; k < times_s.size(); ++k)
-    longest_s = std::max(longest_s, static_cast<double>(times_s[k]) - static_cast<double>(times_s[k - 1]));
-  return longest_s * 8 / 27;
-}
-
-BuiltClip with_rounded_keys(const BuiltClip& clip, const Rig& rig, const Promise& promise, double share) {
-  BuiltClip out = clip;
-  const std::vector<double> least = rig.least_below(promise.error);
-  for (const Track& track : clip.tracks) {
-    const bool is_spline = track.interpolation == Interpolation::cubic_spline;
-    if (track.path == TrackPath::rotation && !is_spline) continue;
-    const double slack = share * slack_of(track, rig, promise, least[track.joint]);
-    const double lever = tangent_lever({clip.times_s.data() + track.first_time, track.key_count});
-    const std::uint32_t width = track.path == TrackPath::rotation ? 4 : 3;
-    const std::uint32_t count = track.key_count * format::floats_per_key(track.path, track.interpolation);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      float& value = out.values[track.first_value + i];
-      const bool is_tangent = is_spline && i / width % 3 != 1;
-      value = rounded_within(is_tangent && lever > 0 ? slack / lever : slack, value);
-    }
-  }
-  return out;
-}
-
-namespace {
-
 constexpr std::size_t kMostTransforms = 1'000'000;  // a joint and moment: 80 MB; larger clips stay raw
 // What moves on what moves: joints below a joint, a moment. Characters have up to 20 for each joint, and this takes
 // seconds; what hangs deeper stays raw.
@@ -107,6 +66,16 @@ BuiltClip keep_raw(const BuiltClip& clip, const std::vector<TrackId>& raw) {
   return out;
 }
 
+void set_to(TrackPath path, const format::Constant& numbers, const Transform& rest, Transform& to) {
+  if (path == TrackPath::rotation) to.rotation = decode_rotation(numbers);
+  if (path == TrackPath::translation) to.translation = rest.translation + decode_offset(numbers);
+  if (path == TrackPath::scale) to.scale = rest.scale + decode_offset(numbers);
+}
+
+double worst_share(const ClipError& error, const Promise& promise) {
+  return std::max(error.share, promise.of_vertices ? error.vertex_share : 0.0);
+}
+
 // Everything about one clip at one spacing of frames.
 class Compressor {
  public:
@@ -131,17 +100,140 @@ class Compressor {
     sort_tracks(promise);
   }
 
-  std::optional<BuiltClip> compress(const Promise& promise, double share) const;
+  std::optional<BuiltClip> compress(const Promise& promise, double share) const {
+    BuiltClip out = keep_raw(clip_, exact_);
+    if (!moving_.empty() || !constant_.empty()) {
+      Promise stricter = promise;
+      for (double& error : stricter.error) error *= share;
+      std::optional<BuiltCoded> coded = code(stricter);
+      if (!coded) return std::nullopt;  // a finer grid may help
+      out.coded = std::move(*coded);
+    }
+    out.error = measure_.measure(out, measured_s_, promise);
+    return out;
+  }
+
   // All keys, coarser as far as that is within the promise; as they are if it is not at all.
-  BuiltClip keep_keys(const Promise& promise) const;
+  BuiltClip keep_keys(const Promise& promise) const {
+    constexpr int kMostHalvings = 16;
+    double share = 1;
+    for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
+      BuiltClip out = with_rounded_keys(clip_, rig_, promise, share);
+      out.error = measure_.measure(out, measured_s_, promise);
+      if (worst_share(out.error, promise) <= 1) return out;
+    }
+    return clip_;
+  }
 
  private:
-  bool stays(std::size_t joint, TrackPath path, const Transform& at, double most) const;
-  Transform middle(std::size_t joint) const;
-  std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, double most_off) const;
-  void sort_tracks(const Promise& promise);
-  std::optional<BuiltCoded> code(const Promise& promise) const;
-  BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const;
+  // Whether a sub-track never leaves `at` by more than that.
+  bool stays(std::size_t joint, TrackPath path, const Transform& at, double most) const {
+    const auto is_near = [&](const Transform& t) {
+      if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
+      if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
+      const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
+      return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
+    };
+    if (!std::all_of(source_[joint].begin(), source_[joint].end(), is_near)) return false;
+    // Between two moments a track that jumps may be anywhere.
+    const Track& track = *curves_.track(joint, path);
+    const float* const times = clip_.times_s.data() + track.first_time;
+    return !jumps(clip_, track) || std::all_of(times, times + track.key_count, [&](float time_s) {
+      return is_near(curves_.at(joint, static_cast<double>(time_s)));
+    });
+  }
+
+  // Between the extremes; of rotations, which are only asked for where they hardly differ, the mean.
+  Transform middle(std::size_t joint) const {
+    const std::vector<Transform>& source = source_[joint];
+    Transform low = source[0], high = source[0];
+    glm::dquat sum(0, 0, 0, 0);
+    for (const Transform& t : source) {
+      low.translation = glm::min(low.translation, t.translation);
+      high.translation = glm::max(high.translation, t.translation);
+      low.scale = glm::min(low.scale, t.scale);
+      high.scale = glm::max(high.scale, t.scale);
+      sum += glm::dot(sum, t.rotation) < 0 ? -t.rotation : t.rotation;
+    }
+    return {0.5 * (low.translation + high.translation), glm::normalize(sum), 0.5 * (low.scale + high.scale)};
+  }
+
+  // The smallest numbers near which a sub-track stays: they take fewest bits in packed files, and what differs a little
+  // from clip to clip often gets the same.
+  std::optional<format::Constant> constant_of(std::size_t joint, TrackPath path, double most_off) const {
+    constexpr int kFewest = 15;  // of ever twice as many
+    const Transform &rest = rig_.rest[joint], wanted = middle(joint);
+    if (!stays(joint, path, wanted, most_off)) return std::nullopt;  // as of all that moves
+    for (int most = kFewest; most <= kMostConstant; most = 2 * most + 1) {
+      const format::Constant numbers = path == TrackPath::rotation ? code_rotation(wanted.rotation, most)
+                                       : path == TrackPath::translation
+                                           ? code_offset(wanted.translation - rest.translation, most)
+                                           : code_offset(wanted.scale - rest.scale, most);
+      Transform at = wanted;
+      set_to(path, numbers, rest, at);
+      if (stays(joint, path, at, most_off)) return numbers;
+    }
+    return std::nullopt;
+  }
+
+  // What rests, what is constant and what moves; in the order in which tracks are stored. What leaves a place by less
+  // than a small share of the promise stays there: exporters write every track, and most of them are rounding.
+  void sort_tracks(const Promise& promise) {
+    still_ = rig_.rest;
+    const std::vector<double> least = rig_.least_below(promise.error);
+    for (std::size_t group = 0; group < rig_.size(); group += 4)
+      for (const TrackPath path : {TrackPath::rotation, TrackPath::translation, TrackPath::scale})
+        for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
+          const Track* const track = curves_.track(j, path);
+          if (track == nullptr) continue;
+          const double most_off =
+              kStillShare * least[j] /
+              (path == TrackPath::translation ? rig_.scale_above[j] : reach_below(j, rig_, promise));
+          if (stays(j, path, rig_.rest[j], most_off)) continue;
+          if (const std::optional<format::Constant> numbers = constant_of(j, path, most_off))
+            constant_.push_back({{j, path}, *numbers});
+          else
+            (jumps(clip_, *track) ? exact_ : moving_).push_back({j, path});
+        }
+    for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
+  }
+
+  // Stretch by stretch; then in the segments that take least.
+  std::optional<BuiltCoded> code(const Promise& promise) const {
+    std::vector<std::vector<CodedTrack>> stretches;
+    for (std::size_t first = 0; first < intervals_; first += kStretch) {
+      const std::size_t count = std::min(kStretch, intervals_ - first);
+      std::vector<std::span<const Transform>> source;
+      for (const std::vector<Transform>& joint : source_)
+        source.push_back(std::span(joint).subspan(first * kMoments, count * kMoments + 1));
+      std::optional<std::vector<CodedTrack>> tracks =
+          choose_steps(rig_, promise, moving_, exact_, still_, std::move(source), effort_);
+      if (!tracks) return std::nullopt;
+      stretches.push_back(std::move(*tracks));
+    }
+    std::optional<BuiltCoded> best;
+    for (const std::size_t length : kSegmentIntervals) {
+      if (best && length >= intervals_) continue;  // one segment, as before
+      BuiltCoded coded = in_segments(stretches, length);
+      if (!best || coded.payload.size() < best->payload.size()) best = std::move(coded);
+    }
+    return best;
+  }
+
+  // In segments of at most `length` intervals; of a clip of one stretch all about as long.
+  BuiltCoded in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const {
+    const std::size_t count = (intervals_ + length - 1) / length;
+    const std::size_t each = stretches.size() > 1 ? length : (intervals_ + count - 1) / count;
+    Packer packer(moving_, constant_, rig_.size());
+    for (std::size_t first = 0; first < intervals_; first += each) {
+      const std::vector<CodedTrack>& tracks = stretches[first / kStretch];
+      std::vector<CodedTrack> parts;
+      for (const CodedTrack& track : tracks)
+        parts.push_back(part_of(track, first % kStretch, std::min(each, intervals_ - first) + 1));
+      packer.add(parts);
+    }
+    return packer.finish(grid_, each);
+  }
 
   const BuiltClip& clip_;
   const Rig& rig_;
@@ -156,147 +248,6 @@ class Compressor {
   std::vector<ConstantTrack> constant_;
   std::vector<Transform> still_;  // a joint: the rest pose with the constants
 };
-
-void set_to(TrackPath path, const format::Constant& numbers, const Transform& rest, Transform& to) {
-  if (path == TrackPath::rotation) to.rotation = decode_rotation(numbers);
-  if (path == TrackPath::translation) to.translation = rest.translation + decode_offset(numbers);
-  if (path == TrackPath::scale) to.scale = rest.scale + decode_offset(numbers);
-}
-
-// Whether a sub-track never leaves `at` by more than that.
-bool Compressor::stays(std::size_t joint, TrackPath path, const Transform& at, double most) const {
-  const auto is_near = [&](const Transform& t) {
-    if (path == TrackPath::translation) return glm::length(t.translation - at.translation) <= most;
-    if (path == TrackPath::scale) return glm::length(t.scale - at.scale) <= most;
-    const glm::dquat turned = glm::conjugate(at.rotation) * t.rotation;
-    return 2 * glm::length(glm::dvec3(turned.x, turned.y, turned.z)) <= most;
-  };
-  if (!std::all_of(source_[joint].begin(), source_[joint].end(), is_near)) return false;
-  // Between two moments a track that jumps may be anywhere.
-  const Track& track = *curves_.track(joint, path);
-  const float* const times = clip_.times_s.data() + track.first_time;
-  return !jumps(clip_, track) || std::all_of(times, times + track.key_count, [&](float time_s) {
-    return is_near(curves_.at(joint, static_cast<double>(time_s)));
-  });
-}
-
-// Between the extremes; of rotations, which are only asked for where they hardly differ, the mean.
-Transform Compressor::middle(std::size_t joint) const {
-  const std::vector<Transform>& source = source_[joint];
-  Transform low = source[0], high = source[0];
-  glm::dquat sum(0, 0, 0, 0);
-  for (const Transform& t : source) {
-    low.translation = glm::min(low.translation, t.translation);
-    high.translation = glm::max(high.translation, t.translation);
-    low.scale = glm::min(low.scale, t.scale);
-    high.scale = glm::max(high.scale, t.scale);
-    sum += glm::dot(sum, t.rotation) < 0 ? -t.rotation : t.rotation;
-  }
-  return {0.5 * (low.translation + high.translation), glm::normalize(sum), 0.5 * (low.scale + high.scale)};
-}
-
-// The smallest numbers near which a sub-track stays: they take fewest bits in packed files, and what differs a little
-// from clip to clip often gets the same.
-std::optional<format::Constant> Compressor::constant_of(std::size_t joint, TrackPath path, double most_off) const {
-  constexpr int kFewest = 15;  // of ever twice as many
-  const Transform &rest = rig_.rest[joint], wanted = middle(joint);
-  if (!stays(joint, path, wanted, most_off)) return std::nullopt;  // as of all that moves
-  for (int most = kFewest; most <= kMostConstant; most = 2 * most + 1) {
-    const format::Constant numbers = path == TrackPath::rotation ? code_rotation(wanted.rotation, most)
-                                     : path == TrackPath::translation
-                                         ? code_offset(wanted.translation - rest.translation, most)
-                                         : code_offset(wanted.scale - rest.scale, most);
-    Transform at = wanted;
-    set_to(path, numbers, rest, at);
-    if (stays(joint, path, at, most_off)) return numbers;
-  }
-  return std::nullopt;
-}
-
-// What rests, what is constant and what moves; in the order in which tracks are stored. What leaves a place by less
-// than a small share of the promise stays there: exporters write every track, and most of them are rounding.
-void Compressor::sort_tracks(const Promise& promise) {
-  still_ = rig_.rest;
-  const std::vector<double> least = rig_.least_below(promise.error);
-  for (std::size_t group = 0; group < rig_.size(); group += 4)
-    for (const TrackPath path : {TrackPath::rotation, TrackPath::translation, TrackPath::scale})
-      for (std::size_t j = group; j < std::min(group + 4, rig_.size()); ++j) {
-        const Track* const track = curves_.track(j, path);
-        if (track == nullptr) continue;
-        const double most_off = kStillShare * least[j] /
-                                (path == TrackPath::translation ? rig_.scale_above[j] : reach_below(j, rig_, promise));
-        if (stays(j, path, rig_.rest[j], most_off)) continue;
-        if (const std::optional<format::Constant> numbers = constant_of(j, path, most_off))
-          constant_.push_back({{j, path}, *numbers});
-        else
-          (jumps(clip_, *track) ? exact_ : moving_).push_back({j, path});
-      }
-  for (const ConstantTrack& c : constant_) set_to(c.id.path, c.numbers, rig_.rest[c.id.joint], still_[c.id.joint]);
-}
-
-double worst_share(const ClipError& error, const Promise& promise) {
-  return std::max(error.share, promise.of_vertices ? error.vertex_share : 0.0);
-}
-
-// Stretch by stretch; then in the segments that take least.
-std::optional<BuiltCoded> Compressor::code(const Promise& promise) const {
-  std::vector<std::vector<CodedTrack>> stretches;
-  for (std::size_t first = 0; first < intervals_; first += kStretch) {
-    const std::size_t count = std::min(kStretch, intervals_ - first);
-    std::vector<std::span<const Transform>> source;
-    for (const std::vector<Transform>& joint : source_)
-      source.push_back(std::span(joint).subspan(first * kMoments, count * kMoments + 1));
-    StepSearch search(rig_, promise, moving_, exact_, still_, std::move(source));
-    if (!search.search(effort_)) return std::nullopt;
-    stretches.push_back(search.tracks());
-  }
-  std::optional<BuiltCoded> best;
-  for (const std::size_t length : kSegmentIntervals) {
-    if (best && length >= intervals_) continue;  // one segment, as before
-    BuiltCoded coded = in_segments(stretches, length);
-    if (!best || coded.payload.size() < best->payload.size()) best = std::move(coded);
-  }
-  return best;
-}
-
-// In segments of at most `length` intervals; of a clip of one stretch all about as long.
-BuiltCoded Compressor::in_segments(const std::vector<std::vector<CodedTrack>>& stretches, std::size_t length) const {
-  const std::size_t count = (intervals_ + length - 1) / length;
-  const std::size_t each = stretches.size() > 1 ? length : (intervals_ + count - 1) / count;
-  Packer packer(moving_, constant_, rig_.size());
-  for (std::size_t first = 0; first < intervals_; first += each) {
-    const std::vector<CodedTrack>& tracks = stretches[first / kStretch];
-    std::vector<CodedTrack> parts;
-    for (const CodedTrack& track : tracks)
-      parts.push_back(part_of(track, first % kStretch, std::min(each, intervals_ - first) + 1));
-    packer.add(parts);
-  }
-  return packer.finish(grid_, each);
-}
-
-std::optional<BuiltClip> Compressor::compress(const Promise& promise, double share) const {
-  BuiltClip out = keep_raw(clip_, exact_);
-  if (!moving_.empty() || !constant_.empty()) {
-    Promise stricter = promise;
-    for (double& error : stricter.error) error *= share;
-    std::optional<BuiltCoded> coded = code(stricter);
-    if (!coded) return std::nullopt;  // a finer grid may help
-    out.coded = std::move(*coded);
-  }
-  out.error = measure_.measure(out, measured_s_, promise);
-  return out;
-}
-
-BuiltClip Compressor::keep_keys(const Promise& promise) const {
-  constexpr int kMostHalvings = 16;
-  double share = 1;
-  for (int i = 0; i < kMostHalvings; ++i, share /= 2) {
-    BuiltClip out = with_rounded_keys(clip_, rig_, promise, share);
-    out.error = measure_.measure(out, measured_s_, promise);
-    if (worst_share(out.error, promise) <= 1) return out;
-  }
-  return clip_;
-}
 
 std::size_t bytes_of(const BuiltClip& clip) {
   return clip.tracks.size() * sizeof(Track) + 4 * (clip.times_s.size() + clip.values.size()) +
@@ -349,6 +300,43 @@ std::string why_it_strays(const Strayed& strayed) {
 
 }  // namespace
 
+float rounded_within(double slack, float value) {
+  constexpr int kFinest = -100, kCoarsest = 80;
+  int exponent = 0;
+  std::frexp(2 * slack, &exponent);  // the power of two is at most that much
+  if (!(slack > 0) || exponent < kFinest) return value;
+  const double step = std::ldexp(0.5, std::min(exponent, kCoarsest));
+  const double steps = std::round(static_cast<double>(value) / step);
+  return static_cast<float>(steps * step) + 0.0f;  // no -0
+}
+
+// Twice the largest of t³ − 2 t² + t, as both ends have one.
+double tangent_lever(std::span<const float> times_s) {
+  double longest_s = 0;
+  for (std::size_t k = 1; k < times_s.size(); ++k)
+    longest_s = std::max(longest_s, static_cast<double>(times_s[k]) - static_cast<double>(times_s[k - 1]));
+  return longest_s * 8 / 27;
+}
+
+BuiltClip with_rounded_keys(const BuiltClip& clip, const Rig& rig, const Promise& promise, double share) {
+  BuiltClip out = clip;
+  const std::vector<double> least = rig.least_below(promise.error);
+  for (const Track& track : clip.tracks) {
+    const bool is_spline = track.interpolation == Interpolation::cubic_spline;
+    if (track.path == TrackPath::rotation && !is_spline) continue;
+    const double slack = share * slack_of(track, rig, promise, least[track.joint]);
+    const double lever = tangent_lever({clip.times_s.data() + track.first_time, track.key_count});
+    const std::uint32_t width = track.path == TrackPath::rotation ? 4 : 3;
+    const std::uint32_t count = track.key_count * format::floats_per_key(track.path, track.interpolation);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      float& value = out.values[track.first_value + i];
+      const bool is_tangent = is_spline && i / width % 3 != 1;
+      value = rounded_within(is_tangent && lever > 0 ? slack / lever : slack, value);
+    }
+  }
+  return out;
+}
+
 void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& rig, const Promise& promise,
                    const Hung& hung, Effort effort, const BuiltClip& channels) {
   if (clip.tracks.empty()) return;
@@ -374,5 +362,4 @@ void compress_clip(BuiltClip& clip, const BuiltSkeleton& skeleton, const Rig& ri
   if (compressor) clip = compressor->keep_keys(promise);
   clip.raw_because = std::move(why);
 }
-
 }  // namespace marrow::cook

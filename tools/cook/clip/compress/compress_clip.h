@@ -10,15 +10,16 @@
 
 namespace marrow::cook {
 
-// The nearest whole number of the largest power of two that keeps it within the slack; itself where there is none.
+// The nearest multiple of the largest power of two that keeps it within the slack; the value itself where there is
+// none.
 float rounded_within(double slack, float value);
 
-// What a tangent of such keys adds to a value at most, for each unit that it is off.
+// By how much a value is off at most, for each unit that a tangent of such keys is off.
 double tangent_lever(std::span<const float> times_s);
 
-// The tracks' values as whole numbers of a power of two each, near which a track alone strays by about `share` of the
-// promise; tangents of another, by the longest time between two keys. Rotations of LINEAR and STEP tracks stay as they
-// are, since they must be unit quaternions.
+// Rounds each track's values to multiples of a power of two, so coarse that the track alone strays by about `share` of
+// the promise. Tangents have a power of their own, by the longest time between two keys. Rotations of LINEAR and STEP
+// tracks stay as they are, since they must be unit quaternions.
 BuiltClip with_rounded_keys(const BuiltClip& clip, const Rig& rig, const Promise& promise, double share);
 
 // Replaces the tracks of `clip` by coded ones where that keeps the promise and saves bytes; STEP tracks stay as they

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <set>
 
 #include <glm/geometric.hpp>
 
@@ -15,6 +16,99 @@ constexpr int kFactors = 4096;  // that are tried
 // Halves away from 0. In lround's place, which no compiler inlines: it is asked for millions.
 std::int16_t rounded(double x) {
   return static_cast<std::int16_t>(x + std::copysign(0.5, x));
+}
+
+constexpr double kGridSlack = 1e-3;      // of a frame
+constexpr double kMostRounding = 0.125;  // of a frame
+constexpr std::size_t kMostIntervals = 20000;
+constexpr double kMostRefined = 8;      // frames between two keys of the shortest distance
+constexpr std::size_t kMostEmpty = 2;   // even steps for a key
+constexpr float kLeastFrame_s = 1e-4f;  // seconds between uneven frames
+
+// Without those that are others but for rounding.
+std::vector<float> distinct(const std::set<float>& times) {
+  std::vector<float> out = {*times.begin()};
+  for (const float t : times) {
+    if (t - out.back() >= kLeastFrame_s) out.push_back(t);
+  }
+  if (out.size() > 1) out.back() = *times.rbegin();
+  return out;
+}
+
+// The coarsest steps that every key falls on but for rounding, no two keys on one; nullopt if there are none.
+std::optional<Grid> find_grid(const std::set<float>& times) {
+  const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
+  const double rounding = rounding_at(*times.rbegin());
+  double least = length;
+  for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
+    if (const double gap = static_cast<double>(*b) - static_cast<double>(*a); gap > rounding)
+      least = std::min(least, gap);
+  const double fewest = std::max(1.0, std::ceil(length / (least + rounding)));
+  const auto on_grid = [&](double intervals) {
+    const double slack = std::max(kGridSlack, std::min(kMostRounding, rounding / length * intervals));
+    double last_s = -1, last = -1;
+    return std::all_of(times.begin(), times.end(), [&](float t) {
+      const double time_s = static_cast<double>(t), at = (time_s - start) / length * intervals, near = std::round(at);
+      const bool is_next = near > last || time_s - last_s <= rounding;
+      last_s = time_s, last = near;
+      return is_next && std::fabs(at - near) <= slack;
+    });
+  };
+  const double most = std::min(kMostRefined * std::round(length / least), static_cast<double>(kMostIntervals));
+  for (double n = fewest; n <= most; ++n)
+    if (on_grid(n)) return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(n), {}};
+  return std::nullopt;
+}
+
+bool has_cubic(const BuiltClip& clip) {
+  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
+                     [](const Track& t) { return t.interpolation == Interpolation::cubic_spline; });
+}
+
+// Least significant bit first.
+class BitWriter {
+ public:
+  explicit BitWriter(std::vector<std::byte>& to) : to_(to) {}
+  void put(std::uint32_t value, std::uint32_t bits) {
+    for (std::uint32_t i = 0; i < bits; ++i, ++used_) {
+      if (used_ % 8 == 0) to_.push_back(std::byte{0});
+      if ((value >> i & 1u) != 0) to_.back() |= std::byte{1} << (used_ % 8);
+    }
+  }
+
+ private:
+  std::vector<std::byte>& to_;
+  std::size_t used_ = 0;
+};
+
+template <class T>
+void append(std::vector<std::byte>& to, const T& value) {
+  const auto* first = reinterpret_cast<const std::byte*>(&value);
+  to.insert(to.end(), first, first + sizeof value);
+}
+
+format::TrackHeader header_of(const CodedTrack& track) {
+  format::TrackHeader h{};
+  h.codes[0] = static_cast<std::uint8_t>(track.shift | track.width_codes[0] << 4);
+  h.codes[1] = static_cast<std::uint8_t>(track.width_codes[1] | track.width_codes[2] << 4);
+  h.step = static_cast<std::uint8_t>(track.step_code);
+  for (std::size_t c = 0; c < 3; ++c) h.least[c] = static_cast<std::int16_t>(track.least[c]);
+  return h;
+}
+
+std::uint16_t mask_of(const TrackId& id) {
+  const int first = id.path == TrackPath::rotation ? 0 : id.path == TrackPath::translation ? 4 : 8;
+  return static_cast<std::uint16_t>(1 << (first + static_cast<int>(id.joint % 4)));
+}
+
+// The times of the keys that are to be coded.
+std::set<float> key_times(const BuiltClip& clip) {
+  std::set<float> times;
+  for (const Track& track : clip.tracks) {
+    const auto first = clip.times_s.begin() + track.first_time;
+    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
+  }
+  return times;
 }
 
 }  // namespace
@@ -57,66 +151,6 @@ glm::dvec3 decode_offset(const format::Constant& c) {
          glm::dvec3(c.v[0], c.v[1], c.v[2]);
 }
 
-namespace {
-
-constexpr double kGridSlack = 1e-3;      // of a frame
-constexpr double kMostRounding = 0.125;  // of a frame
-constexpr std::size_t kMostIntervals = 20000;
-constexpr double kMostRefined = 8;     // frames between two keys of the shortest distance
-constexpr std::size_t kMostEmpty = 2;  // even steps for a key
-constexpr float kLeastStep = 1e-4f;    // seconds between uneven frames
-
-// Without those that are others but for rounding.
-std::vector<float> distinct(const std::set<float>& times) {
-  std::vector<float> out = {*times.begin()};
-  for (const float t : times) {
-    if (t - out.back() >= kLeastStep) out.push_back(t);
-  }
-  if (out.size() > 1) out.back() = *times.rbegin();
-  return out;
-}
-
-// The coarsest steps that every key falls on but for rounding, no two keys on one; nullopt if there are none.
-std::optional<Grid> find_grid(const std::set<float>& times) {
-  const double start = static_cast<double>(*times.begin()), length = static_cast<double>(*times.rbegin()) - start;
-  const double rounding = rounding_at(*times.rbegin());
-  double least = length;
-  for (auto a = times.begin(), b = std::next(a); b != times.end(); ++a, ++b)
-    if (const double gap = static_cast<double>(*b) - static_cast<double>(*a); gap > rounding)
-      least = std::min(least, gap);
-  const double fewest = std::max(1.0, std::ceil(length / (least + rounding)));
-  const auto on_grid = [&](double intervals) {
-    const double slack = std::max(kGridSlack, std::min(kMostRounding, rounding / length * intervals));
-    double last_s = -1, last = -1;
-    return std::all_of(times.begin(), times.end(), [&](float t) {
-      const double time_s = static_cast<double>(t), at = (time_s - start) / length * intervals, near = std::round(at);
-      const bool is_next = near > last || time_s - last_s <= rounding;
-      last_s = time_s, last = near;
-      return is_next && std::fabs(at - near) <= slack;
-    });
-  };
-  const double most = std::min(kMostRefined * std::round(length / least), static_cast<double>(kMostIntervals));
-  for (double n = fewest; n <= most; ++n)
-    if (on_grid(n)) return Grid{*times.begin(), *times.rbegin(), static_cast<std::size_t>(n), {}};
-  return std::nullopt;
-}
-
-bool has_cubic(const BuiltClip& clip) {
-  return std::any_of(clip.tracks.begin(), clip.tracks.end(),
-                     [](const Track& t) { return t.interpolation == Interpolation::cubic_spline; });
-}
-
-}  // namespace
-
-std::set<float> key_times(const BuiltClip& clip) {
-  std::set<float> times;
-  for (const Track& track : clip.tracks) {
-    const auto first = clip.times_s.begin() + track.first_time;
-    if (!jumps(clip, track)) times.insert(first, first + track.key_count);
-  }
-  return times;
-}
-
 double Grid::exact_time_of(std::size_t moment) const {
   if (times_s.empty()) {
     const double start = static_cast<double>(start_s), length = static_cast<double>(end_s) - start;
@@ -147,46 +181,6 @@ std::vector<Grid> grids(const BuiltClip& clip) {
       out.push_back({*times.begin(), *times.rbegin(), static_cast<std::size_t>(coarsest * finer), {}});
   return out;
 }
-
-namespace {
-
-// Least significant bit first.
-class BitWriter {
- public:
-  explicit BitWriter(std::vector<std::byte>& to) : to_(to) {}
-  void put(std::uint32_t value, std::uint32_t bits) {
-    for (std::uint32_t i = 0; i < bits; ++i, ++used_) {
-      if (used_ % 8 == 0) to_.push_back(std::byte{0});
-      if ((value >> i & 1u) != 0) to_.back() |= std::byte{1} << (used_ % 8);
-    }
-  }
-
- private:
-  std::vector<std::byte>& to_;
-  std::size_t used_ = 0;
-};
-
-template <class T>
-void append(std::vector<std::byte>& to, const T& value) {
-  const auto* first = reinterpret_cast<const std::byte*>(&value);
-  to.insert(to.end(), first, first + sizeof value);
-}
-
-format::TrackHeader header_of(const CodedTrack& track) {
-  format::TrackHeader h{};
-  h.codes[0] = static_cast<std::uint8_t>(track.shift | track.width_codes[0] << 4);
-  h.codes[1] = static_cast<std::uint8_t>(track.width_codes[1] | track.width_codes[2] << 4);
-  h.step = static_cast<std::uint8_t>(track.step_code);
-  for (std::size_t c = 0; c < 3; ++c) h.least[c] = static_cast<std::int16_t>(track.least[c]);
-  return h;
-}
-
-std::uint16_t mask_of(const TrackId& id) {
-  const int first = id.path == TrackPath::rotation ? 0 : id.path == TrackPath::translation ? 4 : 8;
-  return static_cast<std::uint16_t>(1 << (first + static_cast<int>(id.joint % 4)));
-}
-
-}  // namespace
 
 Packer::Packer(const std::vector<TrackId>& moving, const std::vector<ConstantTrack>& constant,
                std::size_t joint_count) {
@@ -229,5 +223,4 @@ BuiltCoded Packer::finish(const Grid& grid, std::size_t segment_intervals) {
   out_.header.payload_bytes = static_cast<std::uint32_t>(out_.payload.size());
   return std::move(out_);
 }
-
 }  // namespace marrow::cook

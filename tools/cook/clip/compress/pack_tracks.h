@@ -1,7 +1,6 @@
 // When frames are, what does not move, and how both and the coded tracks become the bytes of docs/format.md.
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "asset/format.h"
@@ -11,6 +10,7 @@
 
 namespace marrow::cook {
 
+// A sub-track that does not move: the numbers that stand for it once a clip.
 struct ConstantTrack {
   TrackId id;
   format::Constant numbers;
@@ -18,16 +18,17 @@ struct ConstantTrack {
 
 constexpr int kMostConstant = 32767;
 
-// The numbers up to `most` closest to a rotation among many factors of its quaternion: with kMostConstant off by a few
-// 1e-6 rad.
+// A rotation as integers up to `most`: of many multiples of its quaternion the one that rounds best. With kMostConstant
+// it is off by a few 1e-6 rad.
 format::Constant code_rotation(const glm::dquat& q, int most);
 glm::dquat decode_rotation(const format::Constant& constant);
 
-// The numbers up to `most` closest to a difference from the rest pose: off by half a step of 4/3 of its largest
-// component / most, at most.
+// A difference from the rest pose as integers up to `most` and a step, which is at most 4/3 of the largest component /
+// most. It is off by at most half a step.
 format::Constant code_offset(const glm::dvec3& offset, int most);
 glm::dvec3 decode_offset(const format::Constant& constant);
 
+// When the frames of a coded clip are.
 struct Grid {
   float start_s, end_s;
   std::size_t intervals;
@@ -37,14 +38,11 @@ struct Grid {
   double exact_time_of(std::size_t moment) const;
 };
 
-// The times of the keys that are to be coded.
-std::set<float> key_times(const BuiltClip& clip);
-
-// Grids worth trying: of LINEAR tracks the keys' own, on even steps but for the rounding of their times, then where
-// they are, which loses nothing; of curves even steps that come close enough, coarse to fine. None if nothing is to be
-// coded.
+// Grids worth trying, in this order. Of LINEAR tracks: even steps on which all keys fall but for rounding, then the
+// keys' own times, which loses nothing. Of curves: even steps, coarse to fine. Empty if there is nothing to code.
 std::vector<Grid> grids(const BuiltClip& clip);
 
+// Coded tracks → the bytes of docs/format.md.
 class Packer {
  public:
   // Both in the order in which they are stored: by groups of four joints, in each rotations, translations, scales.

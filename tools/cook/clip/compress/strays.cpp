@@ -29,8 +29,7 @@ Strays::Strays(const Rig& rig, const Promise& promise, const std::vector<std::sp
     const int up = rig.parents[j];
     source_[j].reserve(moments);
     for (std::size_t e = 0; e < moments; ++e)
-      source_[j].push_back(
-          rig.place(j, up == kNone ? nullptr : &source_[static_cast<std::size_t>(up)][e], source[j][e]));
+      source_[j].push_back(rig.place(j, up == kNone ? nullptr : &source_[to_index(up)][e], source[j][e]));
     for (std::size_t frame = 0; frame < frame_count_; ++frame) {
       alignas(16) float shares[3][4];
       for (std::size_t lane = 0; lane < kMoments; ++lane)
@@ -78,7 +77,7 @@ void Strays::take_local(std::size_t joint, std::size_t frame, const Transform* d
   for (std::size_t lane = 0; lane < kMoments; ++lane) {
     const std::size_t e = moment_of(frame, lane);
     const World map = to_world(decoded[e - frame * kMoments]);
-    const World& above = up == kNone ? rig_.above[joint] : source_[static_cast<std::size_t>(up)][e];
+    const World& above = up == kNone ? rig_.above[joint] : source_[to_index(up)][e];
     const World &there = source_[joint][e], here = above * map;
     local.set(lane, map);
     own.set(lane, {(here.linear - there.linear) * inverse, (here.origin - there.origin) * inverse});
@@ -114,7 +113,7 @@ f32x4 Strays::move(std::size_t joint, std::size_t frame, const Poses& own, const
   const std::size_t i = at(frame, joint);
   FourMaps stray = own.own[i];
   if (rig_.parents[joint] != kNone) {
-    const FourMaps& up = above.placed[at(frame, static_cast<std::size_t>(rig_.parents[joint]))].stray;
+    const FourMaps& up = above.placed[at(frame, to_index(rig_.parents[joint]))].stray;
     const FourMaps& local = own.local[i];
     const Linear<f32x4> turned = up.linear * local.linear;
     stray.linear = {stray.linear.x + turned.x, stray.linear.y + turned.y, stray.linear.z + turned.z};

@@ -1,4 +1,4 @@
-// How far decoded joints stand from where the source has them: four moments at once, in single precision.
+// The errors of decoded joints while steps are searched for.
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@ namespace marrow::cook {
 // Moments between two frames at which the error is watched: the frame itself, the quarters and the middle.
 inline constexpr std::size_t kMoments = 4;
 
-// Holds differences of maps, not maps, and in units of the strictest promise: so floats lose nothing that counts.
+// How far decoded joints stand from where the source has them: four moments at once, in single precision. Holds
+// differences of maps in units of the strictest promise, not maps, so that floats lose nothing that counts.
 // With s the source's maps and d the decoded ones, below a parent p:
 //   d − s = (dₚ − sₚ) · local + (sₚ · local − s)
 // where the last bracket hangs on the joint's own tracks alone.
@@ -32,8 +33,8 @@ class Strays {
   // to `energy` how much the sum of (error / promise)⁸ changes of it and all that is below it. False: one of them
   // strays beyond its promise.
   bool attempt(std::size_t joint, std::size_t frame, const Transform* decoded, double& energy);
-  // The largest (error / promise)² at decoded moments of one frame, or at the frame itself alone; of what is above
-  // `most`, anything above it.
+  // The largest (error / promise)² at decoded moments of one frame, or at the frame itself alone. May stop early with
+  // any number above `most`.
   float worst(std::size_t joint, std::size_t frame, const Transform* decoded, bool only_first, float most);
   // rig.subtree() of a joint, which is kept.
   const std::vector<std::size_t>& subtree(std::size_t joint);

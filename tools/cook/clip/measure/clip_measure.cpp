@@ -16,19 +16,6 @@
 #include "marrow/skin.h"
 
 namespace marrow::cook {
-
-ChannelValues::ChannelValues(const BuiltClip& clip)
-    : names_(clip.channel_names), clip_(view(clip, Skeleton{})), values_(clip.channel_names.size()) {}
-
-void ChannelValues::go_to(float time_s) {
-  if (!values_.empty()) tools::check(sample_channels(clip_, time_s, values_));
-}
-
-int ChannelValues::find(const std::string& name) const {
-  const auto found = std::ranges::find(names_, name);
-  return found == names_.end() ? kNone : static_cast<int>(found - names_.begin());
-}
-
 namespace {
 
 // The points that are farthest along each axis and against it.
@@ -150,116 +137,108 @@ bool has(const HungMesh& hung, int deformer) {
          (deformer == kPsd && !g.pose_space.examples.empty() && hung.skin.empty() && hung.targets.empty());
 }
 
-}  // namespace
+struct VertexError {
+  double error_m = 0;
+  double share = 0;  // of what is promised for the vertex
+};
 
-Hung hang(const std::vector<Mesh>& meshes, const std::vector<MorphedMesh>& morphed, const Rig& rig, Promise& promise) {
-  Hung out;
-  std::vector<Farthest> farthest(rig.size());
-  for (const Mesh& mesh : meshes) {
-    out.meshes.push_back(hung_mesh(mesh, promise));
-    if (mesh.geometry.targets.empty()) continue;
-    std::vector<float> skin = farthest_skin(mesh.geometry);
-    Mesh moved = mesh;
-    moved.geometry.skin = skin.data();
-    out.meshes.push_back(hung_mesh(moved, promise));
-    out.meshes.back().skin = std::move(skin);
-  }
-  for (const MorphedMesh& one : morphed) {
-    out.meshes.push_back(hung_mesh(one.mesh, promise));
-    out.meshes.back().targets = one.targets;
-  }
-  out.is_weighed = !morphed.empty();
-  for (const HungMesh& hung : out.meshes) {
-    add_points(hung.mesh, farthest);
-    for (int deformer = kSsd; deformer < kDeformings; ++deformer)
-      if (has(hung, deformer)) out.slots += hung.mesh.geometry.slot_count;
-  }
-  for (std::size_t j = 0; j < rig.size(); ++j)
-    for (const glm::dvec4& point : farthest[j].distinct()) promise.watch(j, point, rig);
-  return out;
-}
-
-void hang(std::size_t joint, const glm::dvec3& place, const Rig& rig, Promise& promise) {
-  promise.watch(joint, {place, 1}, rig);
-}
-
-VertexErrors::VertexErrors(const Hung& hung, const BuiltClip& channels)
-    : hung_(hung), values_(channels), weighed_(hung.meshes.size()) {
-  std::size_t slots = 0;
-  for (std::size_t m = 0; m < hung.meshes.size(); ++m) {
-    const HungMesh& of = hung.meshes[m];
-    slots = std::max<std::size_t>(slots, of.mesh.geometry.slot_count);
-    if (of.targets.empty()) continue;
-    Weighed& weighed = weighed_[m];
-    weighed.memory = tools::AlignedBytes(morphed_bytes(of.mesh.geometry));
-    tools::check(make_morphed(of.mesh.geometry, {weighed.memory.data(), weighed.memory.size()}, weighed.morphed));
-    for (const MorphedMesh::Target& target : of.targets) weighed.channels.push_back(values_.find(target.channel));
-    weighed.weights.resize(of.targets.size());
-    weighed.coordinates.resize(of.coordinates.size());
-  }
-  here_.resize(3 * slots);
-  there_.resize(3 * slots);
-}
-
-// False: it is as without targets.
-bool VertexErrors::weigh(const HungMesh& hung, Weighed& to) {
-  bool moves = false;
-  for (std::size_t t = 0; t < to.weights.size(); ++t) {
-    to.weights[t] = static_cast<float>(values_.value(to.channels[t], hung.targets[t].rest));
-    moves = moves || to.weights[t] != 0;
-  }
-  if (!moves) return false;
-  tools::check(morph(to.weights, to.morphed));
-  if (!to.coordinates.empty()) tools::check(as_coordinates(to.morphed.geometry, to.coordinates));
-  return true;
-}
-
-void VertexErrors::skin(const Mesh& mesh, const std::vector<float>& coordinates, const std::vector<World>& pose,
-                        int deformer, std::vector<float>& out) {
-  joints_.clear();
-  for (const World& w : pose) joints_.push_back(to_affine(w));
-  palette_.resize(mesh.palette_size());
-  tools::check(build_palette(mesh, joints_, palette_));
-  const SkinOutput to{{out.data(), std::size_t{3} * mesh.geometry.slot_count}};
-  if (deformer == kSsd) return tools::check(skin_ssd(mesh, palette_, to));
-  if (deformer == kAs) return tools::check(skin_as(mesh, coordinates, palette_, to));
-  if (deformer == kMwe) return tools::check(skin_mwe(mesh, palette_, to));
-  distances_.resize(psd_distance_count(mesh.geometry));
-  tools::check(psd_distances(mesh.geometry, palette_, distances_));
-  tools::check(skin_psd(mesh, distances_, palette_, to));
-}
-
-VertexError VertexErrors::at(const std::vector<World>& source, const std::vector<World>& other, float time_s) {
-  VertexError out;
-  values_.go_to(time_s);
-  for (std::size_t m = 0; m < hung_.meshes.size(); ++m) {
-    const HungMesh& hung = hung_.meshes[m];
-    const bool is_weighed = !hung.targets.empty();
-    if (is_weighed && !weigh(hung, weighed_[m])) continue;
-    Mesh mesh = hung.mesh;
-    if (is_weighed) mesh.geometry = weighed_[m].morphed.geometry;
-    const std::vector<float>& coordinates = is_weighed ? weighed_[m].coordinates : hung.coordinates;
-    for (int deformer = kSsd; deformer < kDeformings; ++deformer) {
-      if (!has(hung, deformer)) continue;
-      skin(mesh, coordinates, source, deformer, here_);
-      skin(mesh, coordinates, other, deformer, there_);
-      double largest = 0, share = 0;
-      const float *here = here_.data(), *there = there_.data();
-      for (const double strictness : hung.strictness) {
-        double sum = 0;
-        for (int c = 0; c < 3; ++c) sum += square(static_cast<double>(*here++ - *there++));
-        if (strictness == 0) continue;
-        largest = std::max(largest, sum);
-        share = std::max(share, sum * strictness);
-      }
-      out.error_m = std::max(out.error_m, std::sqrt(largest));
-      out.share = std::max(out.share, std::sqrt(share));
+// The largest distance between the same vertices in two poses, by the runtime's own skinning: linear blend skinning,
+// and whatever other deformer a mesh has data for.
+class VertexErrors {
+ public:
+  // channels: of the clip, by which morph targets are weighed. Both outlive this.
+  VertexErrors(const Hung& hung, const BuiltClip& channels)
+      : hung_(hung), values_(channels), weighed_(hung.meshes.size()) {
+    std::size_t slots = 0;
+    for (std::size_t m = 0; m < hung.meshes.size(); ++m) {
+      const HungMesh& of = hung.meshes[m];
+      slots = std::max<std::size_t>(slots, of.mesh.geometry.slot_count);
+      if (of.targets.empty()) continue;
+      Weighed& weighed = weighed_[m];
+      weighed.memory = tools::AlignedBytes(morphed_bytes(of.mesh.geometry));
+      tools::check(make_morphed(of.mesh.geometry, {weighed.memory.data(), weighed.memory.size()}, weighed.morphed));
+      for (const MorphedMesh::Target& target : of.targets) weighed.channels.push_back(values_.find(target.channel));
+      weighed.weights.resize(of.targets.size());
+      weighed.coordinates.resize(of.coordinates.size());
     }
+    here_.resize(3 * slots);
+    there_.resize(3 * slots);
   }
-  return out;
-}
 
-namespace {
+  // At a moment of the clip.
+  VertexError at(const std::vector<World>& source, const std::vector<World>& other, float time_s) {
+    VertexError out;
+    values_.go_to(time_s);
+    for (std::size_t m = 0; m < hung_.meshes.size(); ++m) {
+      const HungMesh& hung = hung_.meshes[m];
+      const bool is_weighed = !hung.targets.empty();
+      if (is_weighed && !weigh(hung, weighed_[m])) continue;
+      Mesh mesh = hung.mesh;
+      if (is_weighed) mesh.geometry = weighed_[m].morphed.geometry;
+      const std::vector<float>& coordinates = is_weighed ? weighed_[m].coordinates : hung.coordinates;
+      for (int deformer = kSsd; deformer < kDeformings; ++deformer) {
+        if (!has(hung, deformer)) continue;
+        skin(mesh, coordinates, source, deformer, here_);
+        skin(mesh, coordinates, other, deformer, there_);
+        double largest = 0, share = 0;
+        const float *here = here_.data(), *there = there_.data();
+        for (const double strictness : hung.strictness) {
+          double sum = 0;
+          for (int c = 0; c < 3; ++c) sum += square(static_cast<double>(*here++ - *there++));
+          if (strictness == 0) continue;
+          largest = std::max(largest, sum);
+          share = std::max(share, sum * strictness);
+        }
+        out.error_m = std::max(out.error_m, std::sqrt(largest));
+        out.share = std::max(out.share, std::sqrt(share));
+      }
+    }
+    return out;
+  }
+
+ private:
+  // A mesh with morph targets, as the clip has it at a moment.
+  struct Weighed {
+    tools::AlignedBytes memory;
+    MorphedGeometry morphed;
+    std::vector<int> channels;  // a target
+    std::vector<float> weights, coordinates;
+  };
+
+  // False: it is as without targets.
+  bool weigh(const HungMesh& hung, Weighed& to) {
+    bool moves = false;
+    for (std::size_t t = 0; t < to.weights.size(); ++t) {
+      to.weights[t] = static_cast<float>(values_.value(to.channels[t], hung.targets[t].rest));
+      moves = moves || to.weights[t] != 0;
+    }
+    if (!moves) return false;
+    tools::check(morph(to.weights, to.morphed));
+    if (!to.coordinates.empty()) tools::check(as_coordinates(to.morphed.geometry, to.coordinates));
+    return true;
+  }
+
+  void skin(const Mesh& mesh, const std::vector<float>& coordinates, const std::vector<World>& pose, int deformer,
+            std::vector<float>& out) {
+    joints_.clear();
+    for (const World& w : pose) joints_.push_back(to_affine(w));
+    palette_.resize(mesh.palette_size());
+    tools::check(build_palette(mesh, joints_, palette_));
+    const SkinOutput to{{out.data(), std::size_t{3} * mesh.geometry.slot_count}};
+    if (deformer == kSsd) return tools::check(skin_ssd(mesh, palette_, to));
+    if (deformer == kAs) return tools::check(skin_as(mesh, coordinates, palette_, to));
+    if (deformer == kMwe) return tools::check(skin_mwe(mesh, palette_, to));
+    distances_.resize(psd_distance_count(mesh.geometry));
+    tools::check(psd_distances(mesh.geometry, palette_, distances_));
+    tools::check(skin_psd(mesh, distances_, palette_, to));
+  }
+
+  const Hung& hung_;
+  ChannelValues values_;
+  std::vector<Weighed> weighed_;  // a mesh
+  std::vector<Affine> joints_, palette_;
+  std::vector<float> here_, there_, distances_;
+};
 
 constexpr std::size_t kMostSkinned = 15'000'000;  // vertices that one measurement skins, if it need not more
 constexpr double kNearest = 0.1;                  // of what is between two moments
@@ -281,13 +260,54 @@ class Look {
         vertices_(hung, channels) {}
 
   // How far the joints stray at a moment, as a share of the promise.
-  double joints(float at_s);
+  double joints(float at_s) {
+    pose(at_s);
+    BuiltSkeleton posed;
+    posed.rest = local_;
+    posed.parents = skeleton_.parents;
+    const std::vector<Transform> transforms = rest_transforms(posed);
+    double most = 0;
+    for (std::size_t j = 0; j < rig_.size(); ++j) {
+      const bool root = rig_.parents[j] == kNone;
+      const auto up = to_index(rig_.parents[j]);
+      const auto time_s = static_cast<double>(at_s);
+      source_[j] = rig_.place(j, root ? nullptr : &source_[up], curves_.at(j, time_s));
+      decoded_[j] = rig_.place(j, root ? nullptr : &decoded_[up], transforms[j]);
+      const double error = shell_error(source_[j], decoded_[j], promise_.shell);
+      const double share = error / promise_.error[j];
+      if (!(share <= most)) most = share;
+      if (!(share <= worst_.share)) worst_.share = share;
+      if (error <= worst_.error_m) continue;
+      worst_.error_m = error;
+      worst_.joint = j;
+      worst_.time_s = time_s;
+    }
+    return most;
+  }
+
   // The vertices, in units of the scene, where joints() has looked.
-  double vertices(float at_s);
+  double vertices(float at_s) {
+    const VertexError here = vertices_.at(source_, decoded_, at_s);
+    worst_.vertex_error_m = std::max(worst_.vertex_error_m, here.error_m);
+    worst_.vertex_share = std::max(worst_.vertex_share, here.share);
+    return here.error_m;
+  }
+
   const ClipError& worst() const { return worst_; }
 
  private:
-  void pose(float time_s);
+  // As a game plays it: an additive clip's change is added to the pose that it was taken from.
+  void pose(float time_s) {
+    const Skeleton skeleton = view(skeleton_);
+    tools::check(sample(skeleton, clip_, time_s, local_));
+    if (source_clip_.additive.empty()) return;
+    const std::vector<SoaTransform>& reference =
+        source_clip_.reference.empty() ? skeleton_.rest : source_clip_.reference;
+    std::vector<AdditiveTransform> change(local_.size());
+    tools::check(make_additive(skeleton, local_, reference, change));
+    local_ = reference;
+    tools::check(add(skeleton, {change}, local_));
+  }
 
   const BuiltClip& source_clip_;
   const BuiltSkeleton& skeleton_;
@@ -300,50 +320,6 @@ class Look {
   VertexErrors vertices_;
   ClipError worst_;
 };
-
-// As a game plays it: an additive clip's change is added to the pose that it was taken from.
-void Look::pose(float time_s) {
-  const Skeleton skeleton = view(skeleton_);
-  tools::check(sample(skeleton, clip_, time_s, local_));
-  if (source_clip_.additive.empty()) return;
-  const std::vector<SoaTransform>& reference = source_clip_.reference.empty() ? skeleton_.rest : source_clip_.reference;
-  std::vector<AdditiveTransform> change(local_.size());
-  tools::check(make_additive(skeleton, local_, reference, change));
-  local_ = reference;
-  tools::check(add(skeleton, {change}, local_));
-}
-
-double Look::joints(float at_s) {
-  pose(at_s);
-  BuiltSkeleton posed;
-  posed.rest = local_;
-  posed.parents = skeleton_.parents;
-  const std::vector<Transform> transforms = rest_transforms(posed);
-  double most = 0;
-  for (std::size_t j = 0; j < rig_.size(); ++j) {
-    const bool root = rig_.parents[j] == kNone;
-    const auto up = static_cast<std::size_t>(rig_.parents[j]);
-    const auto time_s = static_cast<double>(at_s);
-    source_[j] = rig_.place(j, root ? nullptr : &source_[up], curves_.at(j, time_s));
-    decoded_[j] = rig_.place(j, root ? nullptr : &decoded_[up], transforms[j]);
-    const double error = shell_error(source_[j], decoded_[j], promise_.shell);
-    const double share = error / promise_.error[j];
-    if (!(share <= most)) most = share;
-    if (!(share <= worst_.share)) worst_.share = share;
-    if (error <= worst_.error_m) continue;
-    worst_.error_m = error;
-    worst_.joint = j;
-    worst_.time_s = time_s;
-  }
-  return most;
-}
-
-double Look::vertices(float at_s) {
-  const VertexError here = vertices_.at(source_, decoded_, at_s);
-  worst_.vertex_error_m = std::max(worst_.vertex_error_m, here.error_m);
-  worst_.vertex_share = std::max(worst_.vertex_share, here.share);
-  return here.error_m;
-}
 
 // Goes from a moment to where `look` gives more, by ever smaller steps. Moments are counted in halves and quarters,
 // too.
@@ -378,6 +354,49 @@ bool jumps_somewhere(const BuiltClip& channels, const Channel& channel) {
 }
 
 }  // namespace
+
+ChannelValues::ChannelValues(const BuiltClip& clip)
+    : names_(clip.channel_names), clip_(view(clip, Skeleton{})), values_(clip.channel_names.size()) {}
+
+void ChannelValues::go_to(float time_s) {
+  if (!values_.empty()) tools::check(sample_channels(clip_, time_s, values_));
+}
+
+int ChannelValues::find(const std::string& name) const {
+  const auto found = std::ranges::find(names_, name);
+  return found == names_.end() ? kNone : static_cast<int>(found - names_.begin());
+}
+
+Hung hang(const std::vector<Mesh>& meshes, const std::vector<MorphedMesh>& morphed, const Rig& rig, Promise& promise) {
+  Hung out;
+  std::vector<Farthest> farthest(rig.size());
+  for (const Mesh& mesh : meshes) {
+    out.meshes.push_back(hung_mesh(mesh, promise));
+    if (mesh.geometry.targets.empty()) continue;
+    std::vector<float> skin = farthest_skin(mesh.geometry);
+    Mesh moved = mesh;
+    moved.geometry.skin = skin.data();
+    out.meshes.push_back(hung_mesh(moved, promise));
+    out.meshes.back().skin = std::move(skin);
+  }
+  for (const MorphedMesh& one : morphed) {
+    out.meshes.push_back(hung_mesh(one.mesh, promise));
+    out.meshes.back().targets = one.targets;
+  }
+  out.is_weighed = !morphed.empty();
+  for (const HungMesh& hung : out.meshes) {
+    add_points(hung.mesh, farthest);
+    for (int deformer = kSsd; deformer < kDeformings; ++deformer)
+      if (has(hung, deformer)) out.slots += hung.mesh.geometry.slot_count;
+  }
+  for (std::size_t j = 0; j < rig.size(); ++j)
+    for (const glm::dvec4& point : farthest[j].distinct()) promise.watch(j, point, rig);
+  return out;
+}
+
+void hang(std::size_t joint, const glm::dvec3& place, const Rig& rig, Promise& promise) {
+  promise.watch(joint, {place, 1}, rig);
+}
 
 ClipMeasure::ClipMeasure(const BuiltClip& clip, const BuiltClip& channels, const BuiltSkeleton& skeleton,
                          const Rig& rig, const Hung& hung)
@@ -429,5 +448,4 @@ ClipError ClipMeasure::measure(const BuiltClip& out, const std::vector<float>& m
   });
   return look.worst();
 }
-
 }  // namespace marrow::cook

@@ -14,7 +14,7 @@
 
 namespace marrow::cook {
 
-// clip: outlives this.
+// A clip's channels by name, at any time. The clip outlives this.
 class ChannelValues {
  public:
   explicit ChannelValues(const BuiltClip& clip);
@@ -31,8 +31,9 @@ class ChannelValues {
   std::vector<float> values_;
 };
 
-// A mesh at one level of detail. With morph targets it is there once more with each vertex where the target that takes
-// it farthest has it, and in full detail as a clip weighs them.
+// What hangs on the joints of a skeleton: a mesh at one level of detail. A mesh with morph targets is there a second
+// time with each vertex where the target that takes it farthest has it, and, in full detail, a third time as a clip
+// weighs the targets.
 struct HungMesh {
   Mesh mesh;
   std::vector<float> coordinates;  // of animation space; empty for a lift, which is where linear blend skinning is
@@ -48,45 +49,12 @@ struct Hung {
 };
 
 // meshes: of one skeleton, every level of detail of each; morphed: those of them with targets. What they point into
-// outlives what is returned. promise: says how far vertices may stray, each the mean of its joints by weight; gets the
-// points and reaches of the joints.
+// outlives what is returned. promise: its errors say how far vertices may stray, each by the weighted mean of its
+// joints; it gets the joints' points and reaches.
 Hung hang(const std::vector<Mesh>& meshes, const std::vector<MorphedMesh>& morphed, const Rig& rig, Promise& promise);
 
 // A kept node's place, in its joint's space.
 void hang(std::size_t joint, const glm::dvec3& place, const Rig& rig, Promise& promise);
-
-struct VertexError {
-  double error_m = 0;
-  double share = 0;  // of what is promised for the vertex
-};
-
-// The largest distance between the same vertices in two poses, by the runtime's own skinning: linear blend skinning,
-// and whatever other deformer a mesh has data for.
-class VertexErrors {
- public:
-  // channels: of the clip, by which morph targets are weighed. Both outlive this.
-  VertexErrors(const Hung& hung, const BuiltClip& channels);
-  // At a moment of the clip.
-  VertexError at(const std::vector<World>& source, const std::vector<World>& other, float time_s);
-
- private:
-  // A mesh with morph targets, as the clip has it at a moment.
-  struct Weighed {
-    tools::AlignedBytes memory;
-    MorphedGeometry morphed;
-    std::vector<int> channels;  // a target
-    std::vector<float> weights, coordinates;
-  };
-  bool weigh(const HungMesh& hung, Weighed& to);
-  void skin(const Mesh& mesh, const std::vector<float>& coordinates, const std::vector<World>& pose, int deformer,
-            std::vector<float>& out);
-
-  const Hung& hung_;
-  ChannelValues values_;
-  std::vector<Weighed> weighed_;  // a mesh
-  std::vector<Affine> joints_, palette_;
-  std::vector<float> here_, there_, distances_;
-};
 
 // By the runtime's own decoder, in model space through the whole hierarchy.
 class ClipMeasure {
@@ -95,12 +63,12 @@ class ClipMeasure {
   ClipMeasure(const BuiltClip& clip, const BuiltClip& channels, const BuiltSkeleton& skeleton, const Rig& rig,
               const Hung& hung);
 
-  // All moments at which it is looked at: these, ascending, and where the clip's curves and channels have keys; both
-  // sides of what jumps.
+  // All moments to measure at: these, which ascend, and the keys of the clip's curves and channels; both sides of what
+  // jumps.
   std::vector<float> moments(const std::vector<float>& of_grid) const;
 
-  // At the moments, and nearer to those that are worst. The joints are looked at every time; the vertices too, or at
-  // every few moments where that would be too many, as long as the joints keep the promise.
+  // Measures at the moments, and closer by where it is worst. Joints are looked at each time; so are vertices while the
+  // joints keep the promise, but only at every few moments where there are very many.
   ClipError measure(const BuiltClip& out, const std::vector<float>& moments, const Promise& promise) const;
 
  private:

@@ -59,9 +59,9 @@ glm::dvec4 SourceCurves::evaluate(const Track& track, double time_s) const {
   const float* const times = clip_->times_s.data() + track.first_time;
   // part: 0 in-tangent, 1 value, 2 out-tangent of a cubic key
   const auto key = [&](std::size_t k, std::size_t part) {
-    const std::size_t first = track.first_value + (cubic ? 3 * k + part : k) * static_cast<std::size_t>(components);
+    const std::size_t first = track.first_value + (cubic ? 3 * k + part : k) * to_index(components);
     glm::dvec4 v(0);
-    for (int c = 0; c < components; ++c) v[c] = static_cast<double>(clip_->values[first + static_cast<std::size_t>(c)]);
+    for (int c = 0; c < components; ++c) v[c] = static_cast<double>(clip_->values[first + to_index(c)]);
     return v;
   };
   const auto fix = [&](glm::dvec4 v) { return rotation ? unit(v) : v; };
@@ -119,10 +119,10 @@ Rig::Rig(const BuiltSkeleton& skeleton) : rest(rest_transforms(skeleton)) {
     world[j] = place(j, root ? nullptr : &world[skeleton.parents[j]], rest[j]);
   }
   for (std::size_t j = 0; j < count; ++j)
-    if (parents[j] != kNone) children[static_cast<std::size_t>(parents[j])].push_back(j);
+    if (parents[j] != kNone) children[to_index(parents[j])].push_back(j);
   subtree_sizes.assign(count, 1);
   for (std::size_t j = count; j-- > 0;)
-    if (parents[j] != kNone) subtree_sizes[static_cast<std::size_t>(parents[j])] += subtree_sizes[j];
+    if (parents[j] != kNone) subtree_sizes[to_index(parents[j])] += subtree_sizes[j];
 }
 
 std::vector<std::size_t> Rig::subtree(std::size_t joint) const {
@@ -139,7 +139,7 @@ std::vector<double> Rig::least_below(const std::vector<double>& values) const {
   std::vector<double> out = values;
   for (std::size_t j = out.size(); j-- > 0;)
     if (parents[j] != kNone) {
-      double& up = out[static_cast<std::size_t>(parents[j])];
+      double& up = out[to_index(parents[j])];
       up = std::min(up, out[j]);
     }
   return out;
@@ -171,5 +171,4 @@ double reach_below(std::size_t joint, const Rig& rig, const Promise& promise) {
     out = std::max(out, glm::length(rig.world[below].origin - rig.world[joint].origin) + promise.reach[below]);
   return out;
 }
-
 }  // namespace marrow::cook

@@ -12,17 +12,17 @@
 
 namespace marrow::cook {
 
-// How far apart two times may be that are one but for rounding in single precision: half a last place each, and as much
-// for whoever computed them in such numbers.
+// How far apart two times may be that differ by rounding alone: half a last place each in single precision, and as much
+// for whoever computed them so.
 double rounding_at(float time_s);
 
-// Before a key, and so far that no rounding of floats makes it the key.
+// A time before a key, so far that no rounding of floats makes it the key.
 inline float just_before(float key_s) {
   return key_s - key_s * 0x1p-21f;
 }
 
-// A STEP track that changes cannot be blended between frames, nor can one with different keys at one time, but for the
-// rounding of floats. Exporters write STEP for what is constant but for that.
+// Whether a track cannot be blended between frames: a STEP track that changes, or one with different keys at one time.
+// Differences by rounding alone do not count, as exporters write STEP for what is constant.
 bool jumps(const BuiltClip& clip, const Track& track);
 
 // A clip's joints as functions of time.
