@@ -19,13 +19,14 @@ struct Middle {
 };
 Middle middle_of(const RetargetPlan& plan, const Legs& legs, const Take& take, const Puppet& puppet);
 
-// Where an ankle is to go for its foot to be off its counterpart's place by `offset`; see offset_of(). Of the puppet as
-// it is posed, before it is carried.
+// Where an ankle must go so that its foot is `offset` away from its counterpart's place, see offset_of(). The puppet is
+// posed, but not yet carried.
 glm::dvec3 ankle_at(const RetargetPlan& plan, const CarriedJoint& carried, std::size_t leg, const glm::dvec3& offset,
                     const Take& take, const Puppet& puppet);
 
-// By how much what stays in place (FootHold) is off its counterpart's place when the leg points as that does: both from
-// the middle of the legs' tops, the take's scaled. It changes as wider hips turn and longer feet roll.
+// How far a foot's hold (FootHold) is from its counterpart's place when the leg points the same way. Both places are
+// relative to the middle of the legs' tops, the take's scaled. The offset changes as wider hips turn and longer feet
+// roll.
 glm::dvec3 offset_of(const RetargetPlan& plan, const CarriedJoint& carried, std::size_t leg, const Take& take,
                      const Puppet& puppet);
 
@@ -38,9 +39,9 @@ struct FootFrame {
   bool touches = false;
 };
 
-// Of one leg, frame by frame: while the counterpart touches the ground the offset is the mean of all that time, so that
-// the foot slides no more than its counterpart. In between it goes over from one mean to the next. A foot that touches
-// the ground in the first and the last frame of a clip that begins as it ends does not let go between them.
+// The offsets of one leg, frame by frame, so that the foot slides no more than its counterpart: during a contact with
+// the ground the offset is its mean over that contact, and in between it goes over from one mean to the next. In a clip
+// that ends as it begins, a contact goes on from the last frame to the first.
 std::vector<glm::dvec3> held(const std::vector<FootFrame>& frames, double leg_length);
 
 // The rotation of a joint's counterpart since rest, as the character faces.
@@ -50,7 +51,7 @@ glm::dquat taken_turn(const RetargetPlan& plan, const RetargetJoint& joint, cons
 // stands as at rest: the capture's soles may not be level at rest.
 void find_stance(RetargetPlan& plan, Take& take, Legs& legs);
 
-// A vertex: the sum of its joints' maps, each of its own coordinate.
+// A vertex of a sole: the sum of its joints' maps, each applied to its own coordinate.
 struct SolePoint {
   struct Share {
     std::size_t joint;
@@ -76,24 +77,24 @@ struct Sole {
   glm::dvec3 forward{0};        // from the ankle to the farthest point at rest, level, of length 1; 0: nowhere
 };
 
-// meshes: of the character, all levels of detail. A foot that none of their vertices follow has points straight below
-// its paired joints, as low as the lowest of these.
+// Finds the vertices that ankles and toes carry and that can be lowest. meshes: of the character, all levels of detail.
+// A foot without vertices gets points straight below its paired joints, as low as the lowest of these.
 std::vector<Sole> find_soles(const RetargetPlan& plan, const Legs& legs, const std::vector<Mesh>& meshes);
 
 // Where the take has its feet: a leg, in lengths of the character.
 struct FootGoals {
   std::vector<double> ankle;   // how high it is above where it is when the foot stands
   std::vector<double> lowest;  // the lowest node's height, likewise
-  std::vector<glm::dvec3>
-      place;                 // the ankle's x and z in the scene, of the puppet as it is posed, before it is carried
+  // The ankle's x and z in the scene, of the puppet as it is posed, before it is carried.
+  std::vector<glm::dvec3> place;
   std::vector<double> knee;  // the cosine of the knee's angle, -1 for straight legs
 };
 
 // Poses the feet and legs of a puppet, and returns by how much to raise it. An ankle goes as high as its counterpart.
-// Feet, and then toes, slope downwards no more than the ground lets them. Then a foot whose sole is still below the
-// ground is raised, or one that is higher than its counterpart's lowest is lowered, by the hip and the knee. The
-// character is raised so that no leg has to be longer, nor straighter than its counterpart. All this grows less as the
-// foot is higher than a twentieth of the leg, and is only what keeps soles out of the ground beyond a fifth.
+// Feet, and then toes, slope downwards no more than the ground lets them. Then hip and knee raise a foot whose sole is
+// still below the ground, and lower one that is higher than its counterpart's lowest. The character is raised so that
+// no leg has to be longer, nor straighter than its counterpart. All this fades from a twentieth of the leg's length
+// above the ground to a fifth; beyond that it only keeps soles out of the ground.
 double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>& soles, const FootGoals& goals,
              Puppet& puppet);
 

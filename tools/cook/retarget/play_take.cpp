@@ -19,33 +19,6 @@
 #include "cook/roles/name_words.h"
 
 namespace marrow::cook {
-
-std::vector<FootSpans> taken_contacts(const BuiltSkeleton& rig, const RawClip& clip) {
-  int last = kNone;
-  for (const int node : rig.node_of_joint) last = std::max(last, node);
-  for (const RawChannel& channel : clip.channels) last = std::max(last, channel.node);
-  std::vector<int> joint_of_node(to_index(last + 1), kNone);
-  for (std::size_t j = 0; j < rig.node_of_joint.size(); ++j)
-    joint_of_node[to_index(rig.node_of_joint[j])] = static_cast<int>(j);
-  const ClipTrace trace = trace_clip(build_tracks(clip, joint_of_node), rig, find_foot_points(rig, {}));
-  if (!(trace.frame_s > 0)) return {};
-  const Contacts contacts = find_contacts(trace);
-  std::vector<FootSpans> out;
-  for (std::size_t foot = 0; foot < trace.feet.size(); ++foot) {
-    FootSpans& of = out.emplace_back();
-    of.foot = trace.feet[foot].role;
-    for (const Contact& span : contacts.spans) {
-      if (span.foot != foot) continue;
-      const double from = static_cast<double>(span.from) * trace.frame_s;
-      const double to = static_cast<double>(span.to) * trace.frame_s;
-      of.spans_s.emplace_back(from, std::min(to, trace.duration_s()));
-      if (to > trace.duration_s()) of.spans_s.emplace_back(0, to - trace.duration_s());
-    }
-    std::ranges::sort(of.spans_s);
-  }
-  return out;
-}
-
 namespace {
 
 constexpr double kWholeTurn = 6.283185307179586;
@@ -68,46 +41,6 @@ double twist_of(const glm::dquat& q, const glm::dvec3& axis) {
   const double angle = 2 * tools::angle_of(glm::dot(glm::dvec3(q.x, q.y, q.z), axis), q.w);
   return angle > kWholeTurn / 2 ? angle - kWholeTurn : angle < -kWholeTurn / 2 ? angle + kWholeTurn : angle;
 }
-
-}  // namespace
-
-std::vector<TwistJoint> find_twists(const BuiltSkeleton& skeleton, const RetargetPlan& plan) {
-  std::vector<TwistJoint> out;
-  const auto add = [&](int bone, int end, bool is_upper) {
-    if (bone == kNone || end == kNone || !plan.joints[to_index(bone)].at.is_there()) return;
-    const RetargetJoint& of = plan.joints[to_index(bone)];
-    if (plan.joints[to_index(end)].parent != bone || glm::determinant(of.model_from_joint) == 0) return;
-    const glm::dvec3 whole = way_in(of, plan.joints[to_index(end)].place);
-    const double length = glm::length(whole);
-    if (!(length > 0)) return;
-    for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-      const RetargetJoint& joint = plan.joints[j];
-      if (joint.parent != bone || joint.at.is_there() || !words_of(skeleton.joint_names[j]).has(Word::twist)) continue;
-      const double along = std::clamp(glm::dot(way_in(of, joint.place), whole) / (length * length), 0.0, 1.0);
-      out.push_back({j, to_index(is_upper ? bone : end), whole / length, is_upper ? along - 1 : along});
-    }
-  };
-  for (const Bones& limb : kLimbs) {
-    const int lower = joint_with(skeleton, limb.lower);
-    add(joint_with(skeleton, limb.upper), lower, true);
-    add(lower, joint_with(skeleton, limb.end), false);
-  }
-  return out;
-}
-
-void twist(const RetargetPlan& plan, const std::vector<TwistJoint>& joints, Puppet& puppet) {
-  for (const TwistJoint& of : joints) {
-    const glm::dquat &rest = plan.joints[of.follows].rest.rotation, &now = puppet.local[of.follows];
-    // In the bone's space: before an upper bone's own rotation, after a hand's.
-    const glm::dquat turned = of.share < 0 ? glm::conjugate(rest) * now : now * glm::conjugate(rest);
-    const double half = of.share * twist_of(turned, of.axis) / 2, sine = tools::sine(half);
-    const glm::dquat by(tools::cosine(half), sine * of.axis.x, sine * of.axis.y, sine * of.axis.z);
-    puppet.local[of.joint] = by * plan.joints[of.joint].rest.rotation;
-    puppet.is_turned[of.joint] = 1;
-  }
-}
-
-namespace {
 
 struct Hands {
   Limb left, right;
@@ -279,6 +212,68 @@ bool add_rotations(const Puppet& puppet, std::vector<char>& turns, TakenKeys& ke
 
 }  // namespace
 
+std::vector<FootSpans> taken_contacts(const BuiltSkeleton& rig, const RawClip& clip) {
+  int last = kNone;
+  for (const int node : rig.node_of_joint) last = std::max(last, node);
+  for (const RawChannel& channel : clip.channels) last = std::max(last, channel.node);
+  std::vector<int> joint_of_node(to_index(last + 1), kNone);
+  for (std::size_t j = 0; j < rig.node_of_joint.size(); ++j)
+    joint_of_node[to_index(rig.node_of_joint[j])] = static_cast<int>(j);
+  const ClipTrace trace = trace_clip(build_tracks(clip, joint_of_node), rig, find_foot_points(rig, {}));
+  if (!(trace.frame_s > 0)) return {};
+  const Contacts contacts = find_contacts(trace);
+  std::vector<FootSpans> out;
+  for (std::size_t foot = 0; foot < trace.feet.size(); ++foot) {
+    FootSpans& of = out.emplace_back();
+    of.foot = trace.feet[foot].role;
+    for (const Contact& span : contacts.spans) {
+      if (span.foot != foot) continue;
+      const double from = static_cast<double>(span.from) * trace.frame_s;
+      const double to = static_cast<double>(span.to) * trace.frame_s;
+      of.spans_s.emplace_back(from, std::min(to, trace.duration_s()));
+      if (to > trace.duration_s()) of.spans_s.emplace_back(0, to - trace.duration_s());
+    }
+    std::ranges::sort(of.spans_s);
+  }
+  return out;
+}
+
+std::vector<TwistJoint> find_twists(const BuiltSkeleton& skeleton, const RetargetPlan& plan) {
+  std::vector<TwistJoint> out;
+  const auto add = [&](int bone, int end, bool is_upper) {
+    if (bone == kNone || end == kNone || !plan.joints[to_index(bone)].at.is_there()) return;
+    const RetargetJoint& of = plan.joints[to_index(bone)];
+    if (plan.joints[to_index(end)].parent != bone || glm::determinant(of.model_from_joint) == 0) return;
+    const glm::dvec3 whole = way_in(of, plan.joints[to_index(end)].place);
+    const double length = glm::length(whole);
+    if (!(length > 0)) return;
+    for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+      const RetargetJoint& joint = plan.joints[j];
+      if (joint.parent != bone || joint.at.is_there() || !words_of(skeleton.joint_names[j]).has(Word::twist)) continue;
+      const double along = std::clamp(glm::dot(way_in(of, joint.place), whole) / (length * length), 0.0, 1.0);
+      out.push_back({j, to_index(is_upper ? bone : end), whole / length, is_upper ? along - 1 : along});
+    }
+  };
+  for (const Bones& limb : kLimbs) {
+    const int lower = joint_with(skeleton, limb.lower);
+    add(joint_with(skeleton, limb.upper), lower, true);
+    add(lower, joint_with(skeleton, limb.end), false);
+  }
+  return out;
+}
+
+void twist(const RetargetPlan& plan, const std::vector<TwistJoint>& joints, Puppet& puppet) {
+  for (const TwistJoint& of : joints) {
+    const glm::dquat &rest = plan.joints[of.follows].rest.rotation, &now = puppet.local[of.follows];
+    // In the bone's space: before an upper bone's own rotation, after a hand's.
+    const glm::dquat turned = of.share < 0 ? glm::conjugate(rest) * now : now * glm::conjugate(rest);
+    const double half = of.share * twist_of(turned, of.axis) / 2, sine = tools::sine(half);
+    const glm::dquat by(tools::cosine(half), sine * of.axis.x, sine * of.axis.y, sine * of.axis.z);
+    puppet.local[of.joint] = by * plan.joints[of.joint].rest.rotation;
+    puppet.is_turned[of.joint] = 1;
+  }
+}
+
 TakenKeys play_take(const BuiltSkeleton& skeleton, RetargetPlan& plan, Take& take,
                     const std::vector<FootSpans>& contacts, const std::vector<Mesh>& meshes, const std::string& file) {
   Puppet puppet(plan.joints.size());
@@ -311,5 +306,4 @@ TakenKeys play_take(const BuiltSkeleton& skeleton, RetargetPlan& plan, Take& tak
     if (turns[j] == 0) keys.turns[j].clear();
   return keys;
 }
-
 }  // namespace marrow::cook

@@ -18,17 +18,17 @@
 
 namespace marrow::cook {
 
-// From and to, in seconds, ascending; of a loop a span that goes on at its start is two.
+// When a foot stands: from and to in seconds, ascending. A span that goes round the end of a loop is two.
 struct FootSpans {
   Role foot = Role::none;
   std::vector<std::pair<double, double>> spans_s;
 };
 
-// As find_contacts() has them, of every foot with a role. `rig`: a skeleton of the scene, with roles. None where the
-// clip is too short or too long to be looked at.
+// The contacts that find_contacts() finds in a clip of the rig, for each foot with a role. `rig`: a skeleton of the
+// scene, with roles. Empty where the clip is too short or too long to be traced.
 std::vector<FootSpans> taken_contacts(const BuiltSkeleton& rig, const RawClip& clip);
 
-// A joint below one of a limb's two bones.
+// A joint that only twists along one of a limb's two bones, so that the skin does not wring.
 struct TwistJoint {
   std::size_t joint = 0;
   std::size_t follows = 0;  // a joint whose twist about the axis it shares
@@ -36,22 +36,22 @@ struct TwistJoint {
   double share = 0;         // below 0: it turns the other way
 };
 
-// Joints without a counterpart that are called twist or roll, and hang on a bone of an arm or a leg by its role. On a
-// lower one they turn with the hand or foot, on an upper one back from the bone's own twist; in both cases as far as
-// they are along the bone.
+// Finds joints without a counterpart whose names say twist or roll, and that hang on a bone of an arm or a leg. On a
+// lower bone they turn with the hand or foot; on an upper one they turn back from the bone's own twist. Both turn the
+// more the farther along the bone they are.
 std::vector<TwistJoint> find_twists(const BuiltSkeleton& skeleton, const RetargetPlan& plan);
 
-// Turns them, in the puppet's local rotations alone; its next pose() undoes it.
+// Turns these joints. This changes the puppet's local rotations alone, and its next pose() undoes it.
 void twist(const RetargetPlan& plan, const std::vector<TwistJoint>& joints, Puppet& puppet);
 
-// The keys of each joint, one a frame; none: it does not move.
+// The keys of each joint, one a frame. A joint without keys does not move.
 struct TakenKeys {
   std::vector<std::vector<glm::vec4>> turns, places;
 };
 
-// The clip that the take has taken up, on the character's skeleton. `meshes`: of that. Feet
-// without `contacts` stand while they are low. Throws tools::Failure (invalid)
-// where a place comes out beyond what a file may hold; `file`: of the character.
+// Puts the clip that the take has open onto the character's skeleton. `meshes`: of that skeleton. Feet without
+// `contacts` stand while they are low. Throws tools::Failure (invalid), with the character's `file`, where a place
+// comes out beyond what a file may hold.
 TakenKeys play_take(const BuiltSkeleton& skeleton, RetargetPlan& plan, Take& take,
                     const std::vector<FootSpans>& contacts, const std::vector<Mesh>& meshes, const std::string& file);
 

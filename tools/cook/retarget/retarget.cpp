@@ -27,8 +27,7 @@ std::string place_of_joints(const RawScene& source) {
 std::vector<BuiltSkeleton> skeletons_of(const RawScene& source) {
   BuiltScene built = build_skeletons(source);
   Notes unused;
-  std::vector<BuiltRoles> roles = build_roles(source, built, {}, {}, unused);
-  for (std::size_t s = 0; s < roles.size(); ++s) built.skeletons[s].roles = std::move(roles[s]);
+  find_roles(source, {}, {}, built, unused);
   return std::move(built.skeletons);
 }
 
@@ -184,9 +183,7 @@ RetargetedClips retarget_clips(const Character& character, const RawScene& sourc
                                Notes& notes) {
   const RigPairing pairing = pair_with(character, source, map, notes);
   const std::vector<Counterpart> pairs = nodes_of_pairs(pairing);
-  std::vector<Mesh> meshes;
-  for (const Mesh& mesh : character.meshes)
-    if (mesh.skeleton == pairing.skeleton) meshes.push_back(mesh);
+  const std::vector<Mesh> meshes = meshes_of(character.meshes, pairing.skeleton);
   const BuiltSkeleton& skeleton = character.skeletons[pairing.skeleton];
   RetargetedClips out{pairing.skeleton, {}};
   const BuiltSkeleton& rig = pairing.rig_skeleton;

@@ -1,4 +1,5 @@
-// Clips of one rig onto another: joints of a character turn as those of another body that are for the same.
+// Clips of one rig onto another: joints of a character turn as those of another body that are for the same, or as a
+// map says.
 #pragma once
 
 #include <string>

@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::size_t kLargestMap = 8 * 1024 * 1024;  // 32767 joints and comments
 
-std::string place_of(const toml::source_region& region) {
-  return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
-}
+using tools::place_of;
 
 struct MapFailure {
   const std::string& path;

@@ -156,38 +156,15 @@ void finish(const RetargetPlan& plan, const std::vector<glm::dmat4>& at_rest, So
     }
 }
 
-}  // namespace
-
-glm::dvec3 SolePoint::at(const std::vector<glm::dmat4>& model_from_joint) const {
-  glm::dvec4 sum(0);
-  for (const Share& share : shares) sum += model_from_joint[share.joint] * share.coordinate;
-  return glm::dvec3(sum);
-}
-
-std::vector<Sole> find_soles(const RetargetPlan& plan, const Legs& legs, const std::vector<Mesh>& meshes) {
-  Feet feet = find_parts(plan, legs);
-  std::vector<Outermost> farthest;
-  for (const auto& [sole, part] : feet.parts) farthest.emplace_back(feet.soles[sole].parts[part]);
-  Puppet rest(plan.joints.size());
-  rest.pose(plan);
-  for (const Mesh& mesh : meshes) add_mesh(mesh, feet, rest.model_from_joint, farthest);
-  for (const Outermost& of : farthest) of.finish();
-  for (Sole& sole : feet.soles) finish(plan, rest.model_from_joint, sole);
-  return std::move(feet.soles);
-}
-
-namespace {
-
-constexpr double kQuarter = 1.5707963267948966;
 constexpr double kFull = 0.05, kHardly = 0.2;  // of a leg's length above the ground, feet are moved in full, or hardly
 
 double arc_sine(double x) {
-  return kQuarter - tools::arc_cosine(x);
+  return kQuarterTurn - tools::arc_cosine(x);
 }
 
 // How far what rests on the ground may slope downwards, with the joint that it bends about so high above it.
 double steepest(const SolePart& part, const glm::dvec3& joint, const glm::dvec3& forward, double height) {
-  double out = kQuarter;
+  double out = kQuarterTurn;
   for (const SolePoint& point : part.points) {
     const double ahead = glm::dot(point.rest - joint, forward), below = joint.y - point.rest.y;
     const double radius = tools::length_of(ahead, below, 0, 0);
@@ -281,6 +258,24 @@ class Foot {
 
 }  // namespace
 
+glm::dvec3 SolePoint::at(const std::vector<glm::dmat4>& model_from_joint) const {
+  glm::dvec4 sum(0);
+  for (const Share& share : shares) sum += model_from_joint[share.joint] * share.coordinate;
+  return glm::dvec3(sum);
+}
+
+std::vector<Sole> find_soles(const RetargetPlan& plan, const Legs& legs, const std::vector<Mesh>& meshes) {
+  Feet feet = find_parts(plan, legs);
+  std::vector<Outermost> farthest;
+  for (const auto& [sole, part] : feet.parts) farthest.emplace_back(feet.soles[sole].parts[part]);
+  Puppet rest(plan.joints.size());
+  rest.pose(plan);
+  for (const Mesh& mesh : meshes) add_mesh(mesh, feet, rest.model_from_joint, farthest);
+  for (const Outermost& of : farthest) of.finish();
+  for (Sole& sole : feet.soles) finish(plan, rest.model_from_joint, sole);
+  return std::move(feet.soles);
+}
+
 double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>& soles, const FootGoals& goals,
              Puppet& puppet) {
   double ground = std::numeric_limits<double>::infinity(), raised = ground;
@@ -298,5 +293,4 @@ double stand(const RetargetPlan& plan, const Legs& legs, const std::vector<Sole>
   puppet.pose(plan);
   return raised;
 }
-
 }  // namespace marrow::cook

@@ -12,35 +12,34 @@
 
 namespace marrow::cook {
 
-class Take;
 struct RetargetJoint;
 struct RetargetPlan;
 struct Puppet;
 
+// A leg or an arm of two bones.
 struct Limb {
   std::size_t top = 0, end = 0;
   int middle = kNone;                              // kNone: it does not bend
   std::vector<std::size_t> with_top, with_middle;  // joints with counterparts between these and what is below
 };
 
-// `end` hangs below `top`. middle: kNone: the only joint with a counterpart that is between the two, if there is one.
+// `end` must hang below `top`. With kNone as `middle`, the limb bends at the one joint with a counterpart between the
+// two, if there is just one.
 Limb limb_of(const std::vector<RetargetJoint>& joints, std::size_t top, int middle, std::size_t end);
 
-// How far the end can be from the top, in the character and in the take.
+// The length of the stretched limb, of the character and of the take.
 double length_of(const RetargetPlan& plan, const Limb& limb);
 double taken_length(const RetargetPlan& plan, const Limb& limb, const Take& take);
 
-// The cosine of the angle at the take's knee or elbow, -1 where it is straight; and how far the character's end is from
-// the top at this angle.
+// taken_bend(): the cosine of the angle at the take's knee or elbow, -1 where it is straight. length_at(): how far the
+// character's end is from the top at that angle.
 double taken_bend(const RetargetPlan& plan, const Limb& limb, const Take& take);
 double length_at(const RetargetPlan& plan, const Limb& limb, double bend);
 
-// Wants the limb's joints to turn so that its end, which is posed, comes to `place`, or as near as it can. The limb
-// turns by the shortest way and bends in its plane, a straight one towards `ahead`. It is stretched no farther than to
-// `most`, unless it is so already. Other joints' turns stay as they are wanted. To be followed by Puppet::pose().
+// Sets the wanted turns of the limb's joints so that its end comes to `place`, or as near as it can; call
+// Puppet::pose() after it. The puppet must be posed. The limb turns by the shortest way and bends in its plane; a
+// straight one bends towards `ahead`. It is stretched to at most `most`, unless it is longer already.
 void reach(const Limb& limb, const glm::dvec3& place, const glm::dvec3& ahead, double most, Puppet& puppet);
-
-struct RetargetJoint;
 
 // A joint of a foot that is paired: the ankle, or one below it.
 struct FootJoint {
@@ -55,7 +54,7 @@ struct FootNode {
   std::size_t kind = 0;  // of Legs::ground
 };
 
-// What stays in place while a foot stands: the ball, or where there is none in both rigs the middle of the sole, or the
+// What stays in place while a foot stands: the ball; where not both rigs have one, the middle of the sole; else the
 // ankle.
 struct FootHold {
   std::size_t joint = 0, node = 0;  // of the character, and of the take
@@ -70,8 +69,8 @@ struct Legs {
   std::vector<FootJoint> feet;
   std::vector<FootNode> nodes;
   double length = 0, taken_length = 0;  // of all that carry, from the tops to the ankles
-  // How high the take's nodes are at rest, and after find_ground() on the ground: a kind, which is twice the level, and
-  // one more for front legs.
+  // By kind: how high the take's nodes are at rest; after find_ground(), how high they are when their feet stand. The
+  // kind is twice the level, and one more for front legs.
   std::vector<double> ground;
 
   std::vector<std::size_t> carriers() const {
@@ -81,19 +80,20 @@ struct Legs {
   double mean_taken_length() const { return taken_length / static_cast<double>(carrier_count); }
 };
 
-// Whether a captured bone slopes by less than 60 degrees, as those of feet do and those of legs do not.
+// Whether a captured bone slopes by less than 60 degrees. Bones of feet do, those of legs do not.
 bool lies_flat(const glm::dvec3& bone);
 
-// What is below each of `joints_above`; `rig`: the take's skeleton. By roles, where both legs have some: from the upper
-// leg to the foot, and front legs that stand. Else chains of paired joints that part at one joint and come down more
-// than half way from it to the lowest of all.
+// Finds the legs below each of `joints_above`. `rig`: the take's skeleton. Where both legs have roles, these say where
+// they are, front legs that stand included. Else legs are the chains of paired joints that part at one joint and come
+// down more than half way from it to the lowest joint.
 std::vector<Legs> find_legs(const BuiltSkeleton& skeleton, const BuiltSkeleton& rig,
                             const std::vector<RetargetJoint>& joints, const std::vector<std::size_t>& joints_above,
                             const Take& take);
 
-// `lowest`: a kind, the lowest y of the clip. Where feet rest just above y = 0, the ground is there, or where they
-// come lower. Else it is where they are lowest, if that is within a quarter of a leg's length of y = 0. Else the clip
-// does not touch it, and an ankle stands as high as a tenth of the leg is long.
+// Sets `legs.ground`. `lowest`: by kind, the lowest y of the clip. Where feet rest just above y = 0, the ground is
+// there, or lower where they come lower. Else it is where feet are lowest, if that is within a quarter of a leg's
+// length of y = 0. Else the clip does not touch the ground, and an ankle is taken to stand a tenth of the leg's length
+// high.
 void find_ground(Legs& legs, std::vector<double> lowest);
 
 }  // namespace marrow::cook

@@ -14,40 +14,6 @@
 #include "marrow/roles.h"
 
 namespace marrow::cook {
-
-Puppet::Puppet(std::size_t joints)
-    : is_turned(joints, 0),
-      wanted(joints, glm::dquat(1, 0, 0, 0)),
-      turns(wanted),
-      local(wanted),
-      model_from_joint(joints, glm::dmat4(1.0)),
-      is_put(joints, 0),
-      local_place(joints, glm::dvec3(0)) {}
-
-void Puppet::pose(const RetargetPlan& plan) {
-  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
-    const RetargetJoint& joint = plan.joints[j];
-    const bool is_root = joint.parent == kNone;
-    const glm::dquat turn_above = is_root ? joint.turn_above : turns[to_index(joint.parent)];
-    Transform below = joint.rest;
-    if (is_put[j] != 0) below.translation = local_place[j];
-    if (is_turned[j] != 0) {
-      const glm::dquat turned = glm::normalize(glm::conjugate(turn_above) * wanted[j]);
-      below.rotation = joint.is_in_mirror ? in_mirrored(turned) : turned;
-    }
-    local[j] = below.rotation;
-    turns[j] = turn_above * (joint.is_in_mirror ? in_mirrored(below.rotation) : below.rotation);
-    model_from_joint[j] = (is_root ? joint.scene_above : model_from_joint[to_index(joint.parent)]) * matrix_of(below);
-  }
-}
-
-void Puppet::put(const RetargetPlan& plan, std::size_t joint, const glm::dvec3& place) {
-  const RetargetJoint& of = plan.joints[joint];
-  const glm::dmat4& above = of.parent == kNone ? of.scene_above : model_from_joint[to_index(of.parent)];
-  local_place[joint] = glm::dvec3(glm::inverse(above) * glm::dvec4(place, 1));
-  is_put[joint] = 1;
-}
-
 namespace {
 
 constexpr double kCosineOf15Degrees = 0.9659258262890683;
@@ -169,6 +135,8 @@ std::vector<char> standing(const BuiltSkeleton& skeleton) {
   return out;
 }
 
+// By how much each joint turns in the scene, from its rest pose to that in which the character looks as the take's rig
+// does at rest: A, see retarget_clips().
 std::vector<glm::dquat> arcs_with(const std::vector<char>& stands, const Joints& joints, const Bones& bones) {
   std::vector<Below> below(joints.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -209,25 +177,7 @@ std::vector<glm::dquat> arcs_with(const std::vector<char>& stands, const Joints&
   return out;
 }
 
-}  // namespace
-
-glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
-  const double w = 1 + glm::dot(from, to);
-  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
-  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return {0, glm::normalize(glm::cross(from, other))};
-}
-
-std::vector<glm::dquat> arcs_of(const BuiltSkeleton& skeleton, const std::vector<RetargetJoint>& joints,
-                                const Take& take, const glm::dquat& facing) {
-  return arcs_with(standing(skeleton), joints, bones_of(joints, take, facing));
-}
-
-namespace {
-
 constexpr double kFlat = 0.05;  // skeletons that reach less far sideways than that, of their size, face nowhere
-
-using Joints = std::vector<RetargetJoint>;
 
 // Of what stands above a root. A mirror is one along x, then the rotation: as in_mirrored() has it.
 glm::dquat rotation_of(const glm::dmat4& m) {
@@ -321,6 +271,46 @@ void set_zero(const Joints& joints, const Take& take, CarriedJoint& carried) {
 
 }  // namespace
 
+Puppet::Puppet(std::size_t joints)
+    : is_turned(joints, 0),
+      wanted(joints, glm::dquat(1, 0, 0, 0)),
+      turns(wanted),
+      local(wanted),
+      model_from_joint(joints, glm::dmat4(1.0)),
+      is_put(joints, 0),
+      local_place(joints, glm::dvec3(0)) {}
+
+void Puppet::pose(const RetargetPlan& plan) {
+  for (std::size_t j = 0; j < plan.joints.size(); ++j) {
+    const RetargetJoint& joint = plan.joints[j];
+    const bool is_root = joint.parent == kNone;
+    const glm::dquat turn_above = is_root ? joint.turn_above : turns[to_index(joint.parent)];
+    Transform below = joint.rest;
+    if (is_put[j] != 0) below.translation = local_place[j];
+    if (is_turned[j] != 0) {
+      const glm::dquat turned = glm::normalize(glm::conjugate(turn_above) * wanted[j]);
+      below.rotation = joint.is_in_mirror ? in_mirrored(turned) : turned;
+    }
+    local[j] = below.rotation;
+    turns[j] = turn_above * (joint.is_in_mirror ? in_mirrored(below.rotation) : below.rotation);
+    model_from_joint[j] = (is_root ? joint.scene_above : model_from_joint[to_index(joint.parent)]) * matrix_of(below);
+  }
+}
+
+void Puppet::put(const RetargetPlan& plan, std::size_t joint, const glm::dvec3& place) {
+  const RetargetJoint& of = plan.joints[joint];
+  const glm::dmat4& above = of.parent == kNone ? of.scene_above : model_from_joint[to_index(of.parent)];
+  local_place[joint] = glm::dvec3(glm::inverse(above) * glm::dvec4(place, 1));
+  is_put[joint] = 1;
+}
+
+glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to) {
+  const double w = 1 + glm::dot(from, to);
+  if (w > 1e-9) return glm::normalize(glm::dquat(w, glm::cross(from, to)));
+  const glm::dvec3 other = std::abs(from.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  return {0, glm::normalize(glm::cross(from, other))};
+}
+
 std::vector<RetargetJoint> lay_out(const BuiltSkeleton& skeleton, const std::vector<Counterpart>& pairs) {
   const std::vector<Transform> rest = rest_transforms(skeleton);
   Joints out(rest.size());
@@ -369,7 +359,8 @@ RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltS
   out.joints = lay_out(skeleton, pairs);
   out.facing_deg = facing_of(out.joints, take);
   out.facing = turn_about_y(out.facing_deg);
-  const std::vector<glm::dquat> arcs = arcs_of(skeleton, out.joints, take, out.facing);
+  const std::vector<glm::dquat> arcs =
+      arcs_with(standing(skeleton), out.joints, bones_of(out.joints, take, out.facing));
   for (std::size_t j = 0; j < arcs.size(); ++j) out.joints[j].aligned = arcs[j] * out.joints[j].turn;
   std::vector<Legs> legs = find_legs(skeleton, rig, out.joints, carried, take);
   double scale = 0;  // of the legs
@@ -385,5 +376,4 @@ RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltS
   }
   return out;
 }
-
 }  // namespace marrow::cook

@@ -29,10 +29,10 @@ struct RetargetJoint {
   glm::dmat4 model_from_joint{1.0};   // to the scene, at rest
   glm::dvec3 place{0};                // in the scene at rest
   glm::dquat turn{1, 0, 0, 0};        // likewise
-  glm::dquat aligned{1, 0, 0, 0};     // A · R, see retarget()
+  glm::dquat aligned{1, 0, 0, 0};     // A · R, see retarget_clips()
 };
 
-// A joint that moves from its place. Another may be above it, a root above hips.
+// A joint that moves from its place. One may be above another, as a root above hips.
 struct CarriedJoint {
   std::size_t joint = 0;
   double scale = 1;                   // lengths of the character in those of the take
@@ -47,29 +47,30 @@ struct RetargetPlan {
   int facing_deg = 0;             // the same
 };
 
-// A skeleton's joints, not aligned. pairs: a joint.
+// The joints of a skeleton, not aligned yet. pairs: one a joint.
 std::vector<RetargetJoint> lay_out(const BuiltSkeleton& skeleton, const std::vector<Counterpart>& pairs);
 
-// Of the take's clip; `rig`: its skeleton. pairs: a joint of the character's skeleton.
+// Plans the take's clip. `rig`: the take's skeleton. pairs: one a joint of the character's skeleton.
 RetargetPlan plan_retarget(const BuiltSkeleton& skeleton, const BuiltSkeleton& rig,
                            const std::vector<Counterpart>& pairs, const Take& take);
 
-// The same of no clip. carried: which joints move from their places, ascending.
+// The same without a clip. carried: which joints move from their places, ascending.
 RetargetPlan plan_carrying(const std::vector<std::size_t>& carried, const BuiltSkeleton& skeleton,
                            const BuiltSkeleton& rig, const std::vector<Counterpart>& pairs, const Take& take);
 
 // Where the character of a joint stands.
 glm::dvec3 origin_of(const std::vector<RetargetJoint>& joints, std::size_t joint);
 
+// A character's joints in the scene, at a frame of a take.
 struct Puppet {
   explicit Puppet(std::size_t joints);
 
-  // As turns and places are wanted; joints that none is wanted of stand as at rest below their parents.
+  // Poses all joints by their wanted turns and places. A joint without one stands as at rest below its parent.
   void pose(const RetargetPlan& plan);
 
   glm::dvec3 place(std::size_t joint) const { return glm::dvec3(model_from_joint[joint][3]); }
 
-  // Puts a joint at a place in the scene, from the next pose() on, and below a parent that is where it will be then.
+  // From the next pose() on the joint is at this place in the scene. Its parent must not move in between.
   void put(const RetargetPlan& plan, std::size_t joint, const glm::dvec3& place);
 
   std::vector<char> is_turned;     // a turn is wanted
@@ -83,9 +84,5 @@ struct Puppet {
 
 // The shortest turn that takes one direction to another; both of length 1.
 glm::dquat arc(const glm::dvec3& from, const glm::dvec3& to);
-
-// By how much each joint turns in the scene, from its rest pose to that pose: A, see retarget().
-std::vector<glm::dquat> arcs_of(const BuiltSkeleton& skeleton, const std::vector<RetargetJoint>& joints,
-                                const Take& take, const glm::dquat& facing);
 
 }  // namespace marrow::cook

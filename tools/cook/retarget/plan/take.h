@@ -32,11 +32,11 @@ class Take {
   const RawScene& scene() const { return *scene_; }
   const std::vector<std::size_t>& order() const { return order_; }  // parents first
 
-  // Takes up a clip of the scene, with frames at its keys. Of others than motion capture there are more between keys
-  // that are farther apart than 1/24 s, but not so many that all poses of `joints` more joints would be too many.
+  // Opens a clip of the scene, with frames at its keys. Unless it is motion capture, frames are added between keys that
+  // are farther apart than 1/24 s; fewer where the poses of `joints` joints would be too many.
   void open(const RawClip& clip, std::size_t joints);
   const std::vector<float>& times_s() const { return times_s_; }  // of frames
-  // Whether the clip moves a node from its place, or one above it: a node each.
+  // For each node whether the clip moves it, or one above it, from its place.
   std::vector<char> moved_nodes() const;
 
   // Goes to a frame of the clip.
