@@ -12,7 +12,10 @@
 #include "common/failure.h"
 #include "common/parallel.h"
 #include "cook/clip/measure/rig.h"
+#include "cook/motion/find_contacts.h"
+#include "cook/motion/trace_clip.h"
 #include "cook/scene/without_tiny.h"
+#include "cook/skeleton/build_skeletons.h"
 #include "text/nearest.h"
 #include "text/pattern.h"
 
@@ -207,8 +210,8 @@ void replace(RawClip& clip, RawChannel channel, int node, RawPath path) {
   clip.channels.push_back(std::move(channel));
 }
 
-}  // namespace
-
+// The mean velocity over the ground, level, model space. Of a clip that turns as it goes, its length is that of the arc
+// and its direction that of the arc's chord.
 glm::dvec3 velocity_of(const ClipTrace& trace, const Contacts& contacts) {
   const glm::dvec3 way = level(trace.hips.back() - trace.hips.front());
   const glm::dquat turn = heading_of(trace.hips_turn.back() * glm::conjugate(trace.hips_turn.front()));
@@ -218,6 +221,15 @@ glm::dvec3 velocity_of(const ClipTrace& trace, const Contacts& contacts) {
   return glm::length(out) > kStays * leg_of(trace) ? out : glm::dvec3(0);
 }
 
+struct RootTrack {
+  std::vector<RootKey> keys;     // M(t) as ClipMotion::root has it; empty: it does not move
+  std::vector<RootKey> in_pose;  // what of it the clip's poses have: all, but for clips that walk on the spot
+};
+
+// From the hips, and for clips that walk on the spot from their contacts. What it leaves out stays in the pose, so both
+// together are the clip. A loop goes evenly from its start to its end, along a line or round an arc: then clips may be
+// blended at changing weights without the sway of their hips turning the character. Other clips follow the hips within
+// a thirtieth of a leg and five degrees; their last key is exact.
 RootTrack find_root(const ClipTrace& trace, const Contacts& contacts, RootMotion how) {
   RootTrack out;
   if (how == RootMotion::none) return out;
@@ -244,6 +256,7 @@ RootTrack find_root(const ClipTrace& trace, const Contacts& contacts, RootMotion
   return out;
 }
 
+// Whether take_out_root() can do its work: the scale above each root is the same along all axes, and no root jumps.
 bool can_take_out_root(const BuiltClip& clip, const BuiltSkeleton& skeleton) {
   const Rig rig(skeleton);
   for (std::size_t j = 0; j < rig.size(); ++j) {
@@ -254,23 +267,6 @@ bool can_take_out_root(const BuiltClip& clip, const BuiltSkeleton& skeleton) {
   }
   return true;
 }
-
-void take_out_root(const std::vector<RootKey>& root, const BuiltClip& clip, const BuiltSkeleton& skeleton,
-                   RawClip& channels) {
-  const Rig rig(skeleton);
-  const SourceCurves curves(clip, skeleton);
-  for (std::size_t j = 0; j < rig.size(); ++j) {
-    if (rig.parents[j] != kNone) continue;
-    double scale = 1;
-    glm::dmat3 turn(1);
-    split_even(rig.above[j], scale, turn);
-    RootChannels moved = without(root, rig.above[j], scale, turn, curves, j, times_of(root, clip, j));
-    replace(channels, std::move(moved.places), skeleton.node_of_joint[j], RawPath::translation);
-    replace(channels, std::move(moved.turns), skeleton.node_of_joint[j], RawPath::rotation);
-  }
-}
-
-namespace {
 
 constexpr double kShortestSegment = 0.05;  // of the clip: marks that are nearer are one
 
@@ -419,17 +415,28 @@ void expect_all_fit(const MotionOptions& options, const std::vector<BuiltClip>& 
 
 }  // namespace
 
+void take_out_root(const std::vector<RootKey>& root, const BuiltClip& clip, const BuiltSkeleton& skeleton,
+                   RawClip& channels) {
+  const Rig rig(skeleton);
+  const SourceCurves curves(clip, skeleton);
+  for (std::size_t j = 0; j < rig.size(); ++j) {
+    if (rig.parents[j] != kNone) continue;
+    double scale = 1;
+    glm::dmat3 turn(1);
+    split_even(rig.above[j], scale, turn);
+    RootChannels moved = without(root, rig.above[j], scale, turn, curves, j, times_of(root, clip, j));
+    replace(channels, std::move(moved.places), skeleton.node_of_joint[j], RawPath::translation);
+    replace(channels, std::move(moved.turns), skeleton.node_of_joint[j], RawPath::rotation);
+  }
+}
+
 std::vector<BuiltMotion> build_motions(const RawScene& scene, const BuiltScene& built, const std::vector<Mesh>& meshes,
                                        const MotionOptions& options, Notes& notes) {
   const std::vector<BuiltClip>& clips = built.clips;
   expect_all_fit(options, clips);
   std::vector<std::vector<FootShape>> feet;
-  for (std::size_t s = 0; s < built.skeletons.size() && !clips.empty(); ++s) {
-    std::vector<Mesh> own;
-    for (const Mesh& mesh : meshes)
-      if (mesh.skeleton == s) own.push_back(mesh);
-    feet.push_back(find_foot_points(built.skeletons[s], own));
-  }
+  for (std::size_t s = 0; s < built.skeletons.size() && !clips.empty(); ++s)
+    feet.push_back(find_foot_points(built.skeletons[s], meshes_of(meshes, s)));
   std::vector<BuiltMotion> out(clips.size());
   std::vector<char> measured(clips.size(), 1);
   tools::for_each_in_parallel(clips.size(), [&](std::size_t i) {
@@ -465,5 +472,4 @@ void measure_motions(const RawScene& scene, const std::vector<Mesh>& meshes, con
   std::vector<BuiltMotion> motions = build_motions(scene, built, meshes, options, notes);
   for (std::size_t i = 0; i < motions.size(); ++i) built.clips[i].motion = std::move(motions[i]);
 }
-
 }  // namespace marrow::cook

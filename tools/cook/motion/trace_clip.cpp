@@ -89,40 +89,6 @@ void keep(const Body& body, const ExtremesOfJoints& extremes, std::vector<FootPo
     }
 }
 
-}  // namespace
-
-std::vector<FootShape> find_foot_points(const BuiltSkeleton& skeleton, const std::vector<Mesh>& meshes) {
-  const Roles roles{skeleton.roles.roles, skeleton.roles.pairs, skeleton.roles.soles};
-  if (roles.soles.empty()) return {};
-  const Body body = body_of(skeleton);
-  std::vector<FootShape> out;
-  std::vector<std::uint16_t> feet;
-  for (const auto& [foot_role, top_role] : kLegs) {
-    const std::uint16_t joint = joint_of(roles, foot_role), top = joint_of(roles, top_role);
-    const JointSole* const sole = joint != kNoJoint ? sole_of(roles, joint) : nullptr;
-    if (sole == nullptr || top == kNoJoint) continue;
-    const glm::dvec4 ball(sole->place[0], sole->place[1], sole->place[2], 1);
-    const glm::dvec3 ground(body.model_from_joint[joint] * ball), ankle = body.place(joint);
-    const double leg = glm::length(body.place(top) - ground);
-    if (!(leg > 0) || !std::isfinite(leg)) continue;
-    const FootPoint of_ball{joint, glm::dvec3(ball)};
-    FootShape& foot = out.emplace_back(FootShape{foot_role, leg, ground.y, of_ball, {of_ball}});
-    if (ankle.y - ground.y < kHighAnkle * leg)
-      foot.points.push_back(point_of(body, joint, {ankle.x, ground.y, ankle.z}));
-    feet.push_back(joint);
-  }
-  std::vector<ExtremesOfJoints> extremes(feet.size());
-  for (const Mesh& mesh : meshes) add_vertices(body, feet, mesh, extremes);
-  for (std::size_t f = 0; f < out.size(); ++f) {
-    if (extremes[f].empty()) continue;
-    out[f].points.clear();
-    keep(body, extremes[f], out[f].points);
-  }
-  return out;
-}
-
-namespace {
-
 constexpr double kFramesPerS = 60;
 constexpr std::size_t kMostFramesAKey = 4;  // of clips with few keys
 constexpr double kLeastDuration_s = 0.05;   // a clip of less has one pose
@@ -206,6 +172,36 @@ bool keep_lowest(const std::vector<Places>& frames, double frame_s, std::vector<
 
 }  // namespace
 
+std::vector<FootShape> find_foot_points(const BuiltSkeleton& skeleton, const std::vector<Mesh>& meshes) {
+  const Roles roles{skeleton.roles.roles, skeleton.roles.pairs, skeleton.roles.soles};
+  if (roles.soles.empty()) return {};
+  const Body body = body_of(skeleton);
+  std::vector<FootShape> out;
+  std::vector<std::uint16_t> feet;
+  for (const auto& [foot_role, top_role] : kLegs) {
+    const std::uint16_t joint = joint_of(roles, foot_role), top = joint_of(roles, top_role);
+    const JointSole* const sole = joint != kNoJoint ? sole_of(roles, joint) : nullptr;
+    if (sole == nullptr || top == kNoJoint) continue;
+    const glm::dvec4 ball(sole->place[0], sole->place[1], sole->place[2], 1);
+    const glm::dvec3 ground(body.model_from_joint[joint] * ball), ankle = body.place(joint);
+    const double leg = glm::length(body.place(top) - ground);
+    if (!(leg > 0) || !std::isfinite(leg)) continue;
+    const FootPoint of_ball{joint, glm::dvec3(ball)};
+    FootShape& foot = out.emplace_back(FootShape{foot_role, leg, ground.y, of_ball, {of_ball}});
+    if (ankle.y - ground.y < kHighAnkle * leg)
+      foot.points.push_back(point_of(body, joint, {ankle.x, ground.y, ankle.z}));
+    feet.push_back(joint);
+  }
+  std::vector<ExtremesOfJoints> extremes(feet.size());
+  for (const Mesh& mesh : meshes) add_vertices(body, feet, mesh, extremes);
+  for (std::size_t f = 0; f < out.size(); ++f) {
+    if (extremes[f].empty()) continue;
+    out[f].points.clear();
+    keep(body, extremes[f], out[f].points);
+  }
+  return out;
+}
+
 double leg_of(const ClipTrace& trace) {
   double sum = 0;
   for (const FootTrace& foot : trace.feet) sum += foot.leg_m;
@@ -254,5 +250,4 @@ ClipTrace trace_clip(const BuiltClip& clip, const BuiltSkeleton& skeleton, const
   }
   return out;
 }
-
 }  // namespace marrow::cook

@@ -28,9 +28,9 @@ struct FootShape {
   std::vector<FootPoint> points;  // that may touch the ground
 };
 
-// Feet of a skeleton that have a sole and a leg. Their points are the vertices that are farthest down, and down to each
-// side, of those that follow the foot and what is below it; without vertices the ball, and the heel below the ankle.
-// meshes: of the skeleton, as in build_roles().
+// Feet of a skeleton that have a sole and a leg. The points of a foot are the vertices of it and all below it that are
+// farthest down, and down to each side; without vertices the ball, and the heel below the ankle. meshes: of the
+// skeleton, as in build_roles().
 std::vector<FootShape> find_foot_points(const BuiltSkeleton& skeleton, const std::vector<Mesh>& meshes);
 
 // The lowest point of a foot at a moment, and the ball of the foot. Model space, metres and seconds.
@@ -63,7 +63,7 @@ inline glm::dvec3 level(const glm::dvec3& v) {
 }
 // The mean of its legs' lengths; 1 m without legs.
 double leg_of(const ClipTrace& trace);
-// The turn about the upright in a rotation; upside down, where there is none, the identity.
+// The turn about y in a rotation; the identity where it is upside down and there is none.
 glm::dquat heading_of(const glm::dquat& turn);
 
 // clip: of the skeleton, with its keys as the source has them. feet: of find_foot_points().
