@@ -55,6 +55,67 @@ void turn_joint(SoaTransform& t, std::size_t lane, double most_rad, std::mt19937
   set_rotation(t, lane, rotation_of(t, lane) * turn);
 }
 
+constexpr double kShownRate_hz = 30;
+constexpr std::size_t kMostShownPoses = 320;
+constexpr std::size_t kMadeUpPoses = 40;
+
+// Vertices are the same if they lie in one place and follow the same joints alike.
+using Key = std::tuple<float, float, float, std::vector<std::pair<std::uint32_t, double>>>;
+
+Key key_of(const glm::vec3& position, const BoundVertex& influences) {
+  std::vector<std::pair<std::uint32_t, double>> follows;
+  for (const BoundInfluence& i : influences) follows.emplace_back(i.joint, i.weight);
+  return {position.x, position.y, position.z, std::move(follows)};
+}
+
+std::vector<int> nearest_above(const std::vector<std::uint16_t>& joints, const std::vector<std::uint16_t>& parents) {
+  std::map<int, int> of_skin;
+  for (std::size_t j = 0; j < joints.size(); ++j) of_skin.emplace(joints[j], static_cast<int>(j));
+  std::vector<int> out;
+  for (const std::uint16_t joint : joints) {
+    std::uint16_t above = parents[joint];
+    while (above != kNoJoint && !of_skin.contains(above)) above = parents[above];
+    out.push_back(above == kNoJoint ? kNone : of_skin.at(above));
+  }
+  return out;
+}
+
+// Of the skin's joints: the axes in the bind pose, and the rotation from the joint above.
+struct Bound {
+  glm::dmat3 axes, from_axes;
+  glm::dquat local;
+};
+
+Bound bound(const DeformSource& source, const BuiltSkeleton& skeleton, std::uint32_t joint) {
+  Bound out;
+  out.from_axes = glm::dmat3(source.inverse_bind[joint]);
+  out.axes = glm::inverse(out.from_axes);
+  const std::uint16_t own = source.joints[joint];
+  const int above = source.parents[joint];
+  if (above != kNone && source.joints[to_index(above)] == skeleton.parents[own]) {
+    const glm::dmat3 from_above(source.inverse_bind[to_index(above)]);
+    out.local = deform::quaternion_of(deform::rotation_of(from_above * out.axes));
+  } else {
+    out.local = rotation_of(skeleton.rest[own / 4], own % 4);
+  }
+  return out;
+}
+
+// Axes may be scaled or mirrored; turns go through them as matrices.
+glm::dquat through(const glm::dmat3& from, const glm::dquat& turn, const glm::dmat3& to) {
+  return deform::quaternion_of(deform::rotation_of(from * glm::mat3_cast(turn) * to));
+}
+
+glm::dquat limited(const JointLimit& limit, const Bound& joint, const glm::dquat& turn) {
+  const glm::dquat wanted = joint.local * through(joint.from_axes, turn, joint.axes);
+  float local[4] = {static_cast<float>(wanted.x), static_cast<float>(wanted.y), static_cast<float>(wanted.z),
+                    static_cast<float>(wanted.w)};
+  if (clamp_rotation(limit, local) != Status::ok) return turn;
+  const glm::dquat allowed(static_cast<double>(local[3]), static_cast<double>(local[0]), static_cast<double>(local[1]),
+                           static_cast<double>(local[2]));
+  return through(joint.axes, glm::conjugate(joint.local) * glm::normalize(allowed), joint.from_axes);
+}
+
 }  // namespace
 
 std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skeleton, double rate_hz, std::size_t most) {
@@ -118,35 +179,6 @@ std::vector<Affine> model_pose(const BuiltSkeleton& skeleton, const std::vector<
   return out;
 }
 
-namespace {
-
-constexpr double kShownRate_hz = 30;
-constexpr std::size_t kMostShownPoses = 320;
-constexpr std::size_t kMadeUpPoses = 40;
-
-// Vertices are the same if they lie in one place and follow the same joints alike.
-using Key = std::tuple<float, float, float, std::vector<std::pair<std::uint32_t, double>>>;
-
-Key key_of(const glm::vec3& position, const BoundVertex& influences) {
-  std::vector<std::pair<std::uint32_t, double>> follows;
-  for (const BoundInfluence& i : influences) follows.emplace_back(i.joint, i.weight);
-  return {position.x, position.y, position.z, std::move(follows)};
-}
-
-std::vector<int> nearest_above(const std::vector<std::uint16_t>& joints, const std::vector<std::uint16_t>& parents) {
-  std::map<int, int> of_skin;
-  for (std::size_t j = 0; j < joints.size(); ++j) of_skin.emplace(joints[j], static_cast<int>(j));
-  std::vector<int> out;
-  for (const std::uint16_t joint : joints) {
-    std::uint16_t above = parents[joint];
-    while (above != kNoJoint && !of_skin.contains(above)) above = parents[above];
-    out.push_back(above == kNoJoint ? kNone : of_skin.at(above));
-  }
-  return out;
-}
-
-}  // namespace
-
 WeldedMesh welded(const RawMesh& mesh, const RawSkin& skin, const SkinBinding& binding) {
   WeldedMesh out;
   out.mesh.joint_count = static_cast<std::uint32_t>(skin.joints.size());
@@ -177,10 +209,10 @@ DeformSource deform_source(const RawMesh& mesh, const RawSkin& skin, const SkinB
   static_cast<WeldedMesh&>(out) = welded(mesh, skin, binding);
   out.inverse_bind = skin.inverse_bind;
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-    out.joints.push_back(static_cast<std::uint16_t>(built.joint_of_node[static_cast<std::size_t>(skin.joints[j])]));
+    out.joints.push_back(static_cast<std::uint16_t>(built.joint_of_node[to_index(skin.joints[j])]));
     out.centres.emplace_back(glm::inverse(skin.inverse_bind[j])[3]);
   }
-  out.skeleton = static_cast<std::uint32_t>(built.nearest[static_cast<std::size_t>(skin.joints.front())].skeleton);
+  out.skeleton = static_cast<std::uint32_t>(built.nearest[to_index(skin.joints.front())].skeleton);
   out.parents = nearest_above(out.joints, built.skeletons[out.skeleton].parents);
   return out;
 }
@@ -222,48 +254,6 @@ std::vector<deform::Pose> poses_of_clips(const DeformSource& source, const SkinB
   return out;
 }
 
-namespace {
-
-// Of the skin's joints: the axes in the bind pose, and the rotation from the joint above.
-struct Bound {
-  glm::dmat3 axes, from_axes;
-  glm::dquat local;
-};
-
-Bound bound(const DeformSource& source, const BuiltSkeleton& skeleton, std::uint32_t joint) {
-  Bound out;
-  out.from_axes = glm::dmat3(source.inverse_bind[joint]);
-  out.axes = glm::inverse(out.from_axes);
-  const std::uint16_t own = source.joints[joint];
-  const int above = source.parents[joint];
-  if (above != kNone && source.joints[static_cast<std::size_t>(above)] == skeleton.parents[own]) {
-    const glm::dmat3 from_above(source.inverse_bind[static_cast<std::size_t>(above)]);
-    out.local = deform::quaternion_of(deform::rotation_of(from_above * out.axes));
-  } else {
-    const auto& rest = skeleton.rest[own / 4].rotation;
-    const auto part = [&](std::size_t c) { return static_cast<double>(rest[c][own % 4]); };
-    out.local = glm::dquat(part(3), part(0), part(1), part(2));
-  }
-  return out;
-}
-
-// Axes may be scaled or mirrored; turns go through them as matrices.
-glm::dquat through(const glm::dmat3& from, const glm::dquat& turn, const glm::dmat3& to) {
-  return deform::quaternion_of(deform::rotation_of(from * glm::mat3_cast(turn) * to));
-}
-
-glm::dquat limited(const JointLimit& limit, const Bound& joint, const glm::dquat& turn) {
-  const glm::dquat wanted = joint.local * through(joint.from_axes, turn, joint.axes);
-  float local[4] = {static_cast<float>(wanted.x), static_cast<float>(wanted.y), static_cast<float>(wanted.z),
-                    static_cast<float>(wanted.w)};
-  if (clamp_rotation(limit, local) != Status::ok) return turn;
-  const glm::dquat allowed(static_cast<double>(local[3]), static_cast<double>(local[0]), static_cast<double>(local[1]),
-                           static_cast<double>(local[2]));
-  return through(joint.axes, glm::conjugate(joint.local) * glm::normalize(allowed), joint.from_axes);
-}
-
-}  // namespace
-
 deform::RangeOfMotion range_of_motion(const DeformSource& source, const BuiltSkeleton& skeleton) {
   deform::MotionOptions options;
   options.nearest_allowed = [&](std::uint32_t joint, const glm::dquat& turn) {
@@ -288,5 +278,4 @@ std::vector<std::string> left_out_of_motion(const DeformSource& source, const Bu
   }
   return out;
 }
-
 }  // namespace marrow::cook

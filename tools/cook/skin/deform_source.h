@@ -18,12 +18,12 @@ struct SampledPose {
   float time_s = 0;
 };
 
-// Moments of all clips of a skeleton, `rate_hz` a second and both ends, thinned evenly to at most `most`, but two a
-// clip.
+// Poses of all clips of a skeleton, `rate_hz` a second and both ends, thinned evenly to at most `most`, but at least
+// two a clip.
 std::vector<SampledPose> clip_poses(const BuiltScene& scene, std::uint32_t skeleton, double rate_hz, std::size_t most);
 
-// `count` poses in each of which every joint is somewhere between two moments of `poses`, each joint between others:
-// they go together as they may. Without poses they are turned_poses() of 45°. The same on every run.
+// `count` poses that mix the given ones: each joint is somewhere between two of `poses`, chosen anew for each joint.
+// Without poses they are turned_poses() of 45°. The same on every run.
 std::vector<SampledPose> resampled_poses(const BuiltSkeleton& skeleton, const std::vector<SampledPose>& poses,
                                          std::size_t count);
 

@@ -38,9 +38,6 @@ Palette some_of(const Palette& whole, const std::vector<std::uint16_t>& entries)
 std::vector<Binding> bind_vertices(const SkinBinding& binding, const std::vector<BoundVertex>& vertices,
                                    const std::vector<std::uint16_t>& entry_of);
 
-// Joints that a palette must have for a vertex beside those that it follows.
-std::vector<std::uint32_t> joints_of_deformers(const BoundDeformers& deformers, const BoundVertex& vertex);
-
 // What build_geometry() takes of a primitive; joint j, if the palette has it, is entry entry_of[j] of palette_size.
 DeformerData deformer_data(const SkinBinding& binding, std::size_t primitive,
                            const std::vector<std::uint16_t>& entry_of, std::size_t palette_size);

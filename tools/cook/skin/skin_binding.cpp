@@ -77,5 +77,4 @@ BoundVertex with_fewer_joints(const deform::PoseMetric& metric, const BoundVerte
   }
   return out;
 }
-
 }  // namespace marrow::cook

@@ -47,11 +47,11 @@ struct SkinBinding {
 // precision. Notes what it mends.
 SkinBinding bind_to_skin(const RawMesh& mesh, Notes& notes);
 
-// In animation space.
+// A bound vertex as coordinates of animation space.
 std::vector<deform::Coordinate> coordinates_of(const BoundVertex& vertex, const glm::dvec3& position);
 
-// On at most so many joints: what animation space makes of it and what linear blend skinning does, each as close to
-// what it was as they allow, and both as they were in the bind pose.
+// The vertex on at most `most` joints. Both animation space and linear blend skinning take it as close to where they
+// took it before as so many joints allow, and to the same place in the bind pose.
 BoundVertex with_fewer_joints(const deform::PoseMetric& metric, const BoundVertex& vertex, const glm::dvec3& position,
                               bool has_residual, std::size_t most);
 
