@@ -12,203 +12,57 @@
 #include "common/failure.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
+#include "toml/toml_reader.h"
 
 namespace marrow::cook {
 namespace {
 
 // Of a grown person 1 high, arms between T and A.
 constexpr std::string_view kHumanoid = R"(
-[[joint]]
-name = "Hips"
-place = [0, 0.52, 0]
-
-[[joint]]
-name = "Spine"
-parent = "Hips"
-place = [0, 0.57, 0]
-
-[[joint]]
-name = "Spine1"
-parent = "Spine"
-place = [0, 0.64, 0]
-
-[[joint]]
-name = "Spine2"
-parent = "Spine1"
-place = [0, 0.71, 0]
-
-[[joint]]
-name = "Neck"
-parent = "Spine2"
-place = [0, 0.81, 0]
-
-[[joint]]
-name = "Head"
-parent = "Neck"
-place = [0, 0.87, 0]
-end = [0, 1, 0]
-
-[[joint]]
-name = "LeftShoulder"
-mirror = "RightShoulder"
-parent = "Spine2"
-place = [0.025, 0.79, 0]
-
-[[joint]]
-name = "LeftArm"
-mirror = "RightArm"
-parent = "LeftShoulder"
-place = [0.085, 0.79, 0]
-
-[[joint]]
-name = "LeftForeArm"
-mirror = "RightForeArm"
-parent = "LeftArm"
-place = [0.212, 0.744, 0]
-
-[[joint]]
-name = "LeftHand"
-mirror = "RightHand"
-parent = "LeftForeArm"
-place = [0.328, 0.702, 0]
-end = [0.432, 0.664, 0]
-
-[[joint]]
-name = "LeftUpLeg"
-mirror = "RightUpLeg"
-parent = "Hips"
-place = [0.055, 0.51, 0]
-
-[[joint]]
-name = "LeftLeg"
-mirror = "RightLeg"
-parent = "LeftUpLeg"
-place = [0.06, 0.285, 0.01]
-
-[[joint]]
-name = "LeftFoot"
-mirror = "RightFoot"
-parent = "LeftLeg"
-place = [0.065, 0.055, -0.02]
-
-[[joint]]
-name = "LeftToeBase"
-mirror = "RightToeBase"
-parent = "LeftFoot"
-place = [0.07, 0.012, 0.05]
-end = [0.075, 0.01, 0.10]
+joint = [
+  {name="Hips", place=[0, 0.52, 0]},
+  {name="Spine", parent="Hips", place=[0, 0.57, 0]},
+  {name="Spine1", parent="Spine", place=[0, 0.64, 0]},
+  {name="Spine2", parent="Spine1", place=[0, 0.71, 0]},
+  {name="Neck", parent="Spine2", place=[0, 0.81, 0]},
+  {name="Head", parent="Neck", place=[0, 0.87, 0], end=[0, 1, 0]},
+  {name="LeftShoulder", mirror="RightShoulder", parent="Spine2", place=[0.025, 0.79, 0]},
+  {name="LeftArm", mirror="RightArm", parent="LeftShoulder", place=[0.085, 0.79, 0]},
+  {name="LeftForeArm", mirror="RightForeArm", parent="LeftArm", place=[0.212, 0.744, 0]},
+  {name="LeftHand", mirror="RightHand", parent="LeftForeArm", place=[0.328, 0.702, 0], end=[0.432, 0.664, 0]},
+  {name="LeftUpLeg", mirror="RightUpLeg", parent="Hips", place=[0.055, 0.51, 0]},
+  {name="LeftLeg", mirror="RightLeg", parent="LeftUpLeg", place=[0.06, 0.285, 0.01]},
+  {name="LeftFoot", mirror="RightFoot", parent="LeftLeg", place=[0.065, 0.055, -0.02]},
+  {name="LeftToeBase", mirror="RightToeBase", parent="LeftFoot", place=[0.07, 0.012, 0.05], end=[0.075, 0.01, 0.10]},
+]
 )";
 
 // About a fox: head to the front, tail to the back.
 constexpr std::string_view kQuadruped = R"(
-[[joint]]
-name = "Hips"
-place = [0, 0.66, -0.36]
-
-[[joint]]
-name = "Spine"
-parent = "Hips"
-place = [0, 0.68, -0.22]
-
-[[joint]]
-name = "Spine1"
-parent = "Spine"
-place = [0, 0.68, 0]
-
-[[joint]]
-name = "Spine2"
-parent = "Spine1"
-place = [0, 0.66, 0.22]
-
-[[joint]]
-name = "Neck"
-parent = "Spine2"
-place = [0, 0.70, 0.34]
-
-[[joint]]
-name = "Head"
-parent = "Neck"
-place = [0, 0.78, 0.47]
-end = [0, 0.70, 0.82]
-
-[[joint]]
-name = "LeftArm"
-mirror = "RightArm"
-parent = "Spine2"
-place = [0.07, 0.62, 0.23]
-
-[[joint]]
-name = "LeftForeArm"
-mirror = "RightForeArm"
-parent = "LeftArm"
-place = [0.09, 0.33, 0.21]
-
-[[joint]]
-name = "LeftHand"
-mirror = "RightHand"
-parent = "LeftForeArm"
-place = [0.09, 0.08, 0.22]
-end = [0.09, 0.02, 0.27]
-
-[[joint]]
-name = "LeftUpLeg"
-mirror = "RightUpLeg"
-parent = "Hips"
-place = [0.07, 0.64, -0.37]
-
-[[joint]]
-name = "LeftLeg"
-mirror = "RightLeg"
-parent = "LeftUpLeg"
-place = [0.09, 0.40, -0.34]
-
-[[joint]]
-name = "LeftFoot"
-mirror = "RightFoot"
-parent = "LeftLeg"
-place = [0.09, 0.20, -0.47]
-
-[[joint]]
-name = "LeftToeBase"
-mirror = "RightToeBase"
-parent = "LeftFoot"
-place = [0.09, 0.03, -0.42]
-end = [0.09, 0.02, -0.36]
-
-[[joint]]
-name = "Tail"
-parent = "Hips"
-place = [0, 0.64, -0.50]
-
-[[joint]]
-name = "Tail1"
-parent = "Tail"
-place = [0, 0.53, -0.64]
-
-[[joint]]
-name = "Tail2"
-parent = "Tail1"
-place = [0, 0.42, -0.82]
-end = [0, 0.34, -1.05]
+joint = [
+  {name="Hips", place=[0, 0.66, -0.36]},
+  {name="Spine", parent="Hips", place=[0, 0.68, -0.22]},
+  {name="Spine1", parent="Spine", place=[0, 0.68, 0]},
+  {name="Spine2", parent="Spine1", place=[0, 0.66, 0.22]},
+  {name="Neck", parent="Spine2", place=[0, 0.70, 0.34]},
+  {name="Head", parent="Neck", place=[0, 0.78, 0.47], end=[0, 0.70, 0.82]},
+  {name="LeftArm", mirror="RightArm", parent="Spine2", place=[0.07, 0.62, 0.23]},
+  {name="LeftForeArm", mirror="RightForeArm", parent="LeftArm", place=[0.09, 0.33, 0.21]},
+  {name="LeftHand", mirror="RightHand", parent="LeftForeArm", place=[0.09, 0.08, 0.22], end=[0.09, 0.02, 0.27]},
+  {name="LeftUpLeg", mirror="RightUpLeg", parent="Hips", place=[0.07, 0.64, -0.37]},
+  {name="LeftLeg", mirror="RightLeg", parent="LeftUpLeg", place=[0.09, 0.40, -0.34]},
+  {name="LeftFoot", mirror="RightFoot", parent="LeftLeg", place=[0.09, 0.20, -0.47]},
+  {name="LeftToeBase", mirror="RightToeBase", parent="LeftFoot", place=[0.09, 0.03, -0.42], end=[0.09, 0.02, -0.36]},
+  {name="Tail", parent="Hips", place=[0, 0.64, -0.50]},
+  {name="Tail1", parent="Tail", place=[0, 0.53, -0.64]},
+  {name="Tail2", parent="Tail1", place=[0, 0.42, -0.82], end=[0, 0.34, -1.05]},
+]
 )";
-
-}  // namespace
-
-std::string_view builtin_template(std::string_view name) {
-  if (name == "humanoid") return kHumanoid;
-  return name == "quadruped" ? kQuadruped : std::string_view();
-}
-
-namespace {
 
 using deform::SkeletonTemplate;
 
 constexpr std::size_t kLargestTemplate = std::size_t{64} * 1024;
 constexpr double kFarthestInTemplate = 1e6;  // of a coordinate
-
-std::string place_in(const toml::source_region& region) {
-  return std::to_string(region.begin.line) + ':' + std::to_string(region.begin.column);
-}
 
 class TemplateReader {
  public:
@@ -221,12 +75,13 @@ class TemplateReader {
   SkeletonTemplate read(const toml::table& root) {
     for (const auto& [key, node] : root)
       if (key.str() != "joint")
-        fail(place_in(key.source()), "unknown key \"" + std::string(key.str()) + "\"", "a template has [[joint]]");
+        fail(tools::place_of(key.source()), "unknown key \"" + std::string(key.str()) + "\"",
+             "a template has [[joint]]");
     const toml::array* const joints = root.get_as<toml::array>("joint");
     if (joints == nullptr || joints->empty()) fail("", "the template has no joints", "write [[joint]]");
     for (const toml::node& node : *joints) {
       const toml::table* const joint = node.as_table();
-      if (joint == nullptr) fail(place_in(node.source()), "a joint must be a table", "write [[joint]]");
+      if (joint == nullptr) fail(tools::place_of(node.source()), "a joint must be a table", "write [[joint]]");
       read_joint(*joint);
     }
     check_whole();
@@ -239,7 +94,7 @@ class TemplateReader {
     if (node == nullptr) return "";
     const auto* const text = node->as_string();
     if (text == nullptr || text->get().empty())
-      fail(place_in(node->source()), fmt::format("\"{}\" must be a name", key), "quote it");
+      fail(tools::place_of(node->source()), fmt::format("\"{}\" must be a name", key), "quote it");
     return text->get();
   }
 
@@ -248,7 +103,7 @@ class TemplateReader {
     if (node == nullptr) return std::nullopt;
     const toml::array* const numbers = node->as_array();
     const auto refuse = [&] {
-      fail(place_in(node->source()), fmt::format("\"{}\" must be three numbers, none above a million", key),
+      fail(tools::place_of(node->source()), fmt::format("\"{}\" must be three numbers, none above a million", key),
            "write [x, y, z]");
     };
     if (numbers == nullptr || numbers->size() != 3) refuse();
@@ -267,7 +122,7 @@ class TemplateReader {
     const auto index = static_cast<int>(out_.size());
     if (!is_end && !index_of_.emplace(name, index).second)
       fail(where, "two joints are called \"" + name + "\"", "rename one");
-    if (parent != deform::kNoJoint && out_[static_cast<std::size_t>(parent)].place == place)
+    if (parent != deform::kNoJoint && out_[to_index(parent)].place == place)
       fail(where, "a joint at the place of the one above it", "move it: bones have lengths");
     out_.push_back({name, parent, place, deform::kNoJoint, is_end});
     return index;
@@ -276,8 +131,7 @@ class TemplateReader {
   // Both of them where the joint has a mirror; the second is deform::kNoJoint else.
   std::pair<int, int> add_pair(const std::string& where, const std::string& name, const std::string& mirror, int parent,
                                const glm::dvec3& place, bool is_end) {
-    const int other_parent =
-        parent == deform::kNoJoint ? deform::kNoJoint : out_[static_cast<std::size_t>(parent)].mirror;
+    const int other_parent = parent == deform::kNoJoint ? deform::kNoJoint : out_[to_index(parent)].mirror;
     if (mirror.empty()) {
       if (place.x != 0) fail(where, "a joint that stands aside without a mirror", "give mirror, or x = 0");
       if (other_parent != deform::kNoJoint)
@@ -288,8 +142,8 @@ class TemplateReader {
     const int left = add(where, name, parent, place, is_end);
     const int right = add(where, is_end ? "" : mirror, other_parent == deform::kNoJoint ? parent : other_parent,
                           glm::dvec3(-place.x, place.y, place.z), is_end);
-    out_[static_cast<std::size_t>(left)].mirror = right;
-    out_[static_cast<std::size_t>(right)].mirror = left;
+    out_[to_index(left)].mirror = right;
+    out_[to_index(right)].mirror = left;
     return {left, right};
   }
 
@@ -297,9 +151,9 @@ class TemplateReader {
     constexpr std::string_view kKeys[] = {"name", "parent", "mirror", "place", "end"};
     for (const auto& [key, node] : joint)
       if (std::ranges::find(kKeys, key.str()) == std::end(kKeys))
-        fail(place_in(key.source()), "unknown key \"" + std::string(key.str()) + "\"",
+        fail(tools::place_of(key.source()), "unknown key \"" + std::string(key.str()) + "\"",
              fmt::format("a joint has {}", fmt::join(kKeys, ", ")));
-    const std::string where = place_in(joint.source());
+    const std::string where = tools::place_of(joint.source());
     const std::string name = name_in(joint, "name"), parent_name = name_in(joint, "parent"),
                       mirror = name_in(joint, "mirror");
     const std::optional<glm::dvec3> place = place_of(joint, "place"), end = place_of(joint, "end");
@@ -309,7 +163,7 @@ class TemplateReader {
     if (!parent_name.empty()) {
       const auto found = index_of_.find(parent_name);
       if (found == index_of_.end())
-        fail(place_in(joint.get("parent")->source()), "no joint above is called \"" + parent_name + "\"",
+        fail(tools::place_of(joint.get("parent")->source()), "no joint above is called \"" + parent_name + "\"",
              "joints come after their parents");
       parent = found->second;
     }
@@ -344,6 +198,11 @@ class TemplateReader {
 
 }  // namespace
 
+std::string_view builtin_template(std::string_view name) {
+  if (name == "humanoid") return kHumanoid;
+  return name == "quadruped" ? kQuadruped : std::string_view();
+}
+
 SkeletonTemplate parse_template(const std::string& path, std::string_view text) {
   TemplateReader reader(path);
   if (text.size() > kLargestTemplate) reader.fail("", "too large", "64 KiB is the limit");
@@ -353,9 +212,8 @@ SkeletonTemplate parse_template(const std::string& path, std::string_view text) 
   try {
     root = toml::parse(text);
   } catch (const toml::parse_error& e) {
-    reader.fail(place_in(e.source()), "no TOML", std::string(e.description()));
+    reader.fail(tools::place_of(e.source()), "no TOML", std::string(e.description()));
   }
   return reader.read(root);
 }
-
 }  // namespace marrow::cook
