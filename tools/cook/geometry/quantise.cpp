@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <functional>
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -1,7 +1,6 @@
 // Graphs of behaviour: from files of text to records that name each other by number.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "cook/graph/graph_text.h"

@@ -1,7 +1,6 @@
 // A graph as its author wrote it (docs/stages/animator.md), with the place of each name.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>

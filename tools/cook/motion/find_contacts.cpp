@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>

@@ -1,7 +1,6 @@
 // Weights that were painted by `marrow view`: all weights of some vertices, by where these are in the bind pose.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,8 +1,6 @@
 // How a skeleton takes poses of another rig while a game runs: what retarget_pose() of marrow/pose_map.h reads.
 #pragma once
 
-#include <string>
-
 #include "cook/retarget/retarget.h"
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"

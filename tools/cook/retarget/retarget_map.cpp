@@ -1,6 +1,5 @@
 #include "cook/retarget/retarget.h"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>

@@ -184,10 +184,7 @@ void bend(const RetargetPlan& plan, const Sole& sole, const SolePart& part, doub
   const glm::dvec3 across = moved * glm::cross(sole.forward, glm::dvec3(0, 1, 0));
   const double half_sine = tools::sine(over / 2);
   const glm::dquat raised(tools::cosine(over / 2), half_sine * across.x, half_sine * across.y, half_sine * across.z);
-  for (const std::size_t j : part.turned) {
-    puppet.wanted[j] = raised * puppet.turns[j];
-    puppet.is_turned[j] = 1;
-  }
+  for (const std::size_t j : part.turned) puppet.turn(j, raised);
 }
 
 // How high the lowest of a sole is above the ankle.

@@ -1,6 +1,7 @@
 #include "cook/clip/compress/choose_steps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <queue>

@@ -244,16 +244,12 @@ void reach(const Limb& limb, const glm::dvec3& place, const glm::dvec3& ahead, d
   const glm::dvec3 new_upper = along * way + std::sqrt(std::max(0.0, a * a - along * along)) * glm::normalize(bent);
   const glm::dvec3 new_lower = length * way - new_upper;
   if (!(glm::length(new_upper) > 0) || !(glm::length(new_lower) > 0)) return;
-  const auto turn = [&](std::size_t joint, const glm::dquat& by) {
-    puppet.wanted[joint] = by * puppet.turns[joint];
-    puppet.is_turned[joint] = 1;
-  };
   const glm::dquat turned = arc(upper / a, glm::normalize(new_upper));
   const glm::dquat turned_below = arc(lower / b, glm::normalize(new_lower));
-  turn(limb.top, turned);
-  for (const std::size_t joint : limb.with_top) turn(joint, turned);
-  turn(middle, turned_below);
-  for (const std::size_t joint : limb.with_middle) turn(joint, turned_below);
+  puppet.turn(limb.top, turned);
+  for (const std::size_t joint : limb.with_top) puppet.turn(joint, turned);
+  puppet.turn(middle, turned_below);
+  for (const std::size_t joint : limb.with_middle) puppet.turn(joint, turned_below);
 }
 
 bool lies_flat(const glm::dvec3& bone) {

@@ -1,10 +1,7 @@
 #include "cook/retarget/plan/pair_rigs.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <map>
-#include <set>
 
 #include "common/failure.h"
 #include "cook/scene/raw.h"

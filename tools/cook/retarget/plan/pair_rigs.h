@@ -1,7 +1,6 @@
 // Which joint of a skeleton turns as which of another rig: by roles, then by names, or as a map says.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

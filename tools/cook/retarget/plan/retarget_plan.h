@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -69,6 +68,12 @@ struct Puppet {
   void pose(const RetargetPlan& plan);
 
   glm::dvec3 place(std::size_t joint) const { return glm::dvec3(model_from_joint[joint][3]); }
+
+  // From the next pose() on the joint is turned by this, beside what it has turned.
+  void turn(std::size_t joint, const glm::dquat& by) {
+    wanted[joint] = by * turns[joint];
+    is_turned[joint] = 1;
+  }
 
   // From the next pose() on the joint is at this place in the scene. Its parent must not move in between.
   void put(const RetargetPlan& plan, std::size_t joint, const glm::dvec3& place);
