@@ -21,7 +21,7 @@ std::vector<std::byte> encode_draco(OwnedStreams& streams, DracoAim aim);
 // meshoptimizer's codecs; vertices are put into the order in which the runtime will store them.
 std::vector<std::byte> encode_meshopt(OwnedStreams& streams);
 
-// Joints and weights apart from the streams that a codec takes (docs/packed_format.md, "Skins apart").
+// Joints and weights apart from the streams that a codec takes (docs/format.md, "Skins apart").
 class SkinApart {
  public:
   // Takes them out of the streams. Returns nothing, and changes nothing, where there are none that fit the coder, or
