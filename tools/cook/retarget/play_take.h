@@ -9,9 +9,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "cook/retarget/feet.h"
 #include "cook/retarget/plan/retarget_plan.h"
 #include "cook/retarget/plan/take.h"
+#include "cook/retarget/planted_feet.h"
 #include "cook/scene/built.h"
 #include "cook/scene/raw.h"
 #include "marrow/roles.h"

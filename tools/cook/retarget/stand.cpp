@@ -1,4 +1,4 @@
-#include "cook/retarget/feet.h"
+#include "cook/retarget/planted_feet.h"
 
 #include <algorithm>
 #include <array>
