@@ -9,7 +9,7 @@
 #include "cook/clip/build_clips.h"
 #include "cook/gltf/read.h"
 #include "cook/learn/truths.h"
-#include "cook/skeleton/build_limits.h"
+#include "cook/skeleton/build_details.h"
 #include "cook/skeleton/build_skeletons.h"
 #include "cook/skin/deform_source.h"
 #include "deform/cylinder.h"

@@ -11,7 +11,7 @@
 #include "common/failure.h"
 #include "cook/learn/look_better.h"
 #include "cook/learn/trainees.h"
-#include "cook/skin/joint_motion.h"
+#include "cook/skin/deform_source.h"
 #include "deform/deformers.h"
 #include "deform/helpers/closed_form.h"
 #include "deform/helpers/never_worse.h"

@@ -4,7 +4,7 @@
 
 #include "cook/learn/learn.h"
 #include "cook/learn/truths.h"
-#include "cook/skin/joint_motion.h"
+#include "cook/skin/deform_source.h"
 #include "deform/helpers/helpers.h"
 
 namespace marrow::cook {

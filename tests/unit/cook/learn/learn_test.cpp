@@ -13,7 +13,7 @@
 #include "cook/gltf/read.h"
 #include "cook/learn/trainees.h"
 #include "cook/learn/truths.h"
-#include "cook/skin/joint_motion.h"
+#include "cook/skin/deform_source.h"
 #include "deform/animation_space.h"
 #include "deform/motion/motion_errors.h"
 #include "marrow/marrow.h"
