@@ -1,10 +1,9 @@
 // Reading glTF: which scene is cooked, and what of it is drawn.
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "unit/cook/gltf/document.h"
+#include "unit/cook/gltf/gltf_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -12,192 +11,116 @@ namespace {
 // Scenes "attic" (a node with a child, both with meshes) and "cellar" (a mesh), a node of neither, and a clip that
 // moves the last node of each.
 Builder house() {
-  Builder b;
-  b.root["nodes"] = {{{"name", "table"}, {"children", {1}}, {"mesh", 0}},
-                     {{"name", "lamp"}, {"mesh", 0}},
-                     {{"name", "barrel"}, {"mesh", 0}},
-                     {{"name", "ghost"}, {"mesh", 0}}};
-  b.root["scenes"] = {{{"name", "attic"}, {"nodes", {0}}}, {{"name", "cellar"}, {"nodes", {2}}}};
-  b.root["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", b.curve(3)}}}}}}}};
-  const int times = b.times({0, 1}), places = b.numbers<float>(kF32, "VEC3", 3, {0, 0, 0, 0, 1, 0});
-  for (const int node : {1, 2, 3}) b.channel(times, places, "translation", "LINEAR", node);
-  return b;
+  return document_of(R"("nodes": [{"name": "table", "children": [1], "mesh": 0}, {"name": "lamp", "mesh": 0},
+                           {"name": "barrel", "mesh": 0}, {"name": "ghost", "mesh": 0}],
+    "scenes": [{"name": "attic", "nodes": [0]}, {"name": "cellar", "nodes": [2]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": "=f32x3 0 0 0 1 1 0 2 4 0"}}]}],
+    "animations": [{"samplers": [{"input": "=f32x1 0 1", "output": "=f32x3 0 0 0 0 1 0"}], "channels":
+      [{"sampler": 0, "target": {"node": 1, "path": "translation"}}, {"sampler": 0, "target": {"node": 2, "path": "translation"}},
+       {"sampler": 0, "target": {"node": 3, "path": "translation"}}]}])");
 }
 
-// The nodes that are drawn.
-std::vector<int> drawn(const RawScene& scene) {
-  std::vector<int> out;
-  for (const RawInstance& instance : scene.instances) out.push_back(instance.node);
-  return out;
-}
-
-std::vector<int> moved(const RawScene& scene) {
-  std::vector<int> out;
-  for (const RawClip& clip : scene.clips)
-    for (const RawChannel& channel : clip.channels) out.push_back(channel.node);
-  return out;
-}
-
-std::string text_of(const RawScene& scene, const std::string& rule) {
-  for (const RawWarning& warning : scene.warnings)
-    if (warning.rule == rule) return warning.text;
-  return "";
-}
-
-using Nodes = std::vector<int>;
-
-// glTF 2.0, section 3.5.1: what `scene` says is shown; without it nothing need be. Then it is the first.
 TEST(GltfChosenScene, IsTheDefaultOneElseTheFirst) {
-  Builder b = house();
-  b.root["scene"] = 1;
-  RawScene scene = read(b);
-  EXPECT_EQ(drawn(scene), Nodes{2});
-  EXPECT_EQ(moved(scene), Nodes{2});
-  EXPECT_FALSE(scene.nodes[0].in_scene || scene.nodes[1].in_scene || scene.nodes[3].in_scene);
-  EXPECT_TRUE(scene.nodes[2].in_scene);
-  EXPECT_TRUE(warns(scene, "channels-left-out", "/animations"));
-  const std::string said = text_of(scene, "nodes-outside-scene");
-  EXPECT_TRUE(said.starts_with("3 nodes")) << said;
-  for (const char* part : {"\"table\", \"lamp\", \"ghost\"", "--scene"})
-    EXPECT_NE(said.find(part), std::string::npos) << said;
-  b.root.erase("scene");
-  scene = read(b);
-  EXPECT_EQ(drawn(scene), (Nodes{0, 1}));
-  EXPECT_EQ(moved(scene), Nodes{1});
+  expect_rows(house(), {{"glTF 2.0, section 3.5.1: what \"scene\" says is shown", R"("/scene": 1)", R"(
+      "drawn": [2], "moved": [2], "nodes/0/in_scene": false, "nodes/1/in_scene": false, "nodes/2/in_scene": true,
+      "nodes/3/in_scene": false, "warns": ["channels-left-out /animations", "nodes-outside-scene"],
+      "said/nodes-outside-scene": ["…3 nodes", "…\"table\", \"lamp\", \"ghost\"", "…--scene"])"},
+                        {"without it nothing need be: then it is the first", R"("/scene": null)",
+                         R"("drawn": [0, 1], "moved": [1])"}});
 }
 
 TEST(GltfChosenScene, IsTheOneThatIsAskedFor) {
-  Builder b = house();
-  EXPECT_EQ(drawn(read(b, {.scene = {"cellar"}})), Nodes{2});
-  EXPECT_EQ(drawn(read(b, {.scene = {"1"}})), Nodes{2});
-  EXPECT_EQ(drawn(read(b, {.scene = {"0"}})), (Nodes{0, 1}));
-  b.root["scenes"][0]["name"] = "1";
-  EXPECT_EQ(drawn(read(b, {.scene = {"1"}})), (Nodes{0, 1})) << "names come first";
+  expect_rows(house(), {{"by its name", "", R"("drawn": [2])"}}, {.scene = {"cellar"}});
+  expect_rows(house(), {{"by its number", "", R"("drawn": [0, 1])"}}, {.scene = {"0"}});
+  expect_rows(house(),
+              {{"by its number", "", R"("drawn": [2])"},
+               {"names come first", R"("/scenes/0/name": "1")", R"("drawn": [0, 1])"}},
+              {.scene = {"1"}});
 }
 
 // Some exporters list what hangs on a node that does nothing else.
 TEST(GltfChosenScene, TakesTheRootOverWhatItLists) {
-  Builder b = house();
-  b.root["nodes"].push_back({{"name", "above"}, {"children", {0}}});
-  const RawScene scene = read(b);
-  EXPECT_EQ(drawn(scene), (Nodes{0, 1}));
-  EXPECT_TRUE(warns(scene, "scene-lists-no-root", "/scenes/0/nodes/0"));
-  // It would be a guess whether these count.
-  for (const Json& more :
-       {Json{{"translation", {0, 1, 0}}}, Json{{"mesh", 0}}, Json{{"children", {0, 2}}}, Json{{"scale", {1, 1, -1}}}}) {
-    Builder guess = house();
-    guess.root["nodes"].push_back({{"children", {0}}});
-    guess.root["nodes"][4].update(more);
-    if (more.contains("children")) guess.root["scenes"].erase(1);
-    expect_refused(guess.text(), Exit::invalid, "/scenes/0/nodes/0", "not a root node");
-  }
+  const std::string refused = "invalid /scenes/0/nodes/0: not a root node";
+  expect_rows(house(), {{"that does nothing else", R"("/nodes/4": {"name": "above", "children": [0]})",
+                         R"("drawn": [0, 1], "warns": ["scene-lists-no-root /scenes/0/nodes/0"])"},
+                        {"moved", R"("/nodes/4": {"children": [0], "translation": [0, 1, 0]})", refused},
+                        {"with a mesh", R"("/nodes/4": {"children": [0], "mesh": 0})", refused},
+                        {"with others", R"("/nodes/4": {"children": [0, 2]}, "/scenes/1": null)", refused},
+                        {"mirrored", R"("/nodes/4": {"children": [0], "scale": [1, 1, -1]})", refused}});
 }
 
 TEST(GltfChosenScene, ThatIsNotThereIsRefused) {
-  Builder b = house();
   for (const char* name : {"celar", "2", "-1", "1x", "99999999999"})
-    expect_failure([&] { read(b, {.scene = {name}}); }, Exit::usage, "", "no scene is called");
-  try {
-    read(b, {.scene = {"celar"}});
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.file(), "--scene");
-    EXPECT_NE(failure.advice().find("did you mean \"cellar\"?"), std::string::npos) << failure.advice();
-  }
-  // A rule for many files need not fit each.
-  const RawScene scene = read(b, {.scene = {"celar", {"marrow.toml", "1:1", false}}});
-  EXPECT_EQ(drawn(scene), (Nodes{0, 1}));
-  EXPECT_TRUE(warns(scene, "rule-fits-nothing", "/scenes"));
-  b.root.erase("scene");
-  b.root.erase("scenes");
-  expect_failure([&] { read(b, {.scene = {"attic"}}); }, Exit::usage, "", "no scene is called");
+    expect_rows(house(), {{name, "", "usage : no scene is called … --scene"}}, {.scene = {name}});
+  expect_rows(house(), {{"near", "", "usage : no scene is called … did you mean \"cellar\"?"}}, {.scene = {"celar"}});
+  expect_rows(house(), {{"none", R"("/scene": null, "/scenes": null)", "usage : no scene is called"}},
+              {.scene = {"attic"}});
+  expect_rows(
+      house(),
+      {{"a rule for many files need not fit each", "", R"("drawn": [0, 1], "warns": ["rule-fits-nothing /scenes"])"}},
+      {.scene = {"celar", {"marrow.toml", "1:1", false}}});
 }
 
 TEST(GltfChosenScene, WithoutAnyAllNodesAreCooked) {
-  Builder b = house();
-  for (const bool empty : {false, true}) {
-    b.root.erase("scene");
-    b.root.erase("scenes");
-    if (empty) b.root["scenes"] = Json::array();
-    const RawScene scene = read(b);
-    EXPECT_EQ(drawn(scene), (Nodes{0, 1, 2, 3}));
-    EXPECT_EQ(moved(scene), (Nodes{1, 2, 3}));
-    EXPECT_TRUE(warns(scene, "no-scenes", "/scenes"));
-    EXPECT_FALSE(scene.draws_elsewhere);
-  }
+  const std::string all =
+      R"("drawn": [0, 1, 2, 3], "moved": [1, 2, 3], "warns": ["no-scenes /scenes"], "draws_elsewhere": false)";
+  expect_rows(house(), {{"none", R"("/scene": null, "/scenes": null)", all},
+                        {"an empty list", R"("/scene": null, "/scenes": [])", all}});
 }
 
 TEST(GltfChosenScene, SaysWhereMeshesAreDrawnInstead) {
-  Builder b = house();
-  b.root["scenes"][0]["nodes"] = Json::array();
-  const RawScene scene = read(b);
-  EXPECT_TRUE(scene.instances.empty() && scene.draws_elsewhere);
-  EXPECT_TRUE(warns(scene, "empty-array", "/scenes/0/nodes"));
-  b.root["nodes"] = Json::array({Json::object()});
-  b.root.erase("scenes");
-  b.root.erase("scene");
-  b.root.erase("animations");
-  EXPECT_FALSE(read(b).draws_elsewhere) << "no node draws one";
+  expect_rows(house(), {{"elsewhere", R"("/scenes/0/nodes": [])",
+                         R"("drawn": [], "draws_elsewhere": true, "warns": ["empty-array /scenes/0/nodes"])"},
+                        {"no node draws one", R"("/nodes": [{}], "/scenes": null, "/scene": null, "/animations": null)",
+                         R"("draws_elsewhere": false)"}});
 }
 
 // A skin of another scene may hang together in ways that only that scene explains.
 TEST(GltfChosenScene, OthersSkinsAreNoneOfItsBusiness) {
-  Builder b = house();
-  b.root["nodes"].push_back({{"name", "root a"}});
-  b.root["nodes"].push_back({{"name", "root b"}});
-  b.root["scenes"][1]["nodes"] = {2, 4, 5};
-  b.root["skins"] = {{{"joints", {4, 5}}}};
-  EXPECT_EQ(drawn(read(b)), (Nodes{0, 1}));
-  b.root["nodes"][0]["skin"] = 0;
-  EXPECT_THROW(read(b), Failure) << "joints are in its scene";
+  const std::string skin =
+      R"("/nodes/4": {"name": "root a"}, "/nodes/5": {"name": "root b"}, "/scenes/1/nodes": [2, 4, 5],
+                              "/skins": [{"joints": [4, 5]}])";
+  expect_rows(house(), {{"of the other", skin, R"("drawn": [0, 1])"},
+                        {"joints are in its scene", skin + R"(, "/nodes/0/skin": 0)",
+                         "invalid /skins/0/joints/0: no common root"}});
 }
 
 // KHR_node_visibility: what hangs below a hidden node is hidden, too.
 TEST(GltfVisibility, HiddenMeshesAreLeftOut) {
-  Builder b = house();
-  const auto set = [&](int node, const Json& visible) {
-    b.root["nodes"][static_cast<std::size_t>(node)]["extensions"]["KHR_node_visibility"] = visible;
+  const auto with = [](const char* table, const char* lamp) {
+    return std::string(R"("/extensionsUsed": ["KHR_node_visibility"], "/extensionsRequired": ["KHR_node_visibility"],
+      "/nodes/0/extensions": {"KHR_node_visibility": )") +
+           table + R"(}, "/nodes/1/extensions": {"KHR_node_visibility": )" + lamp + "}";
   };
-  b.root["extensionsUsed"] = b.root["extensionsRequired"] = {"KHR_node_visibility"};
-  set(0, {{"visible", false}});
-  set(1, {{"visible", true}});
-  RawScene scene = read(b);
-  EXPECT_TRUE(scene.instances.empty());
-  EXPECT_TRUE(scene.nodes[0].in_scene) << "what it holds may be a joint";
-  EXPECT_EQ(moved(scene), Nodes{1});
-  EXPECT_NE(text_of(scene, "hidden-nodes").find("\"table\", \"lamp\""), std::string::npos);
-  EXPECT_FALSE(warns(scene, "extension-ignored"));
-  set(0, Json::object());
-  set(1, {{"visible", false}});
-  EXPECT_EQ(drawn(read(b)), Nodes{0}) << "true unless it says otherwise";
-  set(1, {{"visible", 0}});
-  expect_failure([&] { read(b); }, Exit::invalid, "/nodes/1/extensions/KHR_node_visibility/visible", "wrong type");
+  expect_rows(house(), {{"both; what it holds may be a joint", with(R"({"visible": false})", R"({"visible": true})"),
+                         R"("drawn": [], "nodes/0/in_scene": true, "moved": [1], "warns not": ["extension-ignored"],
+                            "said/hidden-nodes": "…\"table\", \"lamp\"")"},
+                        {"true unless it says otherwise", with("{}", R"({"visible": false})"), R"("drawn": [0])"},
+                        {"a number", with("{}", R"({"visible": 0})"),
+                         "invalid /nodes/1/extensions/KHR_node_visibility/visible: wrong type"}});
 }
 
 TEST(GltfVisibility, ThatIsAnimatedIsSaid) {
-  Builder b = house();
-  b.root["extensionsUsed"] = {"KHR_animation_pointer", "KHR_node_visibility"};
-  b.root["animations"][0]["channels"][1]["target"] = {
-      {"path", "pointer"},
-      {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/2/extensions/KHR_node_visibility/visible"}}}}}};
-  const RawScene scene = read(b);
-  EXPECT_TRUE(warns(scene, "visibility-not-animated", "/animations/0/channels/1/target/path"));
+  expect_rows(house(), {{"said", R"("/extensionsUsed": ["KHR_animation_pointer", "KHR_node_visibility"],
+      "/animations/0/channels/1/target": {"path": "pointer", "extensions":
+        {"KHR_animation_pointer": {"pointer": "/nodes/2/extensions/KHR_node_visibility/visible"}}})",
+                         R"("warns": ["visibility-not-animated /animations/0/channels/1/target/path"])"}});
 }
 
 // MSFT_lod: "ids" are nodes that take the node's place from afar.
 TEST(GltfLevels, LowerOnesAreLeftOut) {
-  Builder b = house();
-  b.root["extensionsUsed"] = b.root["extensionsRequired"] = {"MSFT_lod"};
-  b.root["scenes"][0]["nodes"] = {0, 2};
-  b.root["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {2, 3};
-  RawScene scene = read(b);
-  EXPECT_EQ(drawn(scene), (Nodes{0, 1})) << "whether the scene lists them or not";
-  EXPECT_NE(text_of(scene, "lower-levels").find("\"barrel\", \"ghost\""), std::string::npos);
-  EXPECT_FALSE(warns(scene, "nodes-outside-scene"));
-  b.root["nodes"][2]["extensions"]["MSFT_lod"]["ids"] = {0};
-  EXPECT_EQ(drawn(read(b)), (Nodes{0, 1})) << "two that name each other";
-  b.root["nodes"][0]["extensions"]["MSFT_lod"]["ids"] = {0};
-  b.root["nodes"][2]["extensions"]["MSFT_lod"]["ids"] = Json::array();
-  EXPECT_EQ(drawn(read(b)), (Nodes{0, 1, 2})) << "none but itself";
+  const auto with = [](const char* table, const char* barrel) {
+    return std::string(
+               R"("/extensionsUsed": ["MSFT_lod"], "/extensionsRequired": ["MSFT_lod"], "/scenes/0/nodes": [0, 2],
+      "/nodes/0/extensions": {"MSFT_lod": {"ids": )") +
+           table + R"(}}, "/nodes/2/extensions": {"MSFT_lod": {"ids": )" + barrel + "}}";
+  };
+  expect_rows(
+      house(),
+      {{"whether the scene lists them or not", with("[2, 3]", "[]"),
+        R"("drawn": [0, 1], "said/lower-levels": "…\"barrel\", \"ghost\"", "warns not": ["nodes-outside-scene"])"},
+       {"two that name each other", with("[2, 3]", "[0]"), R"("drawn": [0, 1])"},
+       {"none but itself", with("[0]", "[]"), R"("drawn": [0, 1, 2])"}});
 }
 
 }  // namespace

@@ -1,325 +1,201 @@
 // Reading glTF: animations of joints and of numbers.
-#include "cook/gltf/read.h"
-
 #include <cmath>
-#include <cstdint>
+#include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "unit/cook/gltf/document.h"
+#include "unit/cook/gltf/gltf_text.h"
 
 namespace marrow::cook {
 namespace {
 
-TEST(GltfClips, CubicSplinesKeepTheirTangents) {
-  Builder b;
-  // In-tangent, value, out-tangent.
-  const std::vector<float> numbers = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18};
-  b.channel(b.times({0.5F, 2}), b.numbers<float>(kF32, "VEC3", 3, numbers), "translation", "CUBICSPLINE");
-  const RawScene scene = read(b);
-  const RawChannel& channel = scene.clips.at(0).channels.at(0);
-  EXPECT_EQ(channel.interpolation, RawInterpolation::cubic_spline);
-  EXPECT_EQ(channel.path, RawPath::translation);
-  EXPECT_EQ(channel.times_s, (std::vector<float>{0.5F, 2}));
-  ASSERT_EQ(channel.values.size(), 6U);
-  EXPECT_EQ(channel.values[1], glm::vec4(4, 5, 6, 0));
-  EXPECT_EQ(channel.values[5], glm::vec4(16, 17, 18, 0));
+// A clip of one channel of node 0.
+std::string clip(const std::string& path, const std::string& times, const std::string& values,
+                 const std::string& interpolation = "LINEAR") {
+  return fmt::format(R"("/animations": [{{"channels": [{{"sampler": 0, "target": {{"node": 0, "path": "{}"}}}}],
+                         "samplers": [{{"input": "=f32x1 {}", "output": "={}", "interpolation": "{}"}}]}}])",
+                     path, times, values, interpolation);
 }
 
-TEST(GltfClips, QuaternionTangentsAreNotNormalised) {
-  Builder b;
-  const std::vector<float> numbers = {9, 0, 0, 0, 0, 0, 0, 1, 5, 0, 0, 0, 3, 0, 0, 0, 1, 0, 0, 0, 7, 0, 0, 0};
-  b.channel(b.times({0, 1}), b.numbers<float>(kF32, "VEC4", 4, numbers), "rotation", "CUBICSPLINE");
-  const RawScene scene = read(b);
-  EXPECT_TRUE(scene.warnings.empty());
-  EXPECT_EQ(scene.clips[0].channels[0].values[2], glm::vec4(5, 0, 0, 0));
+TEST(GltfClips, KeysAsTheyStandAndAsTheyAreMended) {
+  expect_rows("",
+              {{"cubic splines keep their tangents: in-tangent, value, out-tangent",
+                clip("translation", "0.5 2", "f32x3 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18", "CUBICSPLINE"),
+                R"("clips/0/channels/0": {"interpolation": "cubic", "path": "translation", "times_s": [0.5, 2]},
+                       "clips/0/channels/0/values/#": 6, "clips/0/channels/0/values/1": [4, 5, 6, 0],
+                       "clips/0/channels/0/values/5": [16, 17, 18, 0])"},
+               {"tangents of quaternions are not normalised",
+                clip("rotation", "0 1", "f32x4 9 0 0 0 0 0 0 1 5 0 0 0 3 0 0 0 1 0 0 0 7 0 0 0", "CUBICSPLINE"),
+                R"("warns only": [], "clips/0/channels/0/values/2": [5, 0, 0, 0])"},
+               {"steps are kept", clip("scale", "0 1", "f32x3 1 1 1 2 2 2", "STEP"),
+                R"("clips/0/channels/0/interpolation": "step")"},
+               {"odd rotations are normalised", clip("rotation", "0 1", "f32x4 0 0 0 2 0 0 0 0"),
+                R"("clips/0/channels/0/values": [[0, 0, 0, 1], [0, 0, 0, 1]], "warns": ["rotation-keys-not-unit"])"}});
 }
 
-TEST(GltfClips, StepIsKept) {
-  Builder b;
-  b.channel(b.times({0, 1}), b.numbers<float>(kF32, "VEC3", 3, {1, 1, 1, 2, 2, 2}), "scale", "STEP");
-  EXPECT_EQ(read(b).clips[0].channels[0].interpolation, RawInterpolation::step);
+// Just before another moment.
+std::string before(float time_s) {
+  return fmt::format("{:.9g}", std::nextafter(time_s, 0.0F));
 }
 
 TEST(GltfClips, KeysThatCannotBePlayedAreDropped) {
-  Builder b;
-  const int times = b.times({0, 1e-45F, 1, 1, 2, 9e30F});
-  std::vector<float> values;
-  for (int i = 0; i < 6; ++i) values.insert(values.end(), {static_cast<float>(i), 0, 0});
-  b.channel(times, b.numbers<float>(kF32, "VEC3", 3, values), "translation");
-  const RawScene scene = read(b);
-  const RawChannel& channel = scene.clips[0].channels[0];
-  EXPECT_EQ(channel.times_s, (std::vector<float>{0, std::nextafter(1.0F, 0.0F), 1, 2})) << "nobody sees before 0";
-  EXPECT_EQ(channel.values[0].x, 1);
-  EXPECT_EQ(channel.values[1].x, 2) << "where it ends before the jump";
-  EXPECT_EQ(channel.values[2].x, 3);
-  EXPECT_EQ(channel.values[3].x, 4);
-  EXPECT_TRUE(warns(scene, "keys-at-one-time", "/animations/0/samplers/0/input"));
-  EXPECT_TRUE(warns(scene, "keys-too-close", "/animations/0/samplers/0/input"));
-  EXPECT_TRUE(warns(scene, "keys-too-late", "/animations/0/samplers/0/input"));
-}
-
-// Of several keys at one time the first and the last count; near each other, they stay where they are.
-TEST(GltfClips, KeysAtOneTimeAreAJump) {
-  Builder b;
-  const float near = std::nextafter(2.0F, 0.0F);
-  const int times = b.times({0.5F, 0.5F, 1, 1, 1, near, 2});
-  std::vector<float> values;
-  for (int i = 0; i < 7; ++i) values.insert(values.end(), {static_cast<float>(i), 0, 0});
-  b.channel(times, b.numbers<float>(kF32, "VEC3", 3, values), "translation", "STEP");
-  const RawScene scene = read(b);
-  const RawChannel& channel = scene.clips[0].channels[0];
-  EXPECT_EQ(channel.times_s,
-            (std::vector<float>{std::nextafter(0.5F, 0.0F), 0.5F, std::nextafter(1.0F, 0.0F), 1, near, 2}));
-  std::vector<float> kept;
-  for (const glm::vec4& value : channel.values) kept.push_back(value.x);
-  EXPECT_EQ(kept, (std::vector<float>{0, 1, 2, 4, 5, 6}));
-  EXPECT_TRUE(warns(scene, "keys-too-close")) << "key 3 lies between";
-}
-
-TEST(GltfClips, OddRotationsAreNormalised) {
-  Builder b;
-  b.channel(b.times({0, 1}), b.numbers<float>(kF32, "VEC4", 4, {0, 0, 0, 2, 0, 0, 0, 0}), "rotation");
-  const RawScene scene = read(b);
-  EXPECT_EQ(scene.clips[0].channels[0].values[0], glm::vec4(0, 0, 0, 1));
-  EXPECT_EQ(scene.clips[0].channels[0].values[1], glm::vec4(0, 0, 0, 1));
-  EXPECT_TRUE(warns(scene, "rotation-keys-not-unit"));
+  const std::string input = " /animations/0/samplers/0/input\"";
+  expect_rows(
+      "", {{"nobody sees before 0, and of a jump where it ends before it",
+            clip("translation", "0 1e-45 1 1 2 9e30", "f32x3 0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0"),
+            R"("clips/0/channels/0/times_s": [0, )" + before(1) + R"(, 1, 2],
+           "clips/0/channels/0/values": [[1, 0, 0, 0], [2, 0, 0, 0], [3, 0, 0, 0], [4, 0, 0, 0]], "warns":
+           ["keys-at-one-time)" +
+                input + R"(, "keys-too-close)" + input + R"(, "keys-too-late)" + input + "]"},
+           {"of several at one time the first and the last count; near each other, they stay; key 3 lies between",
+            clip("translation", "0.5 0.5 1 1 1 " + before(2) + " 2", "f32x3 0 0 0 1 0 0 2 0 0 3 0 0 4 0 0 5 0 0 6 0 0",
+                 "STEP"),
+            R"("clips/0/channels/0/times_s": [)" + before(0.5F) + ", 0.5, " + before(1) + ", 1, " + before(2) + R"(, 2],
+           "clips/0/channels/0/values": [[0,0,0,0], [1,0,0,0], [2,0,0,0], [4,0,0,0], [5,0,0,0], [6,0,0,0]],
+           "warns": ["keys-too-close"])"}});
 }
 
 TEST(GltfClips, WhatMovesNothingIsLeftOut) {
-  Builder b;
-  b.primitive({{"POSITION", b.curve(3)}});
-  const int times = b.times({0, 1});
-  const int move = b.numbers<float>(kF32, "VEC3", 3, {0, 0, 0, 1, 0, 0});
-  b.channel(times, move, "pointer");
-  RawScene scene = read(b);
-  EXPECT_TRUE(scene.clips.empty());
-  EXPECT_TRUE(warns(scene, "channel-dropped", "/animations/0/channels/0/target/path"));
-  EXPECT_TRUE(warns(scene, "clip-dropped", "/animations/0"));
-  b.channel(times, move, "translation");
-  scene = read(b);
-  ASSERT_EQ(scene.clips.size(), 1U);
-  EXPECT_EQ(scene.clips[0].channels.size(), 1U);
+  const std::string nothing = clip("pointer", "0 1", "f32x3 0 0 0 1 0 0");
+  expect_rows(kTriangle, {{"alone", nothing,
+                           R"("clips": [], "warns": ["channel-dropped /animations/0/channels/0/target/path",
+                                                     "clip-dropped /animations/0"])"},
+                          {"beside what moves", nothing + R"(, "/animations/0/channels/1": {"sampler": 0,
+                                                               "target": {"node": 0, "path": "translation"}})",
+                           R"("clips/#": 1, "clips/0/channels/#": 1)"}});
 }
 
-// A triangle with two morph targets, drawn at node 0.
-Builder morphing() {
-  Builder b;
-  const int positions = b.curve(3);
-  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", positions}}, {{"POSITION", positions}}};
-  return b;
+TEST(GltfNumbers, WeightsOfMorphTargets) {
+  const std::string two = R"("/P/targets": [{"POSITION": 0}, {"POSITION": 0}], )";
+  expect_rows(
+      kTriangle,
+      {{"are a number each",
+        two +
+            R"("/nodes/0/name": "face", "/meshes/0/weights": [0.25, 0.5], "/meshes/0/extras": {"targetNames": ["smile"]}, )" +
+            clip("weights", "0 1 3", "f32x1 0 1 2 3 4 5", "STEP"),
+        R"("clips/#": 1, "clips/0/channels": [], "clips/0/scalars/#": 2,
+           "clips/0/scalars/0": {"name": "face.smile", "rest": 0.25, "interpolation": "step", "times_s": [0, 1, 3],
+                                 "values": [0, 2, 4]},
+           "clips/0/scalars/1": {"name": "face.weights[1]", "rest": 0.5, "values": [1, 3, 5]})"},
+       {"the node's come first, and a node may have no name; normalised bytes: 255 is 1, 51 is 0.2",
+        two + R"("/meshes/0/weights": [0.25, 0.5], "/nodes/0/weights": [0.75, 1], )" +
+            clip("weights", "0", "u8x1n 255 51"),
+        R"("clips/#": 1, "clips/0/scalars/#": 2, "clips/0/scalars/0":
+           {"name": "nodes[0].weights[0]", "rest": 0.75, "values": [1]}, "clips/0/scalars/1": {"rest": 1},
+           "clips/0/scalars/1/values ~1e-7": [0.2])"},
+       {"a key of a spline: in-tangents of all targets, values of all, out-tangents of all",
+        two + clip("weights", "0 1", "f32x1 1 2 3 4 5 6 7 8 9 10 11 12", "CUBICSPLINE"),
+        R"("clips/#": 1, "clips/0/scalars/#": 2, "clips/0/scalars/0/values": [1, 3, 5, 7, 9, 11],
+           "clips/0/scalars/1/values": [2, 4, 6, 8, 10, 12])"}});
 }
 
-TEST(GltfNumbers, WeightsAreATargetEach) {
-  Builder b = morphing();
-  b.root["nodes"][0]["name"] = "face";
-  b.root["meshes"][0]["weights"] = {0.25, 0.5};
-  b.root["meshes"][0]["extras"] = {{"targetNames", {"smile"}}};
-  b.channel(b.times({0, 1, 3}), b.numbers<float>(kF32, "SCALAR", 1, {0, 1, 2, 3, 4, 5}), "weights", "STEP");
-  const RawScene scene = read(b);
-  ASSERT_EQ(scene.clips.size(), 1U);
-  EXPECT_TRUE(scene.clips[0].channels.empty());
-  ASSERT_EQ(scene.clips[0].scalars.size(), 2U);
-  const RawScalar &smile = scene.clips[0].scalars[0], &other = scene.clips[0].scalars[1];
-  EXPECT_EQ(smile.name, "face.smile");
-  EXPECT_EQ(other.name, "face.weights[1]");
-  EXPECT_EQ(smile.rest, 0.25F);
-  EXPECT_EQ(other.rest, 0.5F);
-  EXPECT_EQ(smile.interpolation, RawInterpolation::step);
-  EXPECT_EQ(smile.times_s, (std::vector<float>{0, 1, 3}));
-  EXPECT_EQ(smile.values, (std::vector<float>{0, 2, 4}));
-  EXPECT_EQ(other.values, (std::vector<float>{1, 3, 5}));
-}
-
-TEST(GltfNumbers, TheNodesWeightsComeFirstAndANodeMayHaveNoName) {
-  Builder b = morphing();
-  b.root["meshes"][0]["weights"] = {0.25, 0.5};
-  b.root["nodes"][0]["weights"] = {0.75, 1};
-  // 255 is 1, 51 is 0.2: normalised bytes.
-  b.channel(b.times({0}), b.numbers<std::uint8_t>(kU8, "SCALAR", 1, {255, 51}, {{"normalized", true}}), "weights");
-  const RawScene scene = read(b);
-  ASSERT_EQ(scene.clips.size(), 1U);
-  ASSERT_EQ(scene.clips[0].scalars.size(), 2U);
-  EXPECT_EQ(scene.clips[0].scalars[0].name, "nodes[0].weights[0]");
-  EXPECT_EQ(scene.clips[0].scalars[0].rest, 0.75F);
-  EXPECT_EQ(scene.clips[0].scalars[1].rest, 1);
-  EXPECT_EQ(scene.clips[0].scalars[0].values, (std::vector<float>{1}));
-  EXPECT_FLOAT_EQ(scene.clips[0].scalars[1].values[0], 0.2F);
-}
-
-// A key of a spline: in-tangents of all targets, values of all, out-tangents of all.
-TEST(GltfNumbers, SplinesOfWeights) {
-  Builder b = morphing();
-  b.channel(b.times({0, 1}), b.numbers<float>(kF32, "SCALAR", 1, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}), "weights",
-            "CUBICSPLINE");
-  const RawScene scene = read(b);
-  ASSERT_EQ(scene.clips.size(), 1U);
-  ASSERT_EQ(scene.clips[0].scalars.size(), 2U);
-  EXPECT_EQ(scene.clips[0].scalars[0].values, (std::vector<float>{1, 3, 5, 7, 9, 11}));
-  EXPECT_EQ(scene.clips[0].scalars[1].values, (std::vector<float>{2, 4, 6, 8, 10, 12}));
-}
-
-Json pointer_channel(int sampler, const char* to) {
-  return {{"sampler", sampler},
-          {"target", {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", to}}}}}}}};
+std::string channel_to(const std::string& pointer) {
+  return R"({"sampler": 0, "target": {"path": "pointer", "extensions": {"KHR_animation_pointer": {"pointer": ")" +
+         pointer + R"("}}}})";
 }
 
 // A document of numbers in extras, one animation whose only sampler drives `pointers`.
-Builder pointing(const std::vector<const char*>& pointers) {
-  Builder b;
-  b.primitive({{"POSITION", b.curve(3)}});
-  b.root["extensionsUsed"] = {"KHR_animation_pointer"};
-  b.root["extras"] = {{"wind", 3}};
-  b.root["asset"]["extras"] = {{"mood", 2}};
-  b.root["nodes"][0].update(
-      {{"name", "hero"},
-       {"translation", {1, 2, 3}},
-       {"extras",
-        {{"health", 0.5}, {"a/b~c", 4}, {"list", {7, {{"deep", 8}}}}, {"text", "x"}, {"on", true}, {"huge", 1e300}}}});
-  b.root["scenes"][0]["extras"] = {{"fog", 0.125}};
-  b.root["animations"] = {
-      {{"samplers", {{{"input", b.times({0, 2})}, {"output", b.numbers<float>(kF32, "SCALAR", 1, {1, 5})}}}},
-       {"channels", Json::array()}}};
-  for (const char* to : pointers) b.root["animations"][0]["channels"].push_back(pointer_channel(0, to));
-  return b;
+Builder pointing(const std::vector<std::string>& pointers) {
+  std::string channels;
+  for (const std::string& to : pointers) channels += (channels.empty() ? "" : ", ") + channel_to(to);
+  return changed(document_of(kTriangle), R"("/extensionsUsed": ["KHR_animation_pointer"], "/extras": {"wind": 3},
+    "/asset/extras": {"mood": 2}, "/scenes/0/extras": {"fog": 0.125}, "/nodes/0/name": "hero",
+    "/nodes/0/translation": [1, 2, 3], "/nodes/0/extras": {"health": 0.5, "a/b~c": 4, "list": [7, {"deep": 8}],
+      "text": "x", "on": true, "huge": 1e300},
+    "/animations": [{"samplers": [{"input": "=f32x1 0 2", "output": "=f32x1 1 5"}], "channels": [)" +
+                                             channels + "]}]");
 }
 
 TEST(GltfNumbers, PointersToNumbersInExtras) {
-  const struct {
-    const char *pointer, *name;
-    float rest;
-  } cases[] = {{"/nodes/0/extras/health", "hero.health", 0.5F},
-               {"/nodes/0/extras/a~1b~0c", "hero.a/b~c", 4},
-               {"/nodes/0/extras/list/0", "hero.list[0]", 7},
-               {"/nodes/0/extras/list/1/deep", "hero.list[1].deep", 8},
-               {"/scenes/0/extras/fog", "scenes[0].fog", 0.125F},
-               {"/asset/extras/mood", "mood", 2},
-               {"/extras/wind", "wind", 3}};
-  std::vector<const char*> pointers;
-  for (const auto& c : cases) pointers.push_back(c.pointer);
-  Builder b = pointing(pointers);
-  const RawScene scene = read(b);
-  EXPECT_TRUE(scene.warnings.empty());
-  ASSERT_EQ(scene.clips.size(), 1U);
-  ASSERT_EQ(scene.clips[0].scalars.size(), 7U);
-  for (std::size_t i = 0; i < 7; ++i) {
-    EXPECT_EQ(scene.clips[0].scalars[i].name, cases[i].name);
-    EXPECT_EQ(scene.clips[0].scalars[i].rest, cases[i].rest);
-    EXPECT_EQ(scene.clips[0].scalars[i].times_s, (std::vector<float>{0, 2}));
-    EXPECT_EQ(scene.clips[0].scalars[i].values, (std::vector<float>{1, 5}));
-  }
+  expect_rows(pointing({"/nodes/0/extras/health", "/nodes/0/extras/a~1b~0c", "/nodes/0/extras/list/0",
+                        "/nodes/0/extras/list/1/deep", "/scenes/0/extras/fog", "/asset/extras/mood", "/extras/wind"}),
+              {{"all", "", R"("warns only": [], "clips/#": 1, "clips/0/scalars": [
+                  {"name": "hero.health", "rest": 0.5, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "hero.a/b~c", "rest": 4, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "hero.list[0]", "rest": 7, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "hero.list[1].deep", "rest": 8, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "scenes[0].fog", "rest": 0.125, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "mood", "rest": 2, "times_s": [0, 2], "values": [1, 5]},
+                  {"name": "wind", "rest": 3, "times_s": [0, 2], "values": [1, 5]}])"}});
 }
 
 TEST(GltfNumbers, OtherPointersAreLeftOutAndSaid) {
-  const std::vector<const char*> pointers = {"",
-                                             "nodes/0/extras/health",
-                                             "/",
-                                             "/nodes/1/translation",
-                                             "/nodes/00/translation",
-                                             "/nodes/0/mesh",
-                                             "/nodes/0/weights/0",
-                                             "/nodes/0/translation/0",
-                                             "/meshes/0/weights",
-                                             "/nodes/0/extras",
-                                             "/nodes/0/extras/none",
-                                             "/nodes/0/extras/text",
-                                             "/nodes/0/extras/on",
-                                             "/nodes/0/extras/huge",
-                                             "/nodes/0/extras/list",
-                                             "/nodes/0/extras/list/2",
-                                             "/nodes/0/extras/list/00",
-                                             "/nodes/0/extras/list/-1",
-                                             "/nodes/0/extras/list/99999999999999999999999",
-                                             "/nodes/0/extras/health/x",
-                                             "/nodes/0/extras/a~2b",
-                                             "/nodes/0/extras/a~",
-                                             "/nodes/1/extras/health",
-                                             "/nodes/x/extras/health",
-                                             "/asset/version/extras/x",
-                                             "/animations/0/extras/x"};
-  std::size_t dropped = 0;
-  for (const char* to : pointers) {
-    Builder b = pointing({to});
-    const RawScene scene = read(b);
-    dropped += warns(scene, "channel-dropped", "/animations/0/channels/0/target/path") && scene.clips.empty();
-  }
-  EXPECT_EQ(dropped, pointers.size());
+  for (const char* to : {"",
+                         "nodes/0/extras/health",
+                         "/",
+                         "/nodes/1/translation",
+                         "/nodes/00/translation",
+                         "/nodes/0/mesh",
+                         "/nodes/0/weights/0",
+                         "/nodes/0/translation/0",
+                         "/meshes/0/weights",
+                         "/nodes/0/extras",
+                         "/nodes/0/extras/none",
+                         "/nodes/0/extras/text",
+                         "/nodes/0/extras/on",
+                         "/nodes/0/extras/huge",
+                         "/nodes/0/extras/list",
+                         "/nodes/0/extras/list/2",
+                         "/nodes/0/extras/list/00",
+                         "/nodes/0/extras/list/-1",
+                         "/nodes/0/extras/list/99999999999999999999999",
+                         "/nodes/0/extras/health/x",
+                         "/nodes/0/extras/a~2b",
+                         "/nodes/0/extras/a~",
+                         "/nodes/1/extras/health",
+                         "/nodes/x/extras/health",
+                         "/asset/version/extras/x",
+                         "/animations/0/extras/x"})
+    expect_rows(pointing({to}),
+                {{to, "", R"("clips": [], "warns": ["channel-dropped /animations/0/channels/0/target/path"])"}});
 }
 
 // What KHR_animation_pointer says of a node, and what glTF 2.0 says itself, are the same clip.
 TEST(GltfPointers, NodesMayBePointedAt) {
-  const auto document = [](bool by_pointer) {
-    Builder b = skinned();
-    Json& primitive = b.root["meshes"][0]["primitives"][0];
-    const int change = b.positions({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-    primitive["targets"] = {{{"POSITION", change}}};
-    const int times = b.times({0, 1});
-    b.channel(times, b.numbers<float>(kF32, "VEC3", 3, {0, 1, 0, 0, 2, 0}), "translation", "LINEAR", 2);
-    b.channel(times, b.numbers<float>(kF32, "VEC3", 3, {1, 1, 1, 2, 2, 2}), "scale", "LINEAR", 1);
-    b.channel(times, b.numbers<float>(kF32, "SCALAR", 1, {0, 0.5F}), "weights", "LINEAR", 0);
-    if (by_pointer) {
-      b.root["extensionsUsed"] = {"KHR_animation_pointer"};
-      for (Json& channel : b.root["animations"][0]["channels"]) {
-        const std::string to =
-            "/nodes/" + channel["target"]["node"].dump() + '/' + channel["target"]["path"].get<std::string>();
-        channel["target"] = {{"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", to}}}}}};
-      }
-    }
-    return b;
-  };
-  Builder plain = document(false), pointing = document(true);
-  const RawScene expected = read(plain), scene = read(pointing);
-  EXPECT_TRUE(scene.warnings.empty());
-  ASSERT_EQ(scene.clips.size(), 1U);
-  ASSERT_EQ(scene.clips[0].channels.size(), 3U);
-  ASSERT_EQ(scene.clips[0].scalars.size(), 1U);
-  for (std::size_t c = 0; c < 3; ++c) {
-    const RawChannel &ours = scene.clips[0].channels[c], &theirs = expected.clips[0].channels[c];
-    EXPECT_EQ(ours.node, theirs.node);
-    EXPECT_EQ(ours.path, theirs.path);
-    EXPECT_EQ(ours.times_s, theirs.times_s);
-    EXPECT_EQ(ours.values, theirs.values);
+  Builder plain = changed(skinned(), R"("/P/targets": [{"POSITION": "=f32x3 0 0 1 0 0 1 0 0 1 0 0 1"}],
+    "/animations/0/samplers": [{"input": 5, "output": 6}, {"input": 5, "output": "=f32x3 0 1 0 0 2 0"},
+      {"input": 5, "output": "=f32x3 1 1 1 2 2 2"}, {"input": 5, "output": "=f32x1 0 0.5"}, {"input": 5, "output": 6,
+      "interpolation": "STEP"}],
+    "/animations/0/channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}},
+      {"sampler": 1, "target": {"node": 2, "path": "translation"}},
+      {"sampler": 2, "target": {"node": 1, "path": "scale"}}, {"sampler": 3, "target": {"node": 0, "path": "weights"}}])");
+  std::string change = R"("/extensionsUsed": ["KHR_animation_pointer"])";
+  std::size_t c = 0;
+  for (const char* to : {"/nodes/2/rotation", "/nodes/2/translation", "/nodes/1/scale", "/nodes/0/weights"}) {
+    change += fmt::format(R"(, "/animations/0/channels/{0}": {1}, "/animations/0/channels/{0}/sampler": {0})", c,
+                          channel_to(to));
+    ++c;
   }
-  EXPECT_EQ(scene.clips[0].scalars[0].name, expected.clips[0].scalars[0].name);
-  EXPECT_EQ(scene.clips[0].scalars[0].values, (std::vector<float>{0, 0.5F}));
-  // A property is driven once, whoever says so.
-  Builder twice = document(true), otherwise = document(true);
-  otherwise.channel(5, 6, "rotation", "STEP", 2);
-  expect_refused(otherwise.text(), Exit::invalid, "/animations/0/channels/4/target", "animated twice");
-  // The same again says nothing else.
-  twice.channel(5, 6, "rotation", "LINEAR", 2);
-  const RawScene again = read(twice);
-  EXPECT_TRUE(warns(again, "channel-twice", "/animations/0/channels/4/target"));
-  EXPECT_EQ(again.clips.at(0).channels.size(), 3U);
+  const Json clips = facts_of(read(plain))["clips"];
+  ASSERT_EQ(clips[0]["channels"].size(), 3U);
+  const std::string more = R"(, "/animations/0/channels/4": {"sampler": 0, "target": {"node": 2, "path": "rotation"}})";
+  expect_rows(plain, {{"the same clip", change, R"("warns only": [], "clips": )" + clips.dump() + R"(, "clips/#": 1,
+                  "clips/0/channels/#": 3, "clips/0/scalars/#": 1, "clips/0/scalars/0/values": [0, 0.5])"},
+                      {"a property is driven once, whoever says so",
+                       change + more + R"(, "/animations/0/channels/4/sampler": 4)",
+                       "invalid /animations/0/channels/4/target: animated twice"},
+                      {"the same again says nothing else", change + more,
+                       R"("clips/0/channels/#": 3, "warns": ["channel-twice /animations/0/channels/4/target"])"}});
 }
 
 TEST(GltfNumbers, MistakesAreRefused) {
-  Builder twice = pointing({"/extras/wind", "/extras/wind"});
-  EXPECT_EQ(read(twice).clips.at(0).scalars.size(), 1U);
-  EXPECT_TRUE(warns(read(twice), "channel-twice", "/animations/0/channels/1/target"));
-  Json& animation = twice.root["animations"][0];
-  animation["samplers"].push_back(animation["samplers"][0]);
-  animation["samplers"][1]["interpolation"] = "STEP";
-  animation["channels"][1]["sampler"] = 1;
-  expect_refused(twice.text(), Exit::invalid, "/animations/0/channels/1/target", "animated twice");
-  Builder vectors = pointing({"/extras/wind"});
-  vectors.root["animations"][0]["samplers"][0]["output"] = vectors.numbers<float>(kF32, "VEC3", 3, {1, 2, 3, 4, 5, 6});
-  expect_refused(vectors.text(), Exit::invalid, "/animations/0/channels/0/sampler", "wrong output accessor");
-  Builder fewer = pointing({"/extras/wind"});
-  fewer.root["animations"][0]["samplers"][0]["output"] = fewer.numbers<float>(kF32, "SCALAR", 1, {1});
-  expect_refused(fewer.text(), Exit::invalid, "/animations/0/channels/0/sampler", "differ in count");
-  Builder no_pointer = pointing({"/extras/wind"});
-  no_pointer.root["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"] = Json::object();
-  expect_refused(no_pointer.text(), Exit::invalid,
-                 "/animations/0/channels/0/target/extensions/KHR_animation_pointer/pointer", "missing");
-  Builder number = pointing({"/extras/wind"});
-  number.root["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"]["pointer"] = 7;
-  expect_refused(number.text(), Exit::invalid,
-                 "/animations/0/channels/0/target/extensions/KHR_animation_pointer/pointer", "wrong type");
-  Builder no_sampler = pointing({"/extras/wind"});
-  no_sampler.root["animations"][0]["channels"][0]["sampler"] = 9;
-  expect_refused(no_sampler.text(), Exit::invalid, "/animations/0/channels/0/sampler", "reference to nothing");
+  expect_rows(
+      pointing({"/extras/wind", "/extras/wind"}),
+      {{"the same twice", "", R"("clips/0/scalars/#": 1, "warns": ["channel-twice /animations/0/channels/1/target"])"},
+       {"twice, otherwise", R"("/animations/0/samplers/1": "@/animations/0/samplers/0",
+                   "/animations/0/samplers/1/interpolation": "STEP", "/animations/0/channels/1/sampler": 1)",
+        "invalid /animations/0/channels/1/target: animated twice"}});
+  const std::string target = "/animations/0/channels/0/target/extensions/KHR_animation_pointer";
+  const std::string sampler = "invalid /animations/0/channels/0/sampler: ";
+  expect_rows(
+      pointing({"/extras/wind"}),
+      {{"vectors", R"("/animations/0/samplers/0/output": "=f32x3 1 2 3 4 5 6")", sampler + "wrong output accessor"},
+       {"fewer", R"("/animations/0/samplers/0/output": "=f32x1 1")", sampler + "differ in count"},
+       {"no pointer", '"' + target + R"(": {})", "invalid " + target + "/pointer: missing"},
+       {"a number", '"' + target + R"(/pointer": 7)", "invalid " + target + "/pointer: wrong type"},
+       {"no sampler", R"("/animations/0/channels/0/sampler": 9)", sampler + "reference to nothing"}});
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ struct Builder {
   Json root = {
       {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", {0}}}}}, {"nodes", {Json::object()}}};
   std::vector<std::byte> bytes;
+  bool is_whole = false;  // root has its buffers
 
   template <class T>
   int view(const std::vector<T>& numbers, Json extra = Json::object()) {
@@ -111,7 +112,7 @@ struct Builder {
   }
 
   std::string text() {
-    if (!bytes.empty()) {
+    if (!bytes.empty() && !is_whole) {
       root["buffers"] = {
           {{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + base64(bytes)}}};
     }
