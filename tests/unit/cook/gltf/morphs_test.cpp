@@ -1,4 +1,5 @@
-// Reading and cooking morph targets: values by hand from the specification, faults mended or refused, errors measured.
+// Reading and cooking morph targets: values by hand from the specification,
+// faults mended or refused, errors measured.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,136 +10,61 @@
 #include "asset/format.h"
 #include "common/aligned_bytes.h"
 #include "cook/geometry/build_geometry.h"
-#include "cook/gltf/read.h"
-#include "disk/cook_on_disk.h"
 #include "support/double_math.h"
 #include "support/rig.h"
-#include "unit/cook/gltf/document.h"
+#include "unit/cook/cook_text.h"
 
 namespace marrow::cook {
 namespace {
 
-// Three vertices with normals along z; the caller adds targets.
-Builder with_normals(Json** primitive) {
-  Builder b;
-  const int positions = b.curve(3);
-  const int normals = b.numbers<float>(kF32, "VEC3", 3, {0, 0, 1, 0, 0, 1, 0, 0, 1});
-  *primitive = &b.primitive({{"POSITION", positions}, {"NORMAL", normals}});
-  return b;
-}
-
 TEST(GltfMorphs, AreReadWithNamesAndWeights) {
-  Json* primitive = nullptr;
-  Builder b = with_normals(&primitive);
-  const int moved = b.positions({0, 0, 1, 0, 0, 0, 0.5F, 0, 0});
-  const int turned = b.numbers<std::int16_t>(kI16, "VEC3", 3, {32767, 0, 0, 0, 0, 0, 0, 0, -32767, 0, 0, 0},
-                                             {{"normalized", true}, {"count", 3}});
-  (*primitive)["targets"] = {{{"POSITION", moved}}, {{"NORMAL", turned}}};
-  b.root["extensionsUsed"] = {"KHR_mesh_quantization"};
-  b.root["meshes"][0]["extras"] = {{"targetNames", {"up", "side"}}};
-  b.root["meshes"][0]["weights"] = {0.25, -2};
-  b.root["nodes"][0]["name"] = "n";
-  const RawScene scene = read(b);
-  const RawPrimitive& p = scene.meshes[0].primitives[0];
-  ASSERT_EQ(p.targets.size(), 2U);
-  EXPECT_EQ(p.targets[0].positions[2], glm::vec3(0.5F, 0, 0));
-  EXPECT_TRUE(p.targets[0].normals.empty());
-  EXPECT_TRUE(p.targets[1].positions.empty());
-  EXPECT_EQ(p.targets[1].normals[0], glm::vec3(1, 0, 0));
-  EXPECT_EQ(p.targets[1].normals[2], glm::vec3(0, 0, -1));
-  ASSERT_EQ(scene.instances[0].weights.size(), 2U);
-  EXPECT_EQ(scene.instances[0].weights[0].target, "up");
-  EXPECT_EQ(scene.instances[0].weights[1].channel, "n.side");
-  EXPECT_EQ(scene.instances[0].weights[1].rest, -2);
-}
-
-// Two nodes or two targets with one name would otherwise get one weight.
-TEST(GltfMorphs, EveryWeightHasAChannelOfItsOwn) {
-  Builder b;
-  const int positions = b.curve(3);
-  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", positions}}, {{"POSITION", positions}}};
-  b.root["meshes"][0]["extras"] = {{"targetNames", {"smile", "smile"}}};
-  b.root["nodes"] = {{{"name", "n"}, {"mesh", 0}}, {{"name", "n"}, {"mesh", 0}}};
-  b.root["scenes"][0]["nodes"] = {0, 1};
-  b.channel(b.times({0}), b.numbers<float>(kF32, "SCALAR", 1, {1, 2}), "weights", "LINEAR", 1);
-  const RawScene scene = read(b);
-  ASSERT_EQ(scene.instances.size(), 2U);
-  EXPECT_EQ(scene.instances[0].weights[0].channel, "n.smile");
-  EXPECT_EQ(scene.instances[0].weights[1].channel, "n.weights[1]");
-  EXPECT_EQ(scene.instances[1].weights[0].channel, "nodes[1].smile");
-  EXPECT_EQ(scene.instances[1].weights[1].channel, "nodes[1].weights[1]");
-  EXPECT_EQ(scene.instances[1].weights[1].target, "smile");
-  ASSERT_EQ(scene.clips[0].scalars.size(), 2U);
-  EXPECT_EQ(scene.clips[0].scalars[0].name, "nodes[1].smile");
-  EXPECT_EQ(scene.clips[0].scalars[1].values, (std::vector<float>{2}));
-}
-
-// A sparse accessor without a base: zeros but for what it lists (glTF 2.0, section 3.6.2.3).
-TEST(GltfMorphs, SparseOnesAreZeroElsewhere) {
-  Builder b;
-  Json& primitive = b.primitive({{"POSITION", b.curve(3)}});
-  const int indices = b.view<std::uint16_t>({1}), values = b.view<float>({7, 8, 9});
-  primitive["targets"] = {{{"POSITION", b.accessor({{"componentType", kF32},
-                                                    {"type", "VEC3"},
-                                                    {"count", 3},
-                                                    {"min", {0, 0, 0}},
-                                                    {"max", {7, 8, 9}},
-                                                    {"sparse",
-                                                     {{"count", 1},
-                                                      {"indices", {{"bufferView", indices}, {"componentType", kU16}}},
-                                                      {"values", {{"bufferView", values}}}}}})}}};
-  const RawScene scene = read(b);
-  const std::vector<glm::vec3>& moved = scene.meshes[0].primitives[0].targets.at(0).positions;
-  ASSERT_EQ(moved.size(), 3U);
-  EXPECT_EQ(moved[0], glm::vec3(0));
-  EXPECT_EQ(moved[1], glm::vec3(7, 8, 9));
-  EXPECT_EQ(moved[2], glm::vec3(0));
+  const std::string targets = R"("/P/targets": [{"POSITION": 0}, {"POSITION": 0}], )";
+  expect_rows(
+      kTriangle,
+      {{"positions and normalised normals, each alone",
+        R"("/P/attributes/NORMAL": "=f32x3 0 0 1 0 0 1 0 0 1", "/extensionsUsed": ["KHR_mesh_quantization"],
+           "/P/targets": [{"POSITION": "=f32x3 0 0 1 0 0 0 0.5 0 0"}, {"NORMAL": 1}],
+           "/accessors/1": {"bufferView": "=i16 32767 0 0 0 0 0 0 0 -32767 0 0 0", "componentType": 5122, "type": "VEC3",
+                            "count": 3, "normalized": true},
+           "/meshes/0/extras": {"targetNames": ["up", "side"]}, "/meshes/0/weights": [0.25, -2], "/nodes/0/name": "n")",
+        R"("P/targets/#": 2, "P/targets/0/positions/2": [0.5, 0, 0], "P/targets/0/normals": [], "P/targets/1/positions": [],
+           "P/targets/1/normals/0": [1, 0, 0], "P/targets/1/normals/2": [0, 0, -1],
+           "instances/0/weights": [{"target": "up"}, {"channel": "n.side", "rest": -2}])"},
+       {"two nodes or two targets with one name would otherwise get one weight",
+        targets +
+            R"("/meshes/0/extras": {"targetNames": ["smile", "smile"]}, "/scenes/0/nodes": [0, 1],
+          "/nodes": [{"name": "n", "mesh": 0}, {"name": "n", "mesh": 0}], "/animations": [{"channels":
+            [{"sampler": 0, "target": {"node": 1, "path": "weights"}}],
+            "samplers": [{"input": "=f32x1 0", "output": "=f32x1 1 2"}]}])",
+        R"("instances": [{"weights": [{"channel": "n.smile"}, {"channel": "n.weights[1]"}]},
+                         {"weights": [{"channel": "nodes[1].smile"}, {"channel": "nodes[1].weights[1]", "target": "smile"}]}],
+           "clips/0/scalars": [{"name": "nodes[1].smile"}, {"values": [2]}])"},
+       {"a sparse accessor without a base: zeros but for what it lists (glTF "
+        "2.0, section 3.6.2.3)",
+        R"("/P/targets": [{"POSITION": 1}], "/accessors/1": {"componentType": 5126, "type": "VEC3", "count": 3,
+          "min": [0, 0, 0], "max": [7, 8, 9], "sparse": {"count": 1, "values": {"bufferView": "=f32 7 8 9"},
+                                                         "indices": {"bufferView": "=u16 1", "componentType": 5123}}})",
+        R"("P/targets/0/positions": [[0, 0, 0], [7, 8, 9], [0, 0, 0]])"},
+       {"a primitive with fewer gets empty ones",
+        targets + R"("/meshes/0/primitives/1": {"attributes": {"POSITION": 0}})",
+        R"("warns": ["morph-targets-unequal"], "meshes/0/primitives/#": 2, "meshes/0/primitives/1/targets/#": 2,
+           "meshes/0/primitives/1/targets/0/positions": [])"}});
 }
 
 TEST(GltfMorphs, FaultsAreMendedOrRefused) {
-  const auto document = [](const std::function<Json(Builder&)>& target) {
-    auto b = std::make_shared<Builder>();
-    Json& primitive = b->primitive({{"POSITION", b->curve(3)}});
-    primitive["targets"] = Json::array({target(*b)});
-    return b;
-  };
-  const auto targets = [](const RawScene& scene) { return scene.meshes[0].primitives[0].targets; };
-  const RawScene count = read(*document([](Builder& b) { return Json{{"POSITION", b.curve(4)}}; }));
-  EXPECT_TRUE(warns(count, "morph-target-wrong", "/meshes/0/primitives/0/targets/0/POSITION"));
-  EXPECT_TRUE(targets(count).at(0).positions.empty());
-  const RawScene normal = read(*document([](Builder& b) {
-    return Json{{"NORMAL", b.numbers<float>(kF32, "VEC3", 3, {1, 0, 0, 1, 0, 0, 1, 0, 0})}};
-  }));
-  EXPECT_TRUE(warns(normal, "morph-target-wrong"));
-  EXPECT_TRUE(targets(normal).at(0).normals.empty()) << "the base has none";
-  const RawScene flat = read(*document([](Builder& b) {
-    return Json{
-        {"POSITION", b.numbers<float>(kF32, "VEC2", 2, {1, 0, 1, 0, 1, 0}, {{"min", {1, 0}}, {"max", {1, 0}}})}};
-  }));
-  EXPECT_TRUE(warns(flat, "morph-target-wrong"));
-  EXPECT_TRUE(targets(flat).at(0).positions.empty());
-  const RawScene far = read(*document([](Builder& b) {
-    return Json{{"POSITION", b.positions({1, 0, 0, 3e38F, 0, 0, 0, 0, 0})}};
-  }));
-  EXPECT_TRUE(warns(far, "morph-change-out-of-reach"));
-  EXPECT_EQ(targets(far).at(0).positions[1], glm::vec3(0));
-  EXPECT_EQ(targets(far).at(0).positions[0], glm::vec3(1, 0, 0));
-  expect_refused(document([](Builder& b) {
-                   return Json{{"POSITION", b.numbers<float>(kF32, "VEC3", 3, {kNan, 0, 0, 0, 0, 0, 0, 0, 0})}};
-                 })->text(),
-                 Exit::invalid, "/meshes/0/primitives/0/targets/0/POSITION", "not a finite number");
-}
-
-TEST(GltfMorphs, APrimitiveWithFewerGetsEmptyOnes) {
-  Builder b;
-  const int positions = b.curve(3);
-  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", positions}}, {{"POSITION", positions}}};
-  b.primitive({{"POSITION", positions}});
-  const RawScene scene = read(b);
-  EXPECT_TRUE(warns(scene, "morph-targets-unequal"));
-  ASSERT_EQ(scene.meshes[0].primitives.size(), 2U);
-  EXPECT_EQ(scene.meshes[0].primitives[1].targets.size(), 2U);
-  EXPECT_TRUE(scene.meshes[0].primitives[1].targets[0].positions.empty());
+  const auto target = [](const std::string& of) { return R"("/P/targets": [{)" + of + "}]"; };
+  expect_rows(
+      kTriangle,
+      {{"four", target(R"("POSITION": "=f32x3 0 0 0 1 1 0 2 4 0 3 9 0")"),
+        R"("warns": ["morph-target-wrong /P/targets/0/POSITION"], "P/targets/0/positions": [])"},
+       {"normals, which the base has not", target(R"("NORMAL": "=f32x3 1 0 0 1 0 0 1 0 0")"),
+        R"("warns": ["morph-target-wrong"], "P/targets/0/normals": [])"},
+       {"flat", target(R"("POSITION": "=f32x2 1 0 1 0 1 0")"),
+        R"("warns": ["morph-target-wrong"], "P/targets/0/positions": [])"},
+       {"far", target(R"("POSITION": "=f32x3 1 0 0 3e38 0 0 0 0 0")"),
+        R"("warns": ["morph-change-out-of-reach"], "P/targets/0/positions/1": [0, 0, 0], "P/targets/0/positions/0": [1, 0, 0])"},
+       {"no number", target(R"("POSITION": "=f32x3 nan 0 0 0 0 0 0 0 0")"),
+        "invalid /P/targets/0/POSITION: not a finite number"}});
 }
 
 // A strip of 40 vertices, 10 blocks on one joint; targets of noise.
@@ -166,9 +92,7 @@ RawPrimitive strip(double most_turn) {
 
 TEST(Morphs, AreSparseAndExactToHalfAStep) {
   const RawPrimitive p = strip(1.5);
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  options.mesh.keep_vertex_order = true;
+  const CookOptions options = options_of("--mesh-codec none --keep-vertex-order");
   const BuiltGeometry built = build_geometry(p, std::vector<Binding>(40, {{0}, {1.0}, {}}), 1, {}, options.mesh);
   const std::byte* const base = built.section.data();
   const format::GeometryLayout geometry = layout(built.header);
@@ -218,36 +142,24 @@ TEST(Morphs, AreSparseAndExactToHalfAStep) {
   EXPECT_LE(worst_deg, 0.01);
 }
 
-TEST(Morphs, WhatNoneMovesHasNone) {
-  Builder b;
-  const int positions = b.curve(3);
-  const int zeros = b.positions({0, 0, 0, 0, 0, 0, 0, 0, 0});
-  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", positions}}};
-  b.primitive({{"POSITION", positions}})["targets"] = {{{"POSITION", zeros}}, {{"POSITION", zeros}}};
-  Notes notes;
-  const BuiltScene built = build_scene(read(b), {}, notes);
-  ASSERT_EQ(built.meshes.size(), 2U);
-  EXPECT_EQ(built.geometries.at(built.meshes[0].geometry).target_count, 2U);
-  EXPECT_EQ(built.meshes[0].targets.size(), 2U);
-  EXPECT_EQ(built.geometries.at(built.meshes[1].geometry).target_count, 0U);
-  EXPECT_EQ(built.meshes[1].targets.size(), 0U);
-}
-
-// glTF wants a mesh without normals flat: none are stored, of its targets neither.
-TEST(Morphs, NoNormalsAreMade) {
-  Builder b;
-  Json& primitive = b.primitive({{"POSITION", b.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}});
-  primitive["targets"] = {{{"POSITION", b.positions({0, 0, 0, 0, 0, 0, 0, -1, 1})}}};
-  RawScene scene = read(b);
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  const Result cooked = cook_scene(scene, options);
-  const tools::AlignedBytes block{std::span<const std::byte>(cooked.file)};
-  File file;
-  ASSERT_EQ(load({block.data(), block.size()}, file), Status::ok);
-  EXPECT_EQ(file.mesh(0).geometry.normals, nullptr);
-  ASSERT_EQ(file.mesh(0).geometry.targets.size, 1u);
-  EXPECT_EQ(file.mesh(0).geometry.targets[0].attributes, std::uint32_t{kMorphsPositions});
+TEST(Morphs, WhatNoneMovesHasNoneAndNoNormalsAreMade) {
+  const std::string zeros = R"({"POSITION": "=f32x3b 0*9"})";
+  expect_cooked(document_of(kTriangle),
+                {{"targets of zeros", "",
+                  R"("/P/targets": [)" + zeros + R"(, {"POSITION": 0}],
+                    "/meshes/0/primitives/1": {"attributes": {"POSITION": 0}, "targets": [)" +
+                      zeros + ", " + zeros + "]}",
+                  R"("meshes": [{"targets": 2, "weights": 2}, {"targets": 0, "weights": 0}])"}});
+  // glTF wants a mesh without normals flat: none are stored, of its targets
+  // neither.
+  const LoadedCook cooked(cook_text(changed(document_of(kTriangle),
+                                            R"("/P/attributes/POSITION": "=f32x3 0 0 0 1 0 0 0 1 0",
+      "/P/targets": [{"POSITION": "=f32x3 0 0 0 0 0 0 0 -1 1"}])"),
+                                    options_of("--mesh-codec none")));
+  const Geometry geometry = cooked.file.mesh(0).geometry;
+  EXPECT_EQ(geometry.normals, nullptr);
+  ASSERT_EQ(geometry.targets.size, 1u);
+  EXPECT_EQ(geometry.targets[0].attributes, std::uint32_t{kMorphsPositions});
 }
 
 // Two blocks of a target that do not ascend; the golden files have one.
@@ -259,16 +171,15 @@ TEST(Morphs, BlocksThatDoNotAscendAreRefused) {
   scene.meshes[0].primitives.push_back(strip(0.5));
   scene.meshes[0].weights.resize(3);
   scene.instances.push_back({0, 0, kNone, scene.meshes[0].weights});
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  const Result cooked = cook_scene(scene, options);
+  const Result cooked = cook_scene(scene, options_of("--mesh-codec none"));
   tools::AlignedBytes block{std::span<const std::byte>(cooked.file)};
   File file;
   ASSERT_EQ(load({block.data(), block.size()}, file), Status::ok);
   const Geometry g = file.mesh(0).geometry;
   ASSERT_GE(g.targets[0].block_count, 4U);
   const auto* blocks = static_cast<const std::byte*>(g.target_blocks);
-  std::memcpy(block.data() + (blocks - block.data()) + 2, blocks, 2);  // the second is the first again
+  std::memcpy(block.data() + (blocks - block.data()) + 2, blocks,
+              2);  // the second is the first again
   const std::uint64_t sum =
       format::checksum(block.data() + sizeof(format::Header), block.size() - sizeof(format::Header));
   std::memcpy(block.data() + offsetof(format::Header, checksum), &sum, sizeof sum);
