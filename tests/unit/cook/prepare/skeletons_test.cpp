@@ -3,54 +3,45 @@
 
 #include "disk/cook_on_disk.h"
 #include "pose/choose.h"
-#include "unit/cook/loaded_cook.h"
+#include "unit/cook/cook_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
 namespace {
 
-using Names = std::vector<std::string>;
-
-BuiltScene build(SceneDocument& document, const CookOptions& options = {}) {
-  Notes notes;
-  return build_scene(document.read(), options, notes);
+// Ada at x = -1 and Bob at 1: armatures are 0 and 6, hips 1 and 7, spines 2 and 8, heads 3 and 9, arms 4 and 10, bodies
+// 5 and 11. Others begin with 12.
+Builder two_characters() {
+  SceneDocument d;
+  d.character("Ada", -1), d.character("Bob", 1);
+  return d.b;
 }
-
-Names skeleton_names(const BuiltScene& built) {
-  Names out;
-  for (const BuiltSkeleton& skeleton : built.skeletons) out.push_back(skeleton.name);
-  return out;
-}
-
-// "clip/skeleton" of each clip.
-Names clip_names(const BuiltScene& built) {
-  Names out;
-  for (const BuiltClip& clip : built.clips) out.push_back(clip.name + "/" + std::to_string(clip.skeleton));
-  return out;
+// Nodes of these members, from 12 on, roots of the scene beside both characters; meshes/2 is a prop.
+std::string with(const std::vector<std::string>& nodes) {
+  std::string
+      out = R"("/meshes/2": {"primitives": [{"attributes": {"POSITION": "=f32x3 0 0 0 1 1 0 2 4 0 3 9 0"}, "indices":
+                       "=u16x1 0 1 2 1 3 2"}]})",
+      roots = "0, 5, 6, 11";
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    out += ", \"/nodes/" + std::to_string(12 + n) + "\": {" + nodes[n] + "}";
+    if (nodes[n].find("below") == std::string::npos) roots += ", " + std::to_string(12 + n);
+  }
+  return out + ", \"/scenes/0/nodes\": [" + roots + "]";
 }
 
 TEST(Skeletons, ACharacterEach) {
-  SceneDocument d;
-  const std::vector<int> a = d.character("Ada", -1), b = d.character("Bob", 1);
-  d.clip("greet");
-  d.turn(a[3], {0, 0.5F, 1});
-  d.turn(b[3], {0, 0.25F});
-  d.clip("nod");
-  d.turn(b[2], {0, 1});
-  const BuiltScene built = build(d);
-  EXPECT_EQ(skeleton_names(built), (Names{"Ada", "Bob"}));
-  for (const BuiltSkeleton& skeleton : built.skeletons) {
-    EXPECT_EQ(skeleton.joint_names, (Names{"hips", "spine", "head", "arm"}));
-    EXPECT_EQ(skeleton.model_from_root.size(), 1u);
+  expect_cooked(two_characters(), {{"and clips of both stay in step", "",
+                                    R"("/clips": "greet: turn 4 0 0.5 1, turn 10 0 0.25; nod: turn 9")", R"(
+    "skeletons": [{"name": "Ada", "joints": ["hips", "spine", "head", "arm"]}, {"name": "Bob", "joints": ["hips", "spine", "head", "arm"]}],
+    "clips": [{"name": "greet", "skeleton": 0, "duration_s": 1}, {"name": "greet", "skeleton": 1, "duration_s": 1},
+              {"name": "nod", "skeleton": 1}], "meshes": [{"skeleton": 0}, {"skeleton": 1}])"}});
+  Builder b = two_characters();
+  Notes notes;
+  const BuiltScene built = build_scene(read(b), {}, notes);
+  for (const std::size_t s : {0U, 1U}) {
+    ASSERT_EQ(built.skeletons[s].model_from_root.size(), 1u);
+    EXPECT_EQ(built.skeletons[s].model_from_root[0].rows[0][3], s == 0 ? -1.0f : 1.0f);
   }
-  EXPECT_EQ(built.skeletons[0].model_from_root[0].rows[0][3], -1.0f);
-  EXPECT_EQ(built.skeletons[1].model_from_root[0].rows[0][3], 1.0f);
-  EXPECT_EQ(clip_names(built), (Names{"greet/0", "greet/1", "nod/1"}));
-  EXPECT_EQ(built.clips[0].duration_s, 1.0f);
-  EXPECT_EQ(built.clips[1].duration_s, 1.0f) << "they stay in step";
-  ASSERT_EQ(built.meshes.size(), 2u);
-  EXPECT_EQ(built.meshes[0].skeleton, 0u);
-  EXPECT_EQ(built.meshes[1].skeleton, 1u);
   EXPECT_EQ(built.meshes[0].geometry, built.meshes[1].geometry) << "geometry is shared as ever";
 }
 
@@ -76,76 +67,59 @@ TEST(Skeletons, PartsOfAClipPlayTogetherByNameAndByNumber) {
   EXPECT_EQ(played("5"), (std::vector<std::uint32_t>{kNoClip, 5}));
 }
 
-TEST(Skeletons, OneSkinTiesTrees) {
+TEST(Skeletons, WhichNodesMakeOne) {
+  expect_cooked(
+      two_characters(),
+      {{"targets and weapons go with their character; the target stands below Bob's armature, the ball is neither's",
+        "--keep target",
+        with({R"("name": "sword", "mesh": 2)", R"("name": "target", "extras": {"below": 6})",
+              R"("name": "ball", "mesh": 2)"}) +
+            R"(, "/nodes/6/children": [7, 13],
+               "/clips": "strike: turn 4, carry 12; fight: turn 4, turn 10, carry 13, carry 14")",
+        R"("skeletons": [{"name": "Ada", "joints": ["hips", "sword", "spine", "head", "arm"]},
+                         {"name": "Bob", "joints": ["hips", "target", "spine", "head", "arm"]}, {"name": "ball"}],
+           "clips": [{"name": "strike", "skeleton": 0}, {"name": "fight", "skeleton": 0}, {"name": "fight", "skeleton": 1},
+                     {"name": "fight", "skeleton": 2}])"}});
+  // Cameras, empties and what hangs on nothing else are no joints, unless they are kept or carry something.
+  const std::string stage =
+      R"("/nodes/6": {"name": "rig", "children": [7]}, "/nodes/7": {"name": "camera", "translation": [60, 0, 0]},
+    "/nodes/4/children": [8], "/nodes/8": {"name": "socket"}, "/nodes/9": {"name": "cart", "children": [10]},
+    "/nodes/10": {"name": "box", "mesh": 1}, "/scenes/0/nodes": [0, 5, 6, 9], "/meshes/1": {"primitives": [
+      {"attributes": {"POSITION": "=f32x3 0 0 0 1 1 0 2 4 0 3 9 0"}, "indices": "=u16x1 0 1 2 1 3 2"}]},
+    "/clips": "fly: carry 4, carry 6, carry 7, carry 8, carry 9")";
+  SceneDocument ada;
+  ada.character("Ada", 0);
+  expect_cooked(
+      ada.b,
+      {{"what carries nothing is no joint", "", stage,
+        R"("skeletons": [{"joints": ["hips", "cart", "spine", "head", "arm"]}], "warns": ["motion-of-nothing /nodes/6"])"},
+       {"unless it is kept", "--keep cam* --keep socket", stage,
+        R"("skeletons/0/joints": ["hips", "rig", "cart", "spine", "camera", "head", "arm", "socket"],
+                            "warns not": ["motion-of-nothing"])"}});
+}
+
+TEST(Skeletons, TreesThatHangTogether) {
+  const std::string prop = R"("meshes": [{"primitives": [{"attributes": {"POSITION": "=f32x3 0 0 0 1 1 0 2 4 0 3 9 0"},
+                                                          "indices": "=u16x1 0 1 2 1 3 2"}]}], )";
+  expect_cooked(
+      document_of(prop + R"("scenes": [{"nodes": [0, 1]}], "nodes": [{"name": "engine", "children": [2, 3]},
+                  {"name": "crane", "children": [4]}, {"name": "piston", "mesh": 0}, {"name": "wheel", "mesh": 0}, {"name": "hook", "mesh": 0}])"),
+      {{"what one clip moves below one root is a machine", "", R"("/clips": "run: carry 2, carry 3, carry 4")",
+        R"("skeletons": [{"name": "piston", "joints": ["piston", "wheel"]}, {"name": "hook"}],
+                     "clips": [{"name": "run", "skeleton": 0}, {"name": "run", "skeleton": 1}])"}});
   SceneDocument d;
   const int left = d.node("left"), right = d.node("right"), alone = d.node("alone");
   d.skin("wings", {left, right});
   d.skin("tail", {alone});
-  const BuiltScene built = build(d);
-  EXPECT_EQ(skeleton_names(built), (Names{"wings", "tail"}));
-  EXPECT_EQ(built.skeletons[0].joint_names, (Names{"left", "right"}));
-}
-
-TEST(Skeletons, TargetsAndWeaponsGoWithTheirCharacter) {
-  SceneDocument d;
-  const std::vector<int> a = d.character("Ada", -1), b = d.character("Bob", 1);
-  const int armature_of_bob = 6;
-  ASSERT_EQ(d.b.root["nodes"][6]["name"], "Bob armature");
-  const int sword = d.node("sword");
-  d.prop(sword);
-  const int target = d.node("target", armature_of_bob);
-  const int ball = d.node("ball");
-  d.prop(ball);
-  d.clip("strike");
-  d.turn(a[3], {0, 1});
-  d.carry(sword, {0, 1});
-  d.clip("fight");  // both, yet the target stands below Bob's armature
-  d.turn(a[3], {0, 1});
-  d.turn(b[3], {0, 1});
-  d.carry(target, {0, 1});
-  d.carry(ball, {0, 1});  // is neither's
-  CookOptions options;
-  options.prepare.keep = {"target"};
-  const BuiltScene built = build(d, options);
-  EXPECT_EQ(skeleton_names(built), (Names{"Ada", "Bob", "ball"}));
-  EXPECT_EQ(built.skeletons[0].joint_names, (Names{"hips", "sword", "spine", "head", "arm"}));
-  EXPECT_EQ(built.skeletons[1].joint_names, (Names{"hips", "target", "spine", "head", "arm"}));
-  EXPECT_EQ(clip_names(built), (Names{"strike/0", "fight/0", "fight/1", "fight/2"}));
-}
-
-// Cameras, empties and what hangs on nothing else are no joints, unless they are kept or carry something.
-TEST(Skeletons, WhatCarriesNothingIsNoJoint) {
-  SceneDocument d;
-  const std::vector<int> a = d.character("Ada", 0);
-  const int rig = d.node("rig"), camera = d.node("camera", rig, {60, 0, 0}), socket = d.node("socket", a[3]);
-  const int cart = d.node("cart"), box = d.node("box", cart);
-  d.prop(box);
-  d.clip("fly");
-  for (const int node : {a[3], rig, camera, socket, cart}) d.carry(node, {0, 1});
-  Notes notes;
-  const BuiltScene built = build_scene(d.read(), {}, notes);
-  EXPECT_EQ(built.skeletons.at(0).joint_names, (Names{"hips", "cart", "spine", "head", "arm"}));
-  EXPECT_EQ(built.skeletons.size(), 1u);
-  EXPECT_TRUE(warns(notes, "motion-of-nothing", "/nodes/" + std::to_string(rig)));
-  CookOptions options;
-  options.prepare.keep = {"cam*", "socket"};
-  Notes none;
-  EXPECT_EQ(build_scene(d.read(), options, none).skeletons.at(0).joint_names,
-            (Names{"hips", "rig", "cart", "spine", "camera", "head", "arm", "socket"}));
-  EXPECT_FALSE(warns(none, "motion-of-nothing"));
-}
-
-TEST(Skeletons, WhatOneClipMovesBelowOneRootIsAMachine) {
-  SceneDocument d;
-  const int engine = d.node("engine"), crane = d.node("crane");
-  const int piston = d.node("piston", engine), wheel = d.node("wheel", engine), hook = d.node("hook", crane);
-  for (const int part : {piston, wheel, hook}) d.prop(part);
-  d.clip("run");
-  for (const int part : {piston, wheel, hook}) d.carry(part, {0, 1});
-  const BuiltScene built = build(d);
-  EXPECT_EQ(skeleton_names(built), (Names{"piston", "hook"}));
-  EXPECT_EQ(built.skeletons[0].joint_names, (Names{"piston", "wheel"}));
-  EXPECT_EQ(clip_names(built), (Names{"run/0", "run/1"}));
+  expect_cooked(d.b, {{"one skin ties trees", "", "",
+                       R"("skeletons": [{"name": "wings", "joints": ["left", "right"]}, {"name": "tail"}])"}});
+  const Builder bare = document_of(R"("scenes": [{"nodes": [0, 2]}],
+                                      "nodes": [{"name": "hips", "children": [1]}, {"name": "head"}, {"name": "other"}])");
+  expect_cooked(
+      bare, {{"without meshes: nothing moves above it", "", R"("/clips": "nod: turn 1")",
+              R"("skeletons": [{"name": "head"}], "warns": ["no-meshes"], "clips": [{"name": "nod", "skeleton": 0}])"},
+             {"of a skin", "", R"("/skins": [{"joints": [0, 1]}])", R"("skeletons": [{"joints": ["hips", "head"]}])"},
+             {"of nothing", "", "", "invalid /meshes: no-meshes"}});
 }
 
 TEST(Skeletons, SceneryIsOneAtTheEnd) {
@@ -154,7 +128,8 @@ TEST(Skeletons, SceneryIsOneAtTheEnd) {
   const std::vector<int> a = d.character("Ada", 0);
   d.clip("nod");
   d.turn(a[2], {0, 1});
-  const BuiltScene built = build(d);
+  Notes notes;
+  const BuiltScene built = build_scene(d.read(), {}, notes);
   ASSERT_EQ(built.skeletons.size(), 2u);
   EXPECT_EQ(built.skeletons[0].name, "Ada");
   EXPECT_EQ(built.skeletons[1].joint_names.size(), 300u);
@@ -184,51 +159,22 @@ TEST(Skeletons, MorphWeightsGoWithTheirMeshAndOtherNumbersWithTheFirst) {
   clip.name = "walk";
   clip.channels.push_back({a[2], RawPath::translation, RawInterpolation::linear, {0, 1}, {{}, {1, 0, 0, 0}}});
   scene.clips.push_back(clip);
-  Notes notes;
-  const BuiltScene built = build_scene(scene, {}, notes);
-  EXPECT_EQ(clip_names(built), (Names{"speak/1", "walk/0", "walk/1"}));
-  EXPECT_EQ(built.clips[0].channel_names, (Names{"mood", "smile"}));
-  EXPECT_EQ(built.clips[1].channel_names, (Names{"mood"}));
-  EXPECT_EQ(built.clips[2].channel_names, (Names{"smile"}));
-  EXPECT_TRUE(built.clips[2].tracks.empty());
-  EXPECT_EQ(built.clips[1].duration_s, 2.0f);
+  expect_facts(facts_of(LoadedCook(cook_scene(scene, {}))), R"("clips": [
+    {"name": "speak", "skeleton": 1, "channels": ["mood", "smile"]},
+    {"name": "walk", "skeleton": 0, "channels": ["mood"], "duration_s": 2},
+    {"name": "walk", "skeleton": 1, "channels": ["smile"], "tracks": []}])");
 }
 
 TEST(Skeletons, AdditiveClipsTakeTheReferenceOfTheirOwnSkeleton) {
-  SceneDocument d;
-  const std::vector<int> a = d.character("Ada", 0), b = d.character("Bob", 0);
-  d.clip("aim");
-  d.carry(a[3], {0, 1});
-  d.carry(b[3], {0, 1});
-  d.clip("stand");
-  d.carry(a[2], {0, 1});
-  CookOptions options;
-  options.clips.additive = {{"aim", "stand"}};
-  const BuiltScene built = build(d, options);
-  EXPECT_EQ(clip_names(built), (Names{"aim/0", "aim/1", "stand/0"}));
-  ASSERT_EQ(built.clips[0].reference.size(), 1u);
-  EXPECT_EQ(built.clips[0].reference[0].translation[1][2], 0.0f) << "the head as \"stand\" begins";
-  EXPECT_TRUE(built.clips[1].reference.empty()) << "\"stand\" leaves Bob at rest";
-  options.clips.additive = {{"aim", "no such clip"}};
-  EXPECT_THROW(build(d, options), Failure);
-}
-
-TEST(Skeletons, AreCookedWithoutMeshes) {
-  SceneDocument d;
-  const int hips = d.node("hips"), head = d.node("head", hips), other = d.node("other");
-  d.clip("nod");
-  d.turn(head, {0, 1});
-  Notes notes;
-  const BuiltScene built = build_scene(d.read(), {}, notes);
-  EXPECT_EQ(skeleton_names(built), Names{"head"}) << "nothing moves above it";
-  EXPECT_TRUE(warns(notes, "no-meshes"));
-  EXPECT_EQ(clip_names(built), Names{"nod/0"});
-  d.b.root.erase("animations");
-  d.b.root["skins"] = {{{"joints", {hips, head}}}};
-  EXPECT_EQ(build(d).skeletons.at(0).joint_names, (Names{"hips", "head"}));
-  d.b.root.erase("skins");
-  expect_failure([&] { build(d); }, Exit::invalid, "/meshes", "no-meshes");
-  EXPECT_EQ(other, 2);
+  const std::string clips = R"("/clips": "aim: carry 4, carry 10; stand: carry 3")";
+  expect_cooked(two_characters(), {{"\"stand\" leaves Bob at rest", "--additive aim=stand", clips, R"("clips": [
+      {"name": "aim", "skeleton": 0, "reference": true}, {"name": "aim", "skeleton": 1, "reference": false},
+      {"name": "stand", "skeleton": 0}])"},
+                                   {"no such clip", "--additive aim=sit", clips, "usage : no clip"}});
+  Builder b = changed(two_characters(), clips);
+  const LoadedCook cooked(cook_text(b, options_of("--additive aim=stand")));
+  ASSERT_NE(cooked.file.clip(0).reference, nullptr);
+  EXPECT_EQ(cooked.file.clip(0).reference[0].translation[1][2], 0.0f) << "the head as \"stand\" begins";
 }
 
 }  // namespace
