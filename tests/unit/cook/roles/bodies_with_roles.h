@@ -1,6 +1,7 @@
 // Skeletons for tests of roles: made of a few numbers, or those of real models.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,41 @@ struct BodyJoint {
   std::string name, parent;  // of a root empty
   glm::dvec3 place;          // of the scene
 };
+
+inline std::vector<std::string> tokens(const std::string& text, const std::string& between) {
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(between, at), text.size());
+    out.push_back(text.substr(at, end - at));
+    at = end + between.size();
+  }
+  return out;
+}
+
+// "tail < Hips 0 0.95 -0.1; tip < tail 0 0.9 -0.2": names, parents (none: "Hips 0 1 0") and places.
+inline std::vector<BodyJoint> joints_of_text(const std::string& text) {
+  std::vector<BodyJoint> out;
+  for (const std::string& one : tokens(text, "; ")) {
+    std::size_t end = one.size();
+    BodyJoint& joint = out.emplace_back();
+    for (const int axis : {2, 1, 0}) {
+      const std::size_t begin = one.rfind(' ', end - 1);
+      joint.place[axis] = std::stod(one.substr(begin + 1));
+      end = begin;
+    }
+    const std::size_t below = one.find(" < ");
+    joint.name = one.substr(0, std::min(below, end));
+    if (below < end) joint.parent = one.substr(below + 3, end - below - 3);
+  }
+  return out;
+}
+
+// "hips=pelvis tail=tail_1,tail_2".
+inline RoleTable roles_of_text(const std::string& text) {
+  RoleTable out;
+  for (const std::string& one : tokens(text, " ")) out[one.substr(0, one.find('='))] = one.substr(one.find('=') + 1);
+  return out;
+}
 
 // Any order in which parents come first; unturned joints. Each is a node of the scene, moved by the game.
 inline RawScene scene_of(const std::vector<BodyJoint>& joints) {

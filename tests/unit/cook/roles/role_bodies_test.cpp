@@ -10,16 +10,10 @@ namespace {
 
 // A trunk and arms; what else a test needs hangs on these.
 std::vector<BodyJoint> upper_body() {
-  std::vector<BodyJoint> out = {{"pelvis", "", {0, 1, 0}},
-                                {"spine", "pelvis", {0, 1.2, 0}},
-                                {"neck", "spine", {0, 1.5, 0}},
-                                {"head", "neck", {0, 1.6, 0}}};
-  for (const auto& [side, x] : {std::pair<std::string, double>{".L", 1}, {".R", -1}}) {
-    out.push_back({"upper_arm" + side, "spine", {0.2 * x, 1.4, 0}});
-    out.push_back({"forearm" + side, "upper_arm" + side, {0.45 * x, 1.4, 0}});
-    out.push_back({"hand" + side, "forearm" + side, {0.7 * x, 1.4, 0}});
-  }
-  return out;
+  return joints_of_text(
+      "pelvis 0 1 0; spine < pelvis 0 1.2 0; neck < spine 0 1.5 0; head < neck 0 1.6 0; "
+      "upper_arm.L < spine 0.2 1.4 0; forearm.L < upper_arm.L 0.45 1.4 0; hand.L < forearm.L 0.7 1.4 0; "
+      "upper_arm.R < spine -0.2 1.4 0; forearm.R < upper_arm.R -0.45 1.4 0; hand.R < forearm.R -0.7 1.4 0");
 }
 
 void add_legs(const std::string& parent, std::vector<BodyJoint>& joints) {
@@ -31,15 +25,12 @@ void add_legs(const std::string& parent, std::vector<BodyJoint>& joints) {
 }
 
 RoleTable expected_body() {
-  RoleTable out = {{"hips", "pelvis"}, {"spine", "spine"}, {"neck", "neck"}, {"head", "head"}};
-  const std::pair<const char*, const char*> limbs[] = {{"upper_arm", "upper_arm"}, {"lower_arm", "forearm"},
-                                                       {"hand", "hand"},           {"upper_leg", "thigh"},
-                                                       {"lower_leg", "shin"},      {"foot", "foot"}};
-  for (const auto& [role, joint] : limbs) {
-    out[std::string("left_") + role] = std::string(joint) + ".L";
-    out[std::string("right_") + role] = std::string(joint) + ".R";
-  }
-  return out;
+  return roles_of_text(
+      "hips=pelvis spine=spine neck=neck head=head left_upper_arm=upper_arm.L left_lower_arm=forearm.L "
+      "left_hand=hand.L "
+      "right_upper_arm=upper_arm.R right_lower_arm=forearm.R right_hand=hand.R left_upper_leg=thigh.L "
+      "left_lower_leg=shin.L "
+      "left_foot=foot.L right_upper_leg=thigh.R right_lower_leg=shin.R right_foot=foot.R");
 }
 
 // Where the thumb has a name of its own, the first finger is the index.
@@ -91,10 +82,8 @@ TEST(RoleBodies, MayHaveLegsAndTailBesideTheHips) {
 }
 
 std::vector<BodyJoint> horse(const std::vector<std::string>& corners) {
-  std::vector<BodyJoint> out = {{"spine", "", {0, 2, -0.6}},
-                                {"neck", "spine", {0, 2.1, 0.5}},
-                                {"head", "neck", {0, 2.9, 1.4}},
-                                {"tail", "spine", {0, 2.1, -1.3}}};
+  std::vector<BodyJoint> out =
+      joints_of_text("spine 0 2 -0.6; neck < spine 0 2.1 0.5; head < neck 0 2.9 1.4; tail < spine 0 2.1 -1.3");
   for (const std::string& corner : corners) {
     const double x = corner[1] == 'l' ? 0.4 : -0.4, z = corner[0] == 'f' ? 0.8 : -0.8;
     out.push_back({"up_" + corner, "spine", {x, 1.7, z}});
@@ -108,22 +97,12 @@ std::vector<BodyJoint> horse(const std::vector<std::string>& corners) {
 TEST(RoleBodies, MayNameLegsByTheirCorners) {
   for (const std::string back : {"h", "b"}) {
     const FoundRoles found = find_roles_of(scene_of(horse({"fl", "fr", back + "l", back + "r"})));
-    EXPECT_EQ(found.table, (RoleTable{{"hips", "spine"},
-                                      {"neck", "neck"},
-                                      {"head", "head"},
-                                      {"tail", "tail"},
-                                      {"left_upper_arm", "up_fl"},
-                                      {"left_lower_arm", "lo_fl"},
-                                      {"left_hand", "hoof_fl"},
-                                      {"right_upper_arm", "up_fr"},
-                                      {"right_lower_arm", "lo_fr"},
-                                      {"right_hand", "hoof_fr"},
-                                      {"left_upper_leg", "up_" + back + "l"},
-                                      {"left_lower_leg", "lo_" + back + "l"},
-                                      {"left_foot", "hoof_" + back + "l"},
-                                      {"right_upper_leg", "up_" + back + "r"},
-                                      {"right_lower_leg", "lo_" + back + "r"},
-                                      {"right_foot", "hoof_" + back + "r"}}));
+    std::string roles =
+        "hips=spine neck=neck head=head tail=tail left_upper_arm=up_fl left_lower_arm=lo_fl left_hand=hoof_fl "
+        "right_upper_arm=up_fr right_lower_arm=lo_fr right_hand=hoof_fr left_upper_leg=up_#l "
+        "left_lower_leg=lo_#l left_foot=hoof_#l right_upper_leg=up_#r right_lower_leg=lo_#r right_foot=hoof_#r";
+    std::ranges::replace(roles, '#', back[0]);
+    EXPECT_EQ(found.table, roles_of_text(roles));
   }
   const RoleTable two = find_roles_of(scene_of(horse({"fl", "fr"}))).table;
   EXPECT_EQ(two.count("left_upper_arm"), 0u);
@@ -133,40 +112,25 @@ TEST(RoleBodies, MayNameLegsByTheirCorners) {
 // One body in the order: pelvis, spine, neck, head, then of each side upper arm, elbow, wrist, thigh, knee, ankle.
 TEST(RoleBodies, MayBeNamedInOtherLanguages) {
   const struct {
-    const char *language, *left, *right;
-    std::vector<std::string> middle, limbs;
-  } all[] = {{"French",
-              "_gauche",
-              "_droite",
-              {"bassin", "colonne", "cou", "tete"},
-              {"epaule", "coude", "poignet", "cuisse", "genou", "pied"}},
-             {"German",
-              "_links",
-              "_rechts",
-              {"Becken", "Wirbelsaeule", "Hals", "Kopf"},
-              {"Oberarm", "Unterarm", "Handgelenk", "Oberschenkel", "Unterschenkel", "Fuss"}},
-             {"Spanish",
-              ".L",
-              ".R",
-              {"pelvis", "columna", "cuello", "cabeza"},
-              {"brazo", "antebrazo", "mano", "muslo", "rodilla", "pie"}},
-             {"Italian",
-              "_sinistra",
-              "_destra",
-              {"bacino", "colonna", "collo", "testa"},
-              {"braccio", "avambraccio", "mano", "coscia", "ginocchio", "piede"}}};
+    const char *language, *left, *right, *middle, *limbs;
+  } all[] = {{"French", "_gauche", "_droite", "bassin colonne cou tete", "epaule coude poignet cuisse genou pied"},
+             {"German", "_links", "_rechts", "Becken Wirbelsaeule Hals Kopf",
+              "Oberarm Unterarm Handgelenk Oberschenkel Unterschenkel Fuss"},
+             {"Spanish", ".L", ".R", "pelvis columna cuello cabeza", "brazo antebrazo mano muslo rodilla pie"},
+             {"Italian", "_sinistra", "_destra", "bacino colonna collo testa",
+              "braccio avambraccio mano coscia ginocchio piede"}};
   const char* const roles[] = {"upper_arm", "lower_arm", "hand", "upper_leg", "lower_leg", "foot"};
   for (const auto& body : all) {
     std::vector<BodyJoint> joints = upper_body();
     add_legs("pelvis", joints);
     std::map<std::string, std::string> called;
-    for (std::size_t i = 0; i < 4; ++i) called[joints[i].name] = body.middle[i];
-    RoleTable expected = {
-        {"hips", body.middle[0]}, {"spine", body.middle[1]}, {"neck", body.middle[2]}, {"head", body.middle[3]}};
+    const std::vector<std::string> middle = tokens(body.middle, " "), limbs = tokens(body.limbs, " ");
+    for (std::size_t i = 0; i < 4; ++i) called[joints[i].name] = middle[i];
+    RoleTable expected = {{"hips", middle[0]}, {"spine", middle[1]}, {"neck", middle[2]}, {"head", middle[3]}};
     for (const bool right : {false, true})
       for (std::size_t i = 0; i < 6; ++i) {
         const std::size_t at = i < 3 ? 4 + 3 * (right ? 1u : 0u) + i : 10 + 3 * (right ? 1u : 0u) + i - 3;
-        const std::string name = body.limbs[i] + (right ? body.right : body.left);
+        const std::string name = limbs[i] + (right ? body.right : body.left);
         called[joints[at].name] = name;
         expected[std::string(right ? "right_" : "left_") + roles[i]] = name;
       }
