@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <string>
 
-#include "options/options.h"
+#include "cook/options/options.h"
 
 namespace marrow::cook {
 
-inline Given given_of(const std::string& text) {
-  Given given;
+inline Options given_of(const std::string& text) {
+  Options given;
   for (std::size_t at = text.find("--"); at < text.size();) {
     const std::size_t next = std::min(text.find(" --", at), text.size());
     const std::string one = text.substr(at + 2, next - at - 2), name = one.substr(0, one.find(' '));
-    given[name].push_back({name == one ? "true" : one.substr(name.size() + 1), {"--" + name, ""}});
+    std::string value = name == one ? "true" : one.substr(name.size() + 1);
+    value.erase(value.find_last_not_of(' ') + 1);
+    given[name].push_back({value, {"--" + name, ""}});
     at = next + 1;
   }
   return given;

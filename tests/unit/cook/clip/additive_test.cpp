@@ -5,6 +5,7 @@
 
 #include "common/failure.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -18,9 +19,7 @@ struct Popup {
     d.turn(joints[1], {0, 0.25F, 0.5F, 0.75F, 1});
   }
   LoadedCook cook(const std::string& reference) {
-    CookOptions options;
-    options.clips.additive = {{"popup", reference}};
-    return LoadedCook(cook_scene(d.read(), options));
+    return LoadedCook(cook_scene(d.read(), options_of("--additive popup=" + reference)));
   }
   SceneDocument d;
 };

@@ -8,6 +8,7 @@
 
 #include "export/export.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -24,9 +25,7 @@ RawScene read_back(const tools::Exported& exported) {
 }
 
 CookOptions raw() {
-  CookOptions options;
-  options.clips.raw = true;
-  return options;
+  return options_of("--clip-codec raw");
 }
 
 // glTF 2.0, 3.11: a CUBICSPLINE sampler has two keys at least. One holds its value.

@@ -10,6 +10,7 @@
 #include "cook/scene/matrices.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -50,11 +51,9 @@ TEST(TinyNumbers, AreZeroInTheFile) {
   d.clip("grow");
   d.keys(joints[1], "scale", {0, 1}, {1, 1, 1e-16F, 1, 1, 1});
   for (const bool raw : {false, true})
-    for (const MeshCodec codec : {MeshCodec::none, MeshCodec::meshopt}) {
-      CookOptions options;
-      options.clips.raw = raw;
-      options.mesh.codec = codec;
-      const LoadedCook cooked(cook_scene(d.read(), options));
+    for (const std::string codec : {"none", "meshopt"}) {
+      const std::string options = "--mesh-codec " + codec + (raw ? " --clip-codec raw" : "");
+      const LoadedCook cooked(cook_scene(d.read(), options_of(options)));
       const Skeleton skeleton = cooked.file.skeleton(0);
       EXPECT_EQ(count_below(1e-15F, skeleton.rest, skeleton.soa_size()), 0u);
       ASSERT_EQ(cooked.file.clip_count(), 3u);
@@ -80,12 +79,7 @@ TEST(TinyNumbers, OfMatricesAreZeroBesideTheirScale) {
 TEST(TinyNumbers, AreNotInPosesOfPab) {
   const std::filesystem::path path = std::filesystem::path(test::assets_folder()) / "pab.glb";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "not there: " << path;
-  CookOptions options;
-  options.mesh.codec = MeshCodec::meshopt;
-  options.source.images = Images::none;
-  options.clips.error.push_back({});
-  options.clips.error.back().error = 1e-3;
-  const LoadedCook cooked(cook_file(path.string(), options));
+  const LoadedCook cooked(cook_file(path.string(), options_of("--mesh-codec meshopt --images none --clip-error 1mm")));
   const Skeleton skeleton = cooked.file.skeleton(0);
   EXPECT_EQ(count_below(1e-15F, skeleton.rest, skeleton.soa_size()), 0u);
   for (std::uint32_t m = 0; m < cooked.file.mesh_count(); ++m)

@@ -13,6 +13,7 @@
 #include "disk/cook_on_disk.h"
 #include "marrow/morph.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -188,9 +189,7 @@ TEST(EigenTargets, AMeshDrawnTwiceIsCopied) {
 
 // Cooked and packed, sampled, morphed and skinned by the runtime.
 TEST(EigenTargets, CookedAndPosed) {
-  CookOptions options;
-  options.learn.eigen_targets = 8;
-  const LoadedCook cooked(cook_scene(tube(), options));
+  const LoadedCook cooked(cook_scene(tube(), options_of("--eigenskin 8")));
   Mesh mesh = cooked.file.mesh(0);
   const Clip clip = cooked.file.clip(0);
   std::vector<float> values(clip.channels.size), weights(mesh.targets.size);
@@ -220,19 +219,13 @@ TEST(EigenTargets, CookedAndPosed) {
 }
 
 TEST(EigenTargets, AsAnOption) {
-  const auto with = [](std::vector<std::pair<std::string, std::string>> given) {
-    Options out;
-    for (const auto& [name, text] : given) out[name] = {{text, {"--" + name, ""}}};
-    return to_options(out);
-  };
-  EXPECT_EQ(with({{"eigenskin", "8"}}).learn.eigen_targets, 8);
-  EXPECT_EQ(with({{"eigenskin", "8"}, {"truth", "dqs"}}).learn.truth, Truth::dual_quaternions);
-  EXPECT_THROW(with({{"eigenskin", "8"}, {"clips-only", "true"}}), tools::Failure);
-  EXPECT_THROW(with({{"weights-over-time", "a=b,c"}, {"clips-only", "true"}}), tools::Failure);
-  for (const char* bad : {"-1", "33", "x", ""}) EXPECT_THROW(with({{"eigenskin", bad}}), tools::Failure) << bad;
-  for (const auto& other : std::vector<std::pair<std::string, std::string>>{
-           {"as", "fit"}, {"as", "smooth"}, {"helpers", "8"}, {"mwe", "true"}, {"psd", "8"}})
-    EXPECT_THROW(with({{"eigenskin", "8"}, {"truth", "cor"}, other}), tools::Failure) << other.first;
+  EXPECT_EQ(options_of("--eigenskin 8").learn.eigen_targets, 8);
+  EXPECT_EQ(options_of("--eigenskin 8 --truth dqs").learn.truth, Truth::dual_quaternions);
+  for (const std::string bad : {"--eigenskin 8 --clips-only", "--weights-over-time a=b,c --clips-only",
+                                "--eigenskin -1", "--eigenskin 33", "--eigenskin x", "--eigenskin "})
+    EXPECT_THROW(options_of(bad), tools::Failure) << bad;
+  for (const std::string other : {"--as fit", "--as smooth", "--helpers 8", "--mwe", "--psd 8"})
+    EXPECT_THROW(options_of("--eigenskin 8 --truth cor " + other), tools::Failure) << other;
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "deform/fit/pose_space.h"
 #include "marrow/marrow.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -74,21 +75,14 @@ RawScene moving_cylinder() {
   return cylinder_scene(keys);
 }
 
-CookOptions options_for(MeshCodec codec) {
-  CookOptions options;
-  options.mesh.codec = codec;
-  options.mesh.keep_vertex_order = true;
-  options.clips.raw = true;
-  options.learn.truth = Truth::dual_quaternions;
-  options.learn.multi_weights = true;
-  options.learn.pose_examples = 6;
-  return options;
+CookOptions options_for(const std::string& codec, const std::string& learn = "--mwe --psd 6") {
+  return options_of("--keep-vertex-order --clip-codec raw --mesh-codec " + codec + " --truth dqs " + learn);
 }
 
 // The same fits without a file between.
 struct Offline {
   explicit Offline(const RawScene& scene) {
-    const CookOptions options = options_for(MeshCodec::none);
+    const CookOptions options = options_for("none");
     Notes notes;
     BuiltScene built = build_skeletons(scene);
     built.clips = build_raw_clips(scene, built, {});
@@ -168,18 +162,18 @@ Distance distance(const File& file, const Offline& offline, bool multi_weight) {
 
 TEST(LearnDeformers, TheRuntimeMakesOfTheFileWhatTheFitMeant) {
   const Offline offline(moving_cylinder());
-  for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
+  for (const std::string codec : {"none", "draco", "meshopt"}) {
     const LoadedCook cooked(cook_scene(moving_cylinder(), options_for(codec)));
     ASSERT_EQ(cooked.file.mesh_count(), 2u);
     EXPECT_EQ(cooked.file.mesh(1).palette_size(), 2u) << "the root, and the parent of what turns";
     const Distance mwe = distance(cooked.file, offline, true), psd = distance(cooked.file, offline, false);
     EXPECT_GT(mwe.vertices, 30000u);
-    std::printf("  codec %d: %.2g and %.2g from the fit, share of SSD's error %.3f and %.3f\n", static_cast<int>(codec),
+    std::printf("  codec %s: %.2g and %.2g from the fit, share of SSD's error %.3f and %.3f\n", codec.c_str(),
                 mwe.from_offline, psd.from_offline, mwe.share, psd.share);
     // Rounded weights are other weights to fit to: not the same result to the last digit, and for pose space another
     // pose may be the next example.
-    EXPECT_LT(mwe.from_offline, codec == MeshCodec::none ? 1e-4 : 0.002);
-    if (codec == MeshCodec::none) {
+    EXPECT_LT(mwe.from_offline, codec == "none" ? 1e-4 : 0.002);
+    if (codec == "none") {
       EXPECT_LT(psd.from_offline, 1e-4);
     }
     EXPECT_LT(mwe.share, 0.35);
@@ -192,7 +186,7 @@ TEST(LearnDeformers, GoTogetherWithMorphTargets) {
   scene.meshes[0].weights = scene.instances[0].weights = {{"bulge", "cylinder.bulge", 0}};
   for (RawPrimitive& p : scene.meshes[0].primitives)
     p.targets.push_back({std::vector<glm::vec3>(p.positions.size(), glm::vec3(0, 0, 0.1f)), {}, {}});
-  for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt}) {
+  for (const std::string codec : {"none", "draco", "meshopt"}) {
     const LoadedCook cooked(cook_scene(scene, options_for(codec)));
     ASSERT_EQ(cooked.file.mesh_count(), 2u);
     const Geometry g = cooked.file.mesh(0).geometry;
@@ -205,9 +199,7 @@ TEST(LearnDeformers, GoTogetherWithMorphTargets) {
 TEST(LearnDeformers, EachAloneBringsTheJointsThatItNeeds) {
   const Offline offline(moving_cylinder());
   for (const bool multi_weight : {true, false}) {
-    CookOptions options = options_for(MeshCodec::none);
-    options.learn.multi_weights = multi_weight;
-    if (multi_weight) options.learn.pose_examples = 0;
+    const CookOptions options = options_for("none", multi_weight ? "--mwe" : "--psd 6");
     const LoadedCook cooked(cook_scene(moving_cylinder(), options));
     EXPECT_EQ(cooked.file.mesh(1).palette_size(), 2u);
     EXPECT_EQ(cooked.file.mesh(1).geometry.mwe_residual != nullptr, multi_weight);
@@ -218,7 +210,7 @@ TEST(LearnDeformers, EachAloneBringsTheJointsThatItNeeds) {
 }
 
 TEST(LearnDeformers, TheReportSaysHowGoodTheyAre) {
-  const auto report = cook_scene(moving_cylinder(), options_for(MeshCodec::draco)).report;
+  const auto report = cook_scene(moving_cylinder(), options_for("draco")).report;
   for (const char* const name : {"multi_weights", "pose_space"}) {
     const auto& learnt = report["meshes"][1][name];
     EXPECT_EQ(learnt["shipped"], true);
@@ -236,15 +228,13 @@ TEST(LearnDeformers, TheReportSaysHowGoodTheyAre) {
 // Multi-weights may follow the helpers that animation space does; pose space goes its own way.
 TEST(LearnDeformers, StandBesideAnimationSpace) {
   const Offline offline(moving_cylinder());
-  for (const MeshCodec codec : {MeshCodec::none, MeshCodec::draco}) {
-    CookOptions options = options_for(codec);
-    options.learn.animation_space = AnimationSpace::fit;
-    options.learn.helpers = 1;
+  for (const std::string codec : {"none", "draco"}) {
+    const CookOptions options = options_for(codec, "--mwe --psd 6 --as fit --helpers 1");
     const LoadedCook cooked(cook_scene(moving_cylinder(), options));
     EXPECT_EQ(cooked.file.mesh(0).palette_size(), 3u);
     EXPECT_NE(cooked.file.mesh(0).geometry.as_residual, nullptr);
     const double mwe = distance(cooked.file, offline, true).share, psd = distance(cooked.file, offline, false).share;
-    std::printf("  codec %d: share of SSD's error %.3f and %.3f\n", static_cast<int>(codec), mwe, psd);
+    std::printf("  codec %s: share of SSD's error %.3f and %.3f\n", codec.c_str(), mwe, psd);
     EXPECT_LT(mwe, 0.1);
     EXPECT_LT(psd, 0.35);
   }
@@ -253,7 +243,7 @@ TEST(LearnDeformers, StandBesideAnimationSpace) {
 // In a clip that keeps still SSD is right: there is nothing to learn, and the file has nothing of it.
 TEST(LearnDeformers, WhatIsNoBetterIsNotShipped) {
   const RawScene still = cylinder_scene({glm::dquat(1, 0, 0, 0), glm::dquat(1, 0, 0, 0)});
-  CookOptions options = options_for(MeshCodec::draco);
+  CookOptions options = options_for("draco");
   const Result learnt = cook_scene(still, options);
   options.learn = {};
   EXPECT_EQ(learnt.file, cook_scene(still, options).file);

@@ -19,6 +19,7 @@
 #include "marrow/marrow.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -27,20 +28,13 @@ const std::string kNewt = test::newt_glb();
 constexpr Truth kTruths[] = {Truth::dual_quaternions, Truth::centres_of_rotation, Truth::delta_mush,
                              Truth::delta_mush_over_dqs, Truth::elastic};
 
-CookOptions fitted_to_dual_quaternions(MeshCodec codec) {
-  CookOptions options;
-  options.mesh.keep_vertex_order = true;
-  options.clips.raw = true;
-  options.mesh.codec = codec;
-  options.learn.animation_space = AnimationSpace::fit;
-  options.learn.truth = Truth::dual_quaternions;
-  options.learn.helpers = kAutoHelpers;
-  return options;
+CookOptions fitted_to_dual_quaternions(const std::string& codec) {
+  return options_of("--keep-vertex-order --clip-codec raw --as fit --truth dqs --helpers auto --mesh-codec " + codec);
 }
 
 // A fit of the newt takes seconds, and minutes under sanitizers: each once.
-const Result& fitted(MeshCodec codec) {
-  static std::map<MeshCodec, Result> made;
+const Result& fitted(const std::string& codec) {
+  static std::map<std::string, Result> made;
   const auto at = made.find(codec);
   return at != made.end() ? at->second
                           : made.emplace(codec, cook_file(kNewt, fitted_to_dual_quaternions(codec))).first->second;
@@ -96,9 +90,9 @@ Errors errors_against_dual_quaternions(const File& file, std::uint32_t clip) {
 }
 
 TEST(Learn, WhatIsFittedIsWhatTheRuntimeDeforms) {
-  std::vector<MeshCodec> codecs = {MeshCodec::none};
-  if (test::in_long_form()) codecs.insert(codecs.end(), {MeshCodec::draco, MeshCodec::meshopt});
-  for (const MeshCodec codec : codecs) {
+  std::vector<std::string> codecs = {"none"};
+  if (test::in_long_form()) codecs.insert(codecs.end(), {"draco", "meshopt"});
+  for (const std::string& codec : codecs) {
     const LoadedCook cooked(fitted(codec));
     ASSERT_GT(cooked.file.clip_count(), 0u);
     Errors all;
@@ -110,7 +104,7 @@ TEST(Learn, WhatIsFittedIsWhatTheRuntimeDeforms) {
     }
     EXPECT_GT(all.vertices, 10000u);
     const double share = std::sqrt(all.as / all.ssd);
-    std::printf("  codec %d: share of SSD's error %.3f\n", static_cast<int>(codec), share);
+    std::printf("  codec %s: share of SSD's error %.3f\n", codec.c_str(), share);
     EXPECT_LT(share, 0.35);
     const auto& learnt = cooked.report["meshes"][0]["animation_space"];
     EXPECT_EQ(learnt["kind"], "fit");
@@ -122,9 +116,9 @@ TEST(Learn, WhatIsFittedIsWhatTheRuntimeDeforms) {
 
 // Where helpers are straight means of their joints, linear blend skinning is what the artist painted.
 TEST(Learn, LeavesSsdAlone) {
-  CookOptions lift = fitted_to_dual_quaternions(MeshCodec::none);
+  CookOptions lift = fitted_to_dual_quaternions("none");
   lift.learn = {};
-  const LoadedCook learnt(fitted(MeshCodec::none));
+  const LoadedCook learnt(fitted("none"));
   const LoadedCook plain(cook_file(kNewt, lift));
   ASSERT_EQ(learnt.file.mesh_count(), plain.file.mesh_count());
   std::size_t compared = 0;
@@ -143,14 +137,14 @@ TEST(Learn, LeavesSsdAlone) {
 
 TEST(Learn, IsTheSameBytesEveryTime) {
   const std::string source = test::in_long_form() ? kNewt : test::in_golden("elbow.gltf");
-  const CookOptions options = fitted_to_dual_quaternions(MeshCodec::meshopt);
+  const CookOptions options = fitted_to_dual_quaternions("meshopt");
   EXPECT_EQ(cook_file(source, options).file, cook_file(source, options).file);
 }
 
 // In the bind pose nothing moves, whatever was learnt: there residuals of a vertex sum to 0. Helpers bring that along.
 TEST(Learn, CanKeepTheBindPose) {
   for (const bool keeps : {true, false}) {
-    CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+    CookOptions options = fitted_to_dual_quaternions("none");
     options.learn.helpers = 0;
     options.learn.keep_bind_pose = keeps;
     const LoadedCook cooked(cook_file(test::in_golden("elbow.gltf"), options));
@@ -200,7 +194,7 @@ RawScene two_joint_scene() {
 
 TEST(Learn, MakesPosesUpWithoutClips) {
   for (const Truth truth : kTruths) {
-    CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+    CookOptions options = fitted_to_dual_quaternions("none");
     options.learn.truth = truth;
     const LoadedCook cooked(cook_scene(two_joint_scene(), options));
     const auto& learnt = cooked.report["meshes"][0]["animation_space"];
@@ -270,7 +264,7 @@ TEST(Learn, LeavesOutWhereAJointHasNoRotationAndNamesIt) {
                                                      {scaling({1, 1, 1, 0}, {-1, 1, 1, 0}), "1 of 132"}};
   for (const auto& [scene, count] : scenes) {
     for (const Truth truth : kTruths) {
-      CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+      CookOptions options = fitted_to_dual_quaternions("none");
       options.learn.truth = truth;
       options.learn.multi_weights = true;  // says it no second time
       const Result result = cook_scene(scene, options);
@@ -286,8 +280,7 @@ TEST(Learn, LeavesOutWhereAJointHasNoRotationAndNamesIt) {
 TEST(Learn, TakesPosesThatAJointAloneSpoils) {
   RawScene scene = scaling({0, 0, 0, 0}, {1, 1, 1, 0});
   for (std::vector<RawInfluence>& influences : scene.meshes[0].primitives[0].influences) influences.resize(1);
-  EXPECT_TRUE(
-      warnings_of(cook_scene(scene, fitted_to_dual_quaternions(MeshCodec::none)), "joint-without-rotation").empty());
+  EXPECT_TRUE(warnings_of(cook_scene(scene, fitted_to_dual_quaternions("none")), "joint-without-rotation").empty());
 }
 
 TEST(Learn, FindsTheJointThatSpoilsAPose) {
@@ -319,7 +312,7 @@ TEST(Learn, TakesJointsInOnePlace) {
   for (const bool moves : {false, true}) {
     if (moves) scene.clips.push_back({"turn", {turning(1)}, {}});
     for (const Truth truth : kTruths) {
-      CookOptions options = fitted_to_dual_quaternions(MeshCodec::none);
+      CookOptions options = fitted_to_dual_quaternions("none");
       options.learn.truth = truth;
       options.learn.wide_poses = true;
       EXPECT_NO_THROW(LoadedCook(cook_scene(scene, options)));

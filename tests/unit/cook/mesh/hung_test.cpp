@@ -12,6 +12,7 @@
 #include "marrow/character.h"
 #include "marrow/skin.h"
 #include "support/places.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -87,11 +88,7 @@ double worst_of(const RawScene& scene, const CookOptions& options, std::uint32_t
 }
 
 TEST(Hung, EveryDeformerAndLevelKeepsThePromise) {
-  CookOptions options;
-  options.learn.animation_space = AnimationSpace::fit;
-  options.learn.truth = Truth::dual_quaternions;
-  options.learn.helpers = kAutoHelpers;
-  options.mesh.lod = {{0.5, kMaxInfluences}};
+  const CookOptions options = options_of("--as fit --truth dqs --helpers auto --lod 0.5");
   const RawScene elbow = read_gltf(test::in_golden("elbow.gltf"));
   const CookedScene cooked(elbow, options, true, 0);
   ASSERT_FALSE(cooked.file.mesh(0).helpers.empty());
@@ -131,9 +128,7 @@ RawScene flag() {
 
 TEST(Hung, MorphTargetsCountAtWeightOne) {
   EXPECT_LE(worst_of(flag(), {}, 0, By::ssd, 1), 1.1 * kError);
-  CookOptions at_joints;
-  at_joints.clips.shell = 0.03;
-  const CookedScene shell(flag(), at_joints, false, 0);
+  const CookedScene shell(flag(), options_of("--clip-shell 3cm"), false, 0);
   EXPECT_GT(shell.report["clips"][0]["max_vertex_error_m"].get<double>(), 10 * kError) << "it does not keep itself";
 }
 
@@ -162,9 +157,7 @@ TEST(Hung, KeptNodesCount) {
     return worst;
   };
   EXPECT_GT(error_at_the_tip({}), 2 * kError) << "nobody said that it counts";
-  CookOptions kept;
-  kept.prepare.keep = {"tip"};
-  EXPECT_LE(error_at_the_tip(kept), 1.1 * kError);
+  EXPECT_LE(error_at_the_tip(options_of("--keep tip")), 1.1 * kError);
 }
 
 }  // namespace

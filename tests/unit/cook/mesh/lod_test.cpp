@@ -10,19 +10,16 @@
 
 #include "common/failure.h"
 #include "cook/gltf/read.h"
-#include "cook/options/options.h"
 #include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
 
-CookOptions levels(const std::string& lod, MeshCodec codec = MeshCodec::none) {
-  CookOptions options = to_options({{"lod", {{lod, {"--lod", ""}}}}});
-  options.mesh.codec = codec;
-  options.clips.raw = true;
-  return options;
+CookOptions levels(const std::string& lod, const std::string& codec = "none", const std::string& more = "") {
+  return options_of("--clip-codec raw --lod " + lod + " --mesh-codec " + codec + more);
 }
 
 std::uint32_t corner(const Geometry& g, std::size_t i) {
@@ -43,7 +40,7 @@ double distance(const glm::vec3& p, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
   return static_cast<double>(std::min({glm::length(a - p), glm::length(b - p), glm::length(c - p)}));
 }
 
-class LodCodecs : public testing::TestWithParam<MeshCodec> {};
+class LodCodecs : public testing::TestWithParam<const char*> {};
 
 TEST_P(LodCodecs, NewtHasTheLevelsAskedFor) {
   const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.5,0.25", GetParam())));
@@ -71,7 +68,7 @@ TEST_P(LodCodecs, NewtHasTheLevelsAskedFor) {
   EXPECT_EQ(cooked.file.mesh_count(), cooked.report["meshes"].size()) << "levels are no meshes";
 }
 
-INSTANTIATE_TEST_SUITE_P(Codecs, LodCodecs, testing::Values(MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt));
+INSTANTIATE_TEST_SUITE_P(Codecs, LodCodecs, testing::Values("none", "draco", "meshopt"));
 
 // The error in the file is that of anchors that stay; the nearest point of the surface is nearer still.
 TEST(Lod, ErrorBoundsTheDistanceOfSurfaces) {
@@ -117,11 +114,7 @@ TEST(Lod, FewerInfluencesAreThose) {
 
 // A learnt residual goes along, with the helpers that it follows.
 TEST(Lod, AnimationSpaceHasLevels) {
-  CookOptions options = levels("0.25:3");
-  options.learn.animation_space = AnimationSpace::fit;
-  options.learn.truth = Truth::dual_quaternions;
-  options.learn.helpers = 4;
-  const LoadedCook cooked(cook_file(test::newt_glb(), options));
+  const LoadedCook cooked(cook_file(test::newt_glb(), levels("0.25:3", "none", " --as fit --truth dqs --helpers 4")));
   const Mesh full = cooked.file.mesh(0), less = cooked.file.mesh(0, 1);
   ASSERT_NE(full.geometry.as_residual, nullptr);
   ASSERT_NE(less.geometry.as_residual, nullptr);
@@ -150,7 +143,7 @@ TEST(Lod, VerticesAreTheMeshsOwn) {
 
 // Meshes that hang on a node, with morph targets, of two triangles each: one of them is the least there can be.
 TEST(Lod, SaysWhatCannotBeReached) {
-  const LoadedCook cooked(cook_file(test::in_golden("face.gltf"), levels("0.1", MeshCodec::draco)));
+  const LoadedCook cooked(cook_file(test::in_golden("face.gltf"), levels("0.1", "draco")));
   std::size_t warned = 0;
   for (const auto& w : cooked.report["warnings"]) warned += w["rule"] == "lod-not-reached" ? 1u : 0u;
   EXPECT_EQ(warned, 2u);
@@ -164,8 +157,7 @@ TEST(Lod, SaysWhatCannotBeReached) {
 }
 
 TEST(Lod, KeepsTheSourcesOrderOfTheFullMeshAlone) {
-  CookOptions options = levels("0.5");
-  options.mesh.keep_vertex_order = true;
+  const CookOptions options = levels("0.5", "none", " --keep-vertex-order");
   const LoadedCook cooked(cook_file(test::in_golden("tiny.gltf"), options));
   EXPECT_GT(cooked.file.mesh(0).geometry.source_slots.size, 0u);
   EXPECT_EQ(cooked.file.mesh(0, 1).geometry.source_slots.size, 0u);
@@ -186,7 +178,7 @@ TEST(Lod, OptionIsReadWhole) {
 
 TEST(Lod, SameBytesEveryTime) {
   const RawScene scene = read_gltf(test::newt_glb());
-  const CookOptions options = levels("0.5,0.1:2", MeshCodec::meshopt);
+  const CookOptions options = levels("0.5,0.1:2", "meshopt");
   EXPECT_EQ(cook_scene(scene, options).file, cook_scene(scene, options).file);
 }
 

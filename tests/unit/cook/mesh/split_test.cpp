@@ -9,11 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/options/options.h"
 #include "disk/cook_on_disk.h"
 #include "support/millipede.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -122,11 +122,10 @@ TEST(Split, ManyTrianglesTakeNoTime) {
   EXPECT_LE(joints_of_parts(indices, needs, part_of).size(), 7u) << "six would hold 2000 joints without a seam";
 }
 
+// Of fewer entries than the option takes.
 CookOptions with_palette(std::size_t most) {
-  CookOptions options;
+  CookOptions options = options_of("--clip-codec raw --mesh-codec none");
   options.mesh.most_entries = most;
-  options.clips.raw = true;
-  options.mesh.codec = MeshCodec::none;
   return options;
 }
 
@@ -161,16 +160,12 @@ TEST(Split, TheReportSaysIntoWhat) {
 
 TEST(Split, SameBytesEveryTime) {
   const test::Millipede millipede(30);
-  CookOptions options = with_palette(24);
-  options.mesh.codec = MeshCodec::meshopt;
-  options.mesh.lod = {{0.5, 8}, {0.1, 2}};
+  const CookOptions options = options_of("--palette 24 --clip-codec raw --mesh-codec meshopt --lod 0.5:8,0.1:2");
   EXPECT_EQ(cook_scene(millipede.scene, options).file, cook_scene(millipede.scene, options).file);
 }
 
 TEST(Split, TheOptionIsAPaletteThatATriangleFits) {
-  const auto palette = [](const char* n) {
-    return to_options({{"palette", {{n, {"--palette", ""}}}}}).mesh.most_entries;
-  };
+  const auto palette = [](const std::string& n) { return options_of("--palette " + n).mesh.most_entries; };
   EXPECT_EQ(CookOptions().mesh.most_entries, 341u);
   EXPECT_EQ(palette("24"), 24u);
   EXPECT_EQ(palette("32767"), 32767u);

@@ -14,6 +14,7 @@
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
 #include "unit/cook/mesh/looped.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -64,24 +65,14 @@ struct Welded {
   std::vector<std::uint32_t> slots, point_of;  // of a point the first slot; of a slot the point
 };
 
-CookOptions finer(int steps, MeshCodec codec = MeshCodec::none, bool fits = true) {
-  CookOptions options;
-  options.mesh.subdivide = steps;
-  options.mesh.codec = codec;
-  options.clips.raw = true;
-  if (fits) {
-    options.learn.animation_space = AnimationSpace::fit;
-    options.learn.truth = Truth::dual_quaternions;
-    options.learn.helpers = kAutoHelpers;
-  }
-  return options;
+CookOptions finer(int steps, const std::string& codec = "none",
+                  const std::string& more = "--as fit --truth dqs --helpers auto") {
+  return options_of("--subdivide " + std::to_string(steps) + " --mesh-codec " + codec + " --clip-codec raw " + more);
 }
 
 // A residual at once, where a fit takes seconds.
-CookOptions smoother(int steps, MeshCodec codec = MeshCodec::none) {
-  CookOptions options = finer(steps, codec, false);
-  options.learn.animation_space = AnimationSpace::smooth;
-  return options;
+CookOptions smoother(int steps, const std::string& codec = "none") {
+  return finer(steps, codec, "--as smooth");
 }
 
 const LoadedCook& smooth_newt() {
@@ -150,7 +141,7 @@ TEST(CookSubdivide, ThatIsSoWhereInfluencesAreDropped) {
 // Packed, positions are rounded by up to 0.09 mm, weights by 1/4000 of how far joints take a vertex apart, residuals by
 // a quarter of what they do, an influence each. The smoothed newt is then 0.06 mm off, 0.35 mm at worst.
 TEST(CookSubdivide, SoItIsPacked) {
-  const LoadedCook fine(cook_file(kNewtSource, smoother(1, MeshCodec::meshopt)));
+  const LoadedCook fine(cook_file(kNewtSource, smoother(1, "meshopt")));
   ASSERT_NE(fine.file.mesh(0).geometry.as_residual, nullptr);
   const Distance distance = distance_from_loop(smooth_newt().file, fine.file, 2e-4);
   EXPECT_LT(distance.rms, 1e-4);
@@ -166,8 +157,8 @@ TEST(CookSubdivide, SoItIsTwice) {
 
 // The lift is linear blend skinning of the finer mesh, which is nearly the posed mesh subdivided.
 TEST(CookSubdivide, TheLiftHasNoResidual) {
-  const LoadedCook coarse(cook_file(kNewtSource, finer(0, MeshCodec::none, false))),
-      fine(cook_file(kNewtSource, finer(1, MeshCodec::none, false)));
+  const LoadedCook coarse(cook_file(kNewtSource, finer(0, "none", ""))),
+      fine(cook_file(kNewtSource, finer(1, "none", "")));
   EXPECT_EQ(fine.file.mesh(0).geometry.as_residual, nullptr);
   const Distance distance = distance_from_loop(coarse.file, fine.file, 1e-6);
   EXPECT_GT(distance.off, 0.1);
@@ -213,13 +204,13 @@ TEST(CookSubdivide, SeamsStayClosed) {
   EXPECT_EQ(distance_from_loop(smooth_newt().file, fine.file, 1e-6).off, 0);
 }
 
-class FinerCodecs : public testing::TestWithParam<MeshCodec> {};
+class FinerCodecs : public testing::TestWithParam<const char*> {};
 
 TEST_P(FinerCodecs, FourTimesTheTriangles) {
-  const Result before = cook_file(kTiny, finer(0, GetParam(), false));
+  const Result before = cook_file(kTiny, finer(0, GetParam(), ""));
   std::size_t times = 1;
   for (int steps = 1; steps <= kMostSubdivisions; ++steps) {
-    const LoadedCook after(cook_file(kTiny, finer(steps, GetParam(), false)));
+    const LoadedCook after(cook_file(kTiny, finer(steps, GetParam(), "")));
     times *= 4;
     for (std::uint32_t m = 0; m < after.file.mesh_count(); ++m) {
       const std::size_t triangles = before.report["meshes"][m]["triangles"];
@@ -231,20 +222,18 @@ TEST_P(FinerCodecs, FourTimesTheTriangles) {
   EXPECT_FALSE(before.report["meshes"][0].contains("source_triangles"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Codecs, FinerCodecs, testing::Values(MeshCodec::none, MeshCodec::draco, MeshCodec::meshopt));
+INSTANTIATE_TEST_SUITE_P(Codecs, FinerCodecs, testing::Values("none", "draco", "meshopt"));
 
 // Levels are of the finer mesh.
 TEST(CookSubdivide, LevelsOfDetailFollow) {
-  CookOptions options = finer(1, MeshCodec::none, false);
-  options.mesh.lod = {{0.25}};
-  const LoadedCook fine(cook_file(kNewtSource, options));
+  const LoadedCook fine(cook_file(kNewtSource, finer(1, "none", "--lod 0.25")));
   const std::size_t triangles = fine.report["meshes"][0]["triangles"];
   EXPECT_NEAR(fine.file.mesh(0, 1).geometry.index_count, 0.75 * static_cast<double>(triangles), 12);
 }
 
 TEST(CookSubdivide, SameBytesEveryTime) {
   const std::string source = test::in_long_form() ? kNewtSource : test::in_golden("elbow.gltf");
-  EXPECT_EQ(cook_file(source, finer(1, MeshCodec::meshopt)).file, cook_file(source, finer(1, MeshCodec::meshopt)).file);
+  EXPECT_EQ(cook_file(source, finer(1, "meshopt")).file, cook_file(source, finer(1, "meshopt")).file);
 }
 
 }  // namespace

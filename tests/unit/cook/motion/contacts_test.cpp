@@ -13,6 +13,7 @@
 #include "disk/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -66,10 +67,7 @@ class Contacts : public ::testing::TestWithParam<MarkedClip> {
   void SetUp() override {
     const std::filesystem::path path = std::filesystem::path(test::assets_folder()) / GetParam().file;
     if (!std::filesystem::exists(path)) GTEST_SKIP() << "not there: " << path;
-    CookOptions options;
-    options.mesh.codec = MeshCodec::none;
-    options.source.images = Images::none;
-    options.clips.raw = true;
+    const CookOptions options = options_of("--mesh-codec none --images none --clip-codec raw");
     const std::vector<std::byte> bytes = cook_file(path.string(), options).file;
     ASSERT_EQ(make_owned(Span<const std::byte>(bytes.data(), bytes.size()), file_), Status::ok);
     for (std::uint32_t c = 0; c < file_.clip_count(); ++c)

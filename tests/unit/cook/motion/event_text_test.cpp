@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "common/failure.h"
-#include "cook/options/options.h"
 #include "disk/cook_on_disk.h"
 #include "support/places.h"
 #include "text/event_text.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -35,11 +35,7 @@ TEST(EventText, IsRead) {
 
 void refuse(const char* option, const char* value, const char* rule) {
   try {
-    Options given;
-    given[option] = {{value, {"--" + std::string(option), ""}}};
-    CookOptions options = to_options(given);
-    options.mesh.codec = MeshCodec::none;
-    cook_file(test::in_golden("roles.gltf"), options);
+    cook_file(test::in_golden("roles.gltf"), options_of("--mesh-codec none --" + std::string(option) + " " + value));
     ADD_FAILURE() << option << " " << value;
   } catch (const tools::Failure& failure) {
     EXPECT_EQ(failure.code(), tools::Exit::usage) << value;

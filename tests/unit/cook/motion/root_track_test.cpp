@@ -11,16 +11,13 @@
 #include "disk/cook_on_disk.h"
 #include "marrow/owned.h"
 #include "support/places.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
 
 CookOptions plain() {
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  options.source.images = Images::none;
-  options.clips.raw = true;
-  return options;
+  return options_of("--mesh-codec none --images none --clip-codec raw");
 }
 
 RawScene scene_of(const char* file) {

@@ -18,6 +18,7 @@
 #include "deform/weights/auto_weights.h"
 #include "disk/cook_on_disk.h"
 #include "disk/disk_files.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 #include "unit/deform/bodies.h"
 
@@ -106,11 +107,8 @@ TEST(AddSkeleton, WhereANodeDrawsTheMesh) {
   expect_joints(body, rig(d.read(), "humanoid"), 1, 0.045, 0.09);
 }
 
-CookOptions options_of(const std::string& name) {
-  CookOptions options;
-  options.prepare.auto_skeleton = name;
-  options.mesh.codec = MeshCodec::none;
-  return options;
+CookOptions making(const std::string& name) {
+  return cook::options_of("--mesh-codec none --auto-skeleton " + name);
 }
 
 TEST(AddSkeleton, TakesTheFilesPlace) {
@@ -121,7 +119,7 @@ TEST(AddSkeleton, TakesTheFilesPlace) {
   d.b.root["skins"].push_back({{"joints", {root, tip}}});
   d.clip("walk");
   d.turn(tip, {0, 1});
-  const Result cooked = cook_scene(d.read(), options_of("humanoid"));
+  const Result cooked = cook_scene(d.read(), making("humanoid"));
   const auto has = [&](const std::string& rule) {
     return std::ranges::any_of(cooked.report["warnings"], [&](const auto& w) { return w["rule"] == rule; });
   };
@@ -159,8 +157,8 @@ TEST(AddSkeleton, BindsWhatItMade) {
 
 TEST(AddSkeleton, SameBytesEveryTime) {
   const Body body = test::quadruped_body();
-  const Result first = cook_scene(document(body).read(), options_of("quadruped"));
-  const Result second = cook_scene(document(body).read(), options_of("quadruped"));
+  const Result first = cook_scene(document(body).read(), making("quadruped"));
+  const Result second = cook_scene(document(body).read(), making("quadruped"));
   EXPECT_EQ(first.file, second.file);
   EXPECT_EQ(first.report["warnings"], second.report["warnings"]);
 }
@@ -287,19 +285,13 @@ TEST(SkeletonTemplate, OfAFileIsAnInput) {
 }
 
 TEST(SkeletonOptions, AsText) {
-  const auto given = [](const std::string& text) {
-    return Options{{"auto-skeleton", {{text, {"--auto-skeleton", ""}}}}};
-  };
-  EXPECT_EQ(to_options(given("humanoid")).prepare.auto_skeleton, "humanoid");
-  EXPECT_EQ(to_options(given("a/b.toml")).prepare.auto_skeleton, "a/b.toml");
-  EXPECT_TRUE(to_options(given("none")).prepare.auto_skeleton.empty());
-  EXPECT_THROW(to_options(given("")), Failure);
-  for (const auto& [name, text] : {std::pair{"clips-only", "true"}, {"skeleton", "hero.mrw"}}) {
-    Options both = given("humanoid");
-    both[name] = {{text, {std::string("--") + name, ""}}};
-    EXPECT_THROW(to_options(both), Failure) << name;
-    both["auto-skeleton"][0].text = "none";
-    EXPECT_NO_THROW(to_options(both)) << name;
+  EXPECT_EQ(options_of("--auto-skeleton humanoid").prepare.auto_skeleton, "humanoid");
+  EXPECT_EQ(options_of("--auto-skeleton a/b.toml").prepare.auto_skeleton, "a/b.toml");
+  EXPECT_TRUE(options_of("--auto-skeleton none").prepare.auto_skeleton.empty());
+  EXPECT_THROW(options_of("--auto-skeleton "), Failure);
+  for (const std::string other : {" --clips-only", " --skeleton hero.mrw"}) {
+    EXPECT_THROW(options_of("--auto-skeleton humanoid" + other), Failure) << other;
+    EXPECT_NO_THROW(options_of("--auto-skeleton none" + other)) << other;
   }
 }
 

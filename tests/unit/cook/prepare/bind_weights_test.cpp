@@ -17,6 +17,7 @@
 #include "deform/weights/auto_weights.h"
 #include "disk/cook_on_disk.h"
 #include "disk/disk_files.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -184,9 +185,7 @@ TEST(BindWeights, WithoutASkinNodesThatClipsMoveAreJoints) {
   EXPECT_EQ(scene.skins[0].joints, (std::vector<int>{low, low + 1}));
   expect_near(glm::dvec3(scene.skins[0].inverse_bind[1][3]), {0, -4, 0});
   expect_bound(scene.meshes[0].primitives[0]);
-  CookOptions options;
-  options.prepare.weights = make();
-  const Result cooked = cook_scene(d.read(), options);
+  const Result cooked = cook_scene(d.read(), options_of("--auto-weights geodesic"));
   EXPECT_EQ(cooked.report["meshes"][0]["joints"], 2);
 }
 
@@ -441,26 +440,17 @@ TEST_F(Paint, AMaskIsAnInput) {
 }
 
 TEST(WeightOptions, AsText) {
-  const auto given = [](const std::string& name, const std::string& text) {
-    return to_options({{name, {{text, {"--" + name, ""}}}}});
-  };
-  EXPECT_FALSE(given("auto-weights", "none").prepare.weights.any());
-  EXPECT_EQ(given("auto-weights", "geodesic").prepare.weights.make, WeightMethod::geodesic);
-  EXPECT_EQ(given("auto-weights", "glow").prepare.weights.make, WeightMethod::glow);
-  EXPECT_THROW(given("rebind", "true"), Failure) << "of nothing";
-  EXPECT_TRUE(
-      to_options({{"auto-weights", {{"nearest", {"--auto-weights", ""}}}}, {"rebind", {{"true", {"--rebind", ""}}}}})
-          .prepare.weights.rebind);
-  EXPECT_EQ(given("smooth-weights", "12").prepare.weights.smooth_steps, 12);
-  EXPECT_EQ(given("paint", "a=b=c.png").prepare.weights.paint.at(0).joint, "a=b");
-  EXPECT_EQ(given("paint", "a=b=c.png").prepare.weights.paint.at(0).file, "c.png");
-  EXPECT_THROW(given("auto-weights", "magic"), Failure);
-  EXPECT_THROW(given("smooth-weights", "1.5"), Failure);
-  EXPECT_THROW(given("smooth-weights", "-1"), Failure);
-  EXPECT_THROW(given("smooth-weights", "1e9"), Failure);
-  EXPECT_THROW(given("paint", "=mask.png"), Failure);
-  EXPECT_THROW(given("paint", "head"), Failure);
-  EXPECT_THROW(given("paint", "head="), Failure);
+  const auto given = [](const std::string& text) { return options_of(text).prepare.weights; };
+  EXPECT_FALSE(given("--auto-weights none").any());
+  EXPECT_EQ(given("--auto-weights geodesic").make, WeightMethod::geodesic);
+  EXPECT_EQ(given("--auto-weights glow").make, WeightMethod::glow);
+  EXPECT_TRUE(given("--auto-weights nearest --rebind").rebind);
+  EXPECT_EQ(given("--smooth-weights 12").smooth_steps, 12);
+  EXPECT_EQ(given("--paint a=b=c.png").paint.at(0).joint, "a=b");
+  EXPECT_EQ(given("--paint a=b=c.png").paint.at(0).file, "c.png");
+  for (const char* bad : {"--rebind", "--auto-weights magic", "--smooth-weights 1.5", "--smooth-weights -1",
+                          "--smooth-weights 1e9", "--paint =mask.png", "--paint head", "--paint head="})
+    EXPECT_THROW(given(bad), Failure) << bad;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "support/places.h"
 #include "unit/cook/gltf/document.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 
 namespace marrow::cook {
 namespace {
@@ -132,9 +133,7 @@ TEST(CookLimits, OfNodesThatAreNoJointsAreLeftOut) {
 
 TEST(CookLimits, AreNoPartOfAClipPack) {
   Builder b = limited(Json::parse(kExamples[0].limits));
-  CookOptions options;
-  options.clips_only = true;
-  const LoadedCook cooked(cook_scene(read(b), options));
+  const LoadedCook cooked(cook_scene(read(b), options_of("--clips-only")));
   EXPECT_EQ(cooked.file.skeleton_count(), 0U);
   for (const File::Section& s : cooked.file.sections()) EXPECT_NE(s.type, format::four_characters("LIMI"));
 }
@@ -195,8 +194,7 @@ TEST(CookLimits, OfTheSampleAreKeptByItsClips) {
 }
 
 TEST(CookLimits, AreTheSameInAPackedFile) {
-  CookOptions plain;
-  plain.mesh.codec = MeshCodec::none;
+  const CookOptions plain = options_of("--mesh-codec none");
   const RawScene scene = [] {
     Builder b = limited(Json::parse(kExamples[2].limits));
     return read(b);

@@ -11,6 +11,7 @@
 #include "cook/scene/node_motion.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -142,9 +143,7 @@ TEST(Mirrors, OnePoseWrittenTwoWaysBlendsToItself) {
   d.keys(joints[1], "scale", {0, 1}, {-1, 1, 1, -1, 1, 1});
   d.keys(joints[1], "rotation", {0, 1}, {0, 1, 0, 0, 0, 1, 0, 0});
   for (const bool raw : {false, true}) {
-    CookOptions options;
-    options.clips.raw = raw;
-    const LoadedCook cooked(cook_scene(d.read(), options));
+    const LoadedCook cooked(cook_scene(d.read(), options_of(raw ? "--clip-codec raw" : "")));
     const Skeleton skeleton = cooked.file.skeleton(0);
     std::vector<SoaTransform> z(skeleton.soa_size()), x(z), mixed(z);
     ASSERT_EQ(sample(skeleton, cooked.file.clip(0), 0.5f, z), Status::ok);

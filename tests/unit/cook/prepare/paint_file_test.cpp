@@ -10,6 +10,7 @@
 #include "cook/options/options.h"
 #include "cook/paint/paint_weights.h"
 #include "disk/cook_on_disk.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -205,9 +206,7 @@ TEST_F(PaintPlaces, RulesGoOneAfterTheOther) {
 }
 
 TEST(PaintFile, IsAnOption) {
-  const auto given = [](const std::string& text) {
-    return to_options({{"paint", {{text, {"--paint", ""}}}}}).prepare.weights.paint.at(0);
-  };
+  const auto given = [](const std::string& text) { return options_of("--paint " + text).prepare.weights.paint.at(0); };
   EXPECT_EQ(given("art/a=b.json").joint, "");
   EXPECT_EQ(given("art/a=b.json").file, "art/a=b.json");
   EXPECT_EQ(given("head=head.png").joint, "head");

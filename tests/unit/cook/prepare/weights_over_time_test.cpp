@@ -12,6 +12,7 @@
 #include "cook/scene/node_motion.h"
 #include "disk/cook_on_disk.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
@@ -228,8 +229,7 @@ TEST(WeightsOverTime, OneChannelForTwoJoints) {
 
 TEST(WeightsOverTime, AsAnOption) {
   const auto given = [](const std::string& text) {
-    return to_options(Options{{"weights-over-time", {{text, {"--weights-over-time", ""}}}}})
-        .prepare.weights_over_time.at(0);
+    return options_of("--weights-over-time " + text).prepare.weights_over_time.at(0);
   };
   const WeightsOverTime plain = given("hero.loose=mixamorig:Spine,pole");
   EXPECT_EQ(plain.channel, "hero.loose");
@@ -246,9 +246,7 @@ TEST(WeightsOverTime, AsAnOption) {
 
 // All the way: what the cooked file's vertices do at the end of the clip.
 TEST(WeightsOverTime, CookedAndPosed) {
-  CookOptions options;
-  options.prepare.weights_over_time = {rule()};
-  const LoadedCook cooked(cook_scene(strip(), options));
+  const LoadedCook cooked(cook_scene(strip(), options_of("--weights-over-time loose=chest,pole")));
   const Skins skins = skins_at(cooked.file, 0, 2, cooked.file.mesh(0));
   // The pole at (2, 0) has turned by 90°: (x, y) goes to (2 - y, x - 2).
   int found = 0;

@@ -9,17 +9,14 @@
 #include "disk/files.h"
 #include "support/places.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook {
 namespace {
 
-CookOptions plain() {
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  options.source.images = Images::none;
-  options.clips.raw = true;
-  return options;
+CookOptions plain(const std::string& more = "") {
+  return options_of("--mesh-codec none --images none --clip-codec raw" + more);
 }
 
 std::vector<std::string> clip_names(const File& file) {
@@ -57,9 +54,7 @@ std::uint32_t index_of(const File& file, const std::string& name) {
 }
 
 TEST(AddClips, OntoItselfAClipStaysAsItIs) {
-  CookOptions options = plain();
-  options.retarget.clips = {{test::newt_glb(), "", {}}};
-  options.retarget.mirror = {{"other", "walk", {}}, {"again", "other", {}}};
+  const CookOptions options = plain(" --retarget " + test::newt_glb() + " --mirror other=walk --mirror again=other");
   const LoadedCook cooked(cook_file(test::newt_glb(), options));
   const LoadedCook before(cook_file(test::newt_glb(), plain()));
   EXPECT_EQ(cooked.file.skeleton(0).joint_count, before.file.skeleton(0).joint_count);
@@ -73,10 +68,7 @@ TEST(AddClips, OntoItselfAClipStaysAsItIs) {
 }
 
 TEST(AddClips, PacksHaveTheAddedClipsAlone) {
-  CookOptions options = plain();
-  options.retarget.clips = {{test::newt_glb(), "", {}}};
-  options.retarget.mirror = {{"other", "walk", {}}};
-  options.clips_only = true;
+  CookOptions options = plain(" --clips-only --mirror other=walk --retarget " + test::newt_glb());
   std::vector<std::string> expected = clip_names(LoadedCook(cook_file(test::newt_glb(), plain())).file);
   expected.push_back("other");
   const LoadedCook own(cook_file(test::newt_glb(), options));

@@ -14,6 +14,7 @@
 #include "support/places.h"
 #include "support/rig.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/retarget/raw_rig.h"
 #include "unit/cook/scene_document.h"
 
@@ -262,11 +263,7 @@ TEST(MakePoseMap, WhatRestsHungUpIsWhereItSays) {
 }
 
 CookOptions for_models() {
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  options.source.images = Images::none;
-  options.clips.raw = true;
-  return options;
+  return options_of("--mesh-codec none --images none --clip-codec raw");
 }
 
 std::vector<glm::dquat> model_turns(const Skeleton& skeleton, const std::vector<SoaTransform>& local) {

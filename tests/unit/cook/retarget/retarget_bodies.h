@@ -16,6 +16,7 @@
 #include "cook/skeleton/build_skeletons.h"
 #include "support/double_math.h"
 #include "unit/cook/loaded_cook.h"
+#include "unit/cook/options_text.h"
 #include "unit/cook/scene_document.h"
 
 namespace marrow::cook::mocap {
@@ -119,9 +120,7 @@ inline RawScene read_body(const std::vector<Joint>& body = kBody, const Motion& 
 }
 
 inline CookOptions raw() {
-  CookOptions options;
-  options.clips.raw = true;
-  return options;
+  return options_of("--clip-codec raw");
 }
 
 // A clip of a skeleton at a time, joint by joint, in the scene.

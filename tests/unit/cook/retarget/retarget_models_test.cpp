@@ -3,17 +3,14 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "unit/cook/options_text.h"
 #include "unit/cook/retarget/measured_body.h"
 
 namespace marrow::cook {
 namespace {
 
-CookOptions plain() {
-  CookOptions options;
-  options.mesh.codec = MeshCodec::none;
-  options.source.images = Images::none;
-  options.clips.raw = true;
-  return options;
+CookOptions plain(const std::string& more = "") {
+  return options_of("--mesh-codec none --images none --clip-codec raw" + more);
 }
 
 struct Bar {
@@ -29,9 +26,7 @@ TEST(RetargetModels, FeetStandAndHandsMeet) {
   for (const Bar& bar : {Bar{"mannequiny", 10, 10, 15}, Bar{"m2m_sintel", 10, 10, 15}, Bar{"RiggedFigure", 10, 10, 15},
                          Bar{"KayKit_Knight", 20, 10, 15}, Bar{"ruby", 10, 10, 15}}) {
     const std::string path = test::assets_folder() + "/" + bar.file + ".glb";
-    CookOptions options = plain();
-    options.retarget.clips = {{source_path, "", {}}};
-    const MeasuredBody target(path, options);
+    const MeasuredBody target(path, plain(" --retarget " + source_path));
     for (const char* const clip : clips) {
       const HowCarried how = compare_bodies(source, source.clip(clip), target, target.clip(clip));
       std::printf("%-14s %-14s slide %6.1f mm, soles %6.1f mm, hands %6.1f mm, knees straighter by %4.1f deg\n",
@@ -49,9 +44,7 @@ TEST(RetargetModels, FeetThatSwingStayOutOfTheGround) {
   const std::string source_path = test::assets_folder() + "/pab.glb";
   if (!std::filesystem::exists(source_path)) GTEST_SKIP() << "no models; name their folder in MARROW_ASSETS";
   const MeasuredBody source(source_path, plain());
-  CookOptions options = plain();
-  options.retarget.clips = {{source_path, "", {}}};
-  const MeasuredBody target(test::assets_folder() + "/KayKit_Knight.glb", options);
+  const MeasuredBody target(test::assets_folder() + "/KayKit_Knight.glb", plain(" --retarget " + source_path));
   const auto lowest = [](const MeasuredBody& body, const char* clip, float step_s) {
     const std::uint32_t at = body.clip(clip);
     const auto steps = static_cast<int>(body.duration_s(at) / double{step_s} + 0.5);
