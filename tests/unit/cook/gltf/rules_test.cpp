@@ -194,6 +194,8 @@ const Fault kRefusals[] = {
     {R"("/accessors/4/count": 0)", "invalid /skins/0/inverseBindMatrices: too few matrices … 0 for"},
     {R"("/bufferViews/14/byteLength": 0)", "invalid /accessors/14: beyond the bufferView's end"},
     {R"("/accessors/6/componentType": 5122)", "invalid /animations/0/channels/0/sampler: wrong output"},
+    {R"("/animations/0/channels/0/sampler": 4294967296)",
+     "invalid /animations/0/channels/0/sampler: reference to nothing"},
     {R"("/buffers/0/uri": "DATA:application/octet-stream,a%2Fb%aF")",
      "invalid /buffers/0/byteLength: longer than the data"},
     {R"("/buffers/0/uri": "data:application/octet-stream;base64,+/9=")", "invalid /buffers/0/uri: malformed base64"},
