@@ -87,7 +87,7 @@ target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook_on_d
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow
-  unit/common/elementary_test.cpp unit/common/parallel_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
+  unit/common/elementary_test.cpp unit/common/heap_test.cpp unit/common/parallel_test.cpp unit/cook/growth_test.cpp unit/cook/workflow_test.cpp unit/terminal/progress_test.cpp
   unit/terminal/warnings_test.cpp unit/text/nearest_test.cpp unit/text/quantity_test.cpp)
 target_link_libraries(marrow_workflow_tests PRIVATE marrow_jobs marrow_sample)
 if(MARROW_SANITIZE)

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <queue>
 
 #include <glm/geometric.hpp>
+
+#include "common/heap.h"
 
 namespace marrow::cook {
 namespace {
@@ -248,7 +249,7 @@ class StepSearch {
       std::size_t age;
       bool operator<(const Move& other) const { return worth < other.worth; }
     };
-    std::priority_queue<Move> moves;
+    tools::Heap<Move> moves;
     std::size_t age = 0;
     const auto propose = [&](std::size_t track) {
       Move move{0, track, {}, age};
@@ -260,8 +261,7 @@ class StepSearch {
     };
     for (std::size_t t = 0; t < ids_.size(); ++t) propose(t);
     while (!moves.empty()) {
-      Move best = moves.top();
-      moves.pop();
+      Move best = moves.pop();
       if (best.age != age) {
         propose(best.track);
         continue;
