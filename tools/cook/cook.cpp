@@ -83,11 +83,10 @@ BuiltScene build_character(RawScene given, const CookOptions& options, Notes& no
 }
 
 // Write: the file, and what is said of it.
-Result write(const SourceFile& source, const BuiltScene& built, Notes& notes) {
+Result write(const SourceFile& source, const BuiltScene& built, std::vector<Read> reads, Notes& notes) {
   notes.begin(Stage::write);
   WrittenFile written = write_scene(built, source.file);
-  Result out;
-  out.report = report_scene(source, built, written, notes.warnings);
+  Result out{{}, report_scene(source, built, written, notes.warnings), std::move(reads)};
   out.file = std::move(written.bytes);
   return out;
 }
@@ -111,9 +110,7 @@ Result cook_scene(RawScene scene, CookOptions options, const Host& host) {
   BuiltScene built = build_scene(std::move(scene), options, notes);
   warn_of_clips(options.graphs, graphs, built.clips, notes);
   built.graphs = std::move(graphs);
-  Result result = write(source, built, notes);
-  result.reads = std::move(reads);
-  return result;
+  return write(source, built, std::move(reads), notes);
 }
 
 Result cook_source(const std::string& name, CookOptions options, const Host& host) {
@@ -144,9 +141,7 @@ Result cook_graphs(CookOptions options, const Host& host) {
   built.graphs = build_graphs(options.graphs, notes);
   SourceFile source{options.graphs.front().file, 0};
   for (const Read& read : reads) source.bytes += read.bytes;
-  Result result = write(source, built, notes);
-  result.reads = std::move(reads);
-  return result;
+  return write(source, built, std::move(reads), notes);
 }
 
 }  // namespace marrow::cook
