@@ -34,17 +34,19 @@ struct DracoOptions {
 // Four numbers of a type, the first one as given and zeros.
 std::vector<std::byte> four_of(draco::DataType type, double number) {
   std::vector<std::byte> bytes(32);
-  const auto put = [&]<class T>(draco::DataType of, T value) {
-    if (type == of) std::memcpy(bytes.data(), &value, sizeof value);
+  const auto put = [&]<class T>(draco::DataType of, T) {
+    if (type != of) return;
+    const T value = static_cast<T>(number);
+    std::memcpy(bytes.data(), &value, sizeof value);
   };
-  if (number >= 0) put(draco::DT_UINT8, static_cast<std::uint8_t>(number));
-  if (number >= 0) put(draco::DT_UINT16, static_cast<std::uint16_t>(number));
-  if (number >= 0) put(draco::DT_UINT32, static_cast<std::uint32_t>(number));
-  put(draco::DT_INT8, static_cast<std::int8_t>(std::min(number, 127.0)));
-  put(draco::DT_INT16, static_cast<std::int16_t>(std::min(number, 32767.0)));
-  put(draco::DT_INT32, static_cast<std::int32_t>(number));
-  put(draco::DT_FLOAT32, static_cast<float>(number));
-  put(draco::DT_FLOAT64, number);
+  put(draco::DT_UINT8, std::uint8_t{});
+  put(draco::DT_UINT16, std::uint16_t{});
+  put(draco::DT_UINT32, std::uint32_t{});
+  put(draco::DT_INT8, std::int8_t{});
+  put(draco::DT_INT16, std::int16_t{});
+  put(draco::DT_INT32, std::int32_t{});
+  put(draco::DT_FLOAT32, float{});
+  put(draco::DT_FLOAT64, double{});
   return bytes;
 }
 
