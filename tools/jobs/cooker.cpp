@@ -57,6 +57,8 @@ std::string files_of_clips_text(const Order& order) {
   add("pose-map", order.options.retarget.poses);
   for (const cook::GraphRule& rule : order.options.graphs)
     if (rule.text.empty()) out += named_file_text(order, "graph", rule.file);
+  const std::string& skeleton = order.options.skeleton_file;
+  if (!skeleton.empty()) out += named_file_text(order, "skeleton", skeleton);
   return out;
 }
 

@@ -87,6 +87,28 @@ TEST_F(CliCache, CountsTheSkeleton) {
   EXPECT_TRUE(read_text(out()) != first);
 }
 
+// Its name is from the working directory, which may be another the next time.
+TEST_F(CliCache, CountsWhichSkeletonANameIsOf) {
+  const std::string source = in_golden("dance.gltf");
+  nlohmann::json scene = nlohmann::json::parse(read_text(source));
+  const fs::path before = fs::current_path();
+  std::string packs[2];
+  for (const int i : {0, 1}) {
+    const fs::path folder = fs::path(folder_ / std::to_string(i));
+    fs::create_directories(folder);
+    scene["nodes"][1]["translation"] = {0, 2 + i, 0};
+    write_text((folder / "c.gltf").string(), scene.dump());
+    fs::current_path(folder);
+    const Ran ran =
+        run_marrow({"cook", source, "-o", out(), "--cache", cache(), "--clips-only", "--skeleton", "c.gltf"});
+    fs::current_path(before);
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.out.find("from the cache"), std::string::npos);
+    packs[i] = read_text(out());
+  }
+  EXPECT_TRUE(packs[0] != packs[1]);
+}
+
 // The skeleton of --auto-skeleton: its template is an input, of the cache and of --depfile.
 TEST_F(CliCache, CountsTheTemplate) {
   const std::string bar = folder_ / "bar.toml", depfile = folder_ / "a.d";
