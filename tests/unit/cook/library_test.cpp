@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
-#include <set>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -164,6 +164,42 @@ TEST(CookOptions, AreRefusedWhereTheyStand) {
   EXPECT_EQ(told_of([&] { cook("art/newt.glb", options, {memory}); }),
             "--rebind: --rebind without new weights: give --auto-weights too");
   EXPECT_EQ(told_of([&] { cook_graphs(Options{}, {memory}); }).substr(0, 17), "--graph: no graph");
+}
+
+// A row each of the table, as "name=value name=value", and what is said of it.
+TEST(CookOptions, WhatDoesNotGoTogetherIsRefused) {
+  const std::pair<const char*, const char*> rows[] = {
+      {"rebind=true", "--rebind without new weights"},
+      {"truth=cor", "--truth without a fit"},
+      {"eigenskin=2 as=fit", "--eigenskin without plain weights"},
+      {"eigenskin=2 truth=examples examples=e.glb", "--eigenskin without a truth in every pose"},
+      {"as=fit examples=e.glb", "--examples without their truth"},
+      {"as=fit truth=examples", "--truth without its examples"},
+      {"influences=4", "--influences without a choice of them"},
+      {"keep-bind-pose=true", "--keep-bind-pose without a fit"},
+      {"as=smooth helpers=2", "--helpers without what may follow them"},
+      {"delta-mush=3", "--delta-mush without anything to smooth"},
+      {"as=fit elastic=volume=6", "--elastic without its truth"},
+      {"wide-poses=true", "--wide-poses without a fit to a deformer"},
+      {"mwe=true", "--mwe without a truth"},
+      {"psd=4", "--psd without a truth"},
+      {"subdivide=1 mwe=true truth=cor", "--subdivide with --mwe"},
+      {"subdivide=1 psd=4 truth=cor", "--subdivide with --psd"},
+      {"subdivide=1 keep-vertex-order=true", "--subdivide with --keep-vertex-order"},
+      {"auto-skeleton=humanoid clips-only=true", "--auto-skeleton with --clips-only"},
+      {"auto-skeleton=humanoid skeleton=c.mrw", "--auto-skeleton with --skeleton"},
+      {"weights-over-time=m=a,b clips-only=true", "--weights-over-time with --clips-only"},
+      {"eigenskin=2 clips-only=true", "--eigenskin with --clips-only"}};
+  for (const auto& [asked, rule] : rows) {
+    Options options;
+    std::istringstream words(asked);
+    for (std::string word; words >> word;) {
+      const std::size_t divide = word.find('=');
+      set(options, word.substr(0, divide), word.substr(divide + 1));
+    }
+    EXPECT_NE(told_of([&] { to_options(options); }).find(std::string(": ") + rule + ": "), std::string::npos)
+        << asked << ": " << told_of([&] { to_options(options); });
+  }
 }
 
 }  // namespace
