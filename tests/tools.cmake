@@ -83,7 +83,7 @@ set_source_files_properties(unit/graph/oracle.cpp unit/graph/oracle_machine.cpp 
 # Characters that behave by them, as commands have them, and the sample in the demo.
 marrow_tools_test(marrow_behave_tests behave unit/behave/behaviour_test.cpp unit/behave/script_test.cpp
   unit/story/story_test.cpp)
-target_link_libraries(marrow_behave_tests PRIVATE marrow_behave marrow_cook_on_disk marrow_story)
+target_link_libraries(marrow_behave_tests PRIVATE marrow_behave_on_disk marrow_cook_on_disk marrow_story)
 
 # Options, settings, shared threads, the same bytes everywhere: what cooking many files leans on.
 marrow_tools_test(marrow_workflow_tests workflow

@@ -36,10 +36,6 @@ std::string place_in_text(const std::string& path, const std::string& name) {
 
 }  // namespace
 
-Behaviour::Behaviour(const std::string& path, const File& file, const BehaviourArguments& arguments,
-                     const AnimatorOptions& options)
-    : Behaviour(path, file, find_graph(path, file, arguments.graph), arguments.clips, options) {}
-
 Behaviour::Behaviour(const std::string& path, const File& file, FoundGraph found, const std::vector<std::string>& packs,
                      const AnimatorOptions& options)
     : found_(std::move(found)), options_(options) {

@@ -7,19 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "behave/find_graph.h"
-#include "behave/script.h"
+#include "behave/graphs.h"
 #include "behave/shown.h"
 #include "common/aligned_bytes.h"
 #include "marrow/animator.h"
 #include "pose/evaluate.h"
 
 namespace marrow::tools {
-
-struct BehaviourArguments {
-  std::string graph;               // as find_graph() takes it
-  std::vector<std::string> clips;  // packs, by the order in which their clips count; the character's own come last
-};
 
 // What a machine is in.
 struct MachineNow {
@@ -30,12 +24,9 @@ struct MachineNow {
 
 class Behaviour {
  public:
-  // file: the character's, loaded from `path`; it outlives this. Throws Failure: what find_graph() throws; usage if a
-  // clip or a joint that the graph wants is not there; invalid, with the joints that are in the way, for a pack that
-  // does not fit.
-  Behaviour(const std::string& path, const File& file, const BehaviourArguments& arguments,
-            const AnimatorOptions& options = {});
-  // The same of a graph that was found, and clips of `packs`.
+  // file: the character's, loaded from `path`; it outlives this. packs: in the order in which their clips count; the
+  // character's own come last. Throws Failure: usage if a clip or a joint that the graph wants is not there; invalid,
+  // with the joints that are in the way, for a pack that does not fit; what load_mrw() throws of packs.
   Behaviour(const std::string& path, const File& file, FoundGraph found, const std::vector<std::string>& packs,
             const AnimatorOptions& options = {});
   Behaviour(const Behaviour&) = delete;

@@ -1,29 +1,18 @@
 // The graph that a command line names: of the character's file, of a graph pack, or a text.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "common/load_mrw.h"
-#include "marrow/graph.h"
+#include "behave/graphs.h"
 
 namespace marrow::tools {
 
-struct FoundGraph {
-  std::string path;  // of the file or the text that has it
-  File file;         // whose names it has
-  Graph graph;
-  std::vector<std::string> warnings;         // of a text
-  std::shared_ptr<const LoadedFile> memory;  // of a file that was opened for it
+// What a command line says of how a character behaves.
+struct BehaviourArguments {
+  std::string graph;               // as find_graph() takes it
+  std::vector<std::string> clips;  // packs, as Behaviour takes them
 };
-
-// All graphs of a file, in its order. Throws Failure (invalid) if one is damaged.
-std::vector<Graph> graphs_of(const std::string& path, const File& file);
-
-// A graph by its name or number; without either the only one of the file. Throws Failure (usage) that lists what there
-// is.
-Graph named_graph(const std::string& path, const File& file, const std::string& wanted);
 
 // wanted: empty or NAME, a graph of `file`, loaded from `path`; FILE.toml, a text that is cooked now; PACK.mrw or
 // NAME@PACK.mrw, of another cooked file. Throws Failure, also what loading and cooking throw.

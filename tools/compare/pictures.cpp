@@ -17,6 +17,7 @@
 #include "render/clearest_side.h"
 #include "render/figure.h"
 #include "render/heat.h"
+#include "render/images.h"
 #include "render/performance.h"
 #include "text/quantity.h"
 
@@ -213,7 +214,8 @@ Stage::Stage(const Study& study, int side) : study_(study) {
   gl_.emplace();
   studio_.emplace(*gl_, side, side);
   const std::string& source = study.scene.source;
-  textures_.emplace(*gl_, source, file_, places_beside(source));
+  FoundImages images(source, file_, places_beside(source));
+  textures_.emplace(*gl_, file_, images);
   figure_.emplace(*gl_, studio_->programs(), file_, &*textures_);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "marrow/egl.h"
 #include "render/gl.h"
 
 namespace marrow::tools {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "behave/behaviour.h"
+#include "behave/find_graph.h"
 #include "common/load_mrw.h"
 #include "cook/scene/cook_options.h"
 #include "cook/scene/raw.h"

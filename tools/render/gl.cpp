@@ -23,15 +23,6 @@ std::string text(const gles3::Api& api, GLenum name) {
   return bytes == nullptr ? "unknown" : reinterpret_cast<const char*>(bytes);
 }
 
-std::unique_ptr<egl::HeadlessContext> make_headless() {
-  auto context = std::make_unique<egl::HeadlessContext>();
-  if (context->create() != Status::ok) {
-    throw Failure(Exit::unsupported, "OpenGL ES", "", context->error(),
-                  "install a driver (Debian: libegl1 and libgl1-mesa-dri)");
-  }
-  return context;
-}
-
 }  // namespace
 
 void watch_all_errors(GlFunctions& gl, gles3::ErrorWatch* watch) {
@@ -41,11 +32,9 @@ void watch_all_errors(GlFunctions& gl, gles3::ErrorWatch* watch) {
 #undef MARROW_WATCH
 }
 
-Gl::Gl() : Gl(make_headless(), egl::load_proc) {}
-
 Gl::Gl(LoadProc load_proc) : Gl(nullptr, load_proc) {}
 
-Gl::Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc) : context_(std::move(context)) {
+Gl::Gl(std::shared_ptr<void> context, LoadProc load_proc) : context_(std::move(context)) {
   const char* missing = "";
   if (gles3::load_api(*this, load_proc, &missing) != Status::ok) {
     throw Failure(Exit::unsupported, "OpenGL ES", "", std::string(missing) + " is missing", "use another driver");

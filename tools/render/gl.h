@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "common/failure.h"
-#include "marrow/egl.h"
 #include "marrow/gles3.h"
 
 // What drawing pictures needs beyond marrow::gles3: X(return type, name, parameters).
@@ -84,9 +83,9 @@ class Gl : public GlFunctions {
   void check(const char* doing) const;
 
  private:
-  Gl(std::unique_ptr<egl::HeadlessContext> context, LoadProc load_proc);
+  Gl(std::shared_ptr<void> context, LoadProc load_proc);
 
-  std::unique_ptr<egl::HeadlessContext> context_;  // none: another's
+  std::shared_ptr<void> context_;  // none: another's
   gles3::ErrorWatch watch_;
   gles3::Caps caps_;
   std::string driver_;

@@ -1,15 +1,19 @@
 #include "render/images.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <string>
 #include <utility>
 
+#include "common/decode.h"
 #include "common/failure.h"
 #include "common/formats.h"
 #include "cook/gltf/document/scene_files.h"
 #include "cook/gltf/read.h"
 #include "disk/disk_files.h"
 #include "text/printable.h"
+#include "text/words.h"
 
 namespace marrow::tools {
 
@@ -87,6 +91,29 @@ const std::vector<cook::RawImage>& ImageFinder::source_images(const std::string&
     throw Failure(failure.code(), path_, where, "its source cannot be read", failure.what());
   }
   return *source_images_;
+}
+
+Pixels FoundImages::decoded(std::uint32_t index, int most) {
+  const ImageFormat format = file_.image(index).format;
+  if (format > ImageFormat::jpeg)
+    throw Failure(Exit::unsupported, path_, finder_.name_of(index),
+                  std::string("its format, ") + word(format) + ", is not decoded here",
+                  "give its texture a PNG or JPEG as well");
+  Pixels out = decode_image(finder_.bytes(index), path_, finder_.name_of(index));
+  if (std::max(out.width, out.height) > most)
+    throw Failure(Exit::unsupported, path_, finder_.name_of(index), "larger than this driver's textures",
+                  "at most " + std::to_string(most) + " pixels each way");
+  return out;
+}
+
+Pixels FoundImages::pixels(std::uint32_t index, int most) {
+  try {
+    return decoded(index, most);
+  } catch (const Failure& why) {
+    std::fprintf(stderr, "%s: %s: drawn without: %s: %s\n", path_.c_str(), finder_.name_of(index).c_str(),
+                 why.rule().c_str(), why.advice().c_str());
+    return {};
+  }
 }
 
 }  // namespace marrow::tools

@@ -9,6 +9,7 @@
 
 #include "cook/scene/raw.h"
 #include "marrow/file.h"
+#include "render/textures.h"
 
 namespace marrow::tools {
 
@@ -46,6 +47,22 @@ class ImageFinder {
   ImagePlaces places_;
   std::optional<std::vector<cook::RawImage>> source_images_;
   std::vector<std::vector<std::byte>> read_;  // by image
+};
+
+// Decodes what an ImageFinder finds. What cannot be shown is named on stderr, with why.
+class FoundImages : public Images {
+ public:
+  // Of `file`, loaded from `path`, a view that outlives it.
+  FoundImages(std::string path, const File& file, ImagePlaces places)
+      : path_(path), file_(file), finder_(std::move(path), file, std::move(places)) {}
+  Pixels pixels(std::uint32_t index, int most) override;
+
+ private:
+  Pixels decoded(std::uint32_t index, int most);
+
+  std::string path_;
+  File file_;
+  ImageFinder finder_;
 };
 
 }  // namespace marrow::tools

@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdio>
-
-#include "common/failure.h"
-#include "text/words.h"
 
 namespace marrow::tools {
 namespace {
@@ -45,9 +41,7 @@ std::uint32_t shown_image(const File& file, std::uint32_t image) {
 
 }  // namespace
 
-Textures::Textures(const Gl& gl, const std::string& path, const File& file, const ImagePlaces& places)
-    : gl_(gl), path_(path), file_(file) {
-  ImageFinder finder(path, file, places);
+Textures::Textures(const Gl& gl, const File& file, Images& images) : gl_(gl), file_(file) {
   for (std::uint32_t i = 0; i < file.mesh_count(); ++i) {
     const Mesh mesh = file.mesh(i);
     Look& look = looks_.emplace_back();
@@ -56,55 +50,35 @@ Textures::Textures(const Gl& gl, const std::string& path, const File& file, cons
     look.alpha = material.alpha;
     look.alpha_cutoff = material.alpha_cutoff;
     look.unlit = material.unlit;
-    add_emission(material, mesh.geometry.uvs != nullptr, finder, look);
+    add_emission(material, mesh.geometry.uvs != nullptr, images, look);
     const Texture* const base = texture_of(material, TextureRole::base_colour);
     if (base == nullptr || mesh.geometry.uvs == nullptr) continue;
-    look.texture = texture(shown_image(file, base->image), finder);
+    look.texture = texture(shown_image(file, base->image), images);
     if (look.texture != 0) look.sampler = sampler(*base);
   }
   gl.check("uploading textures");
 }
 
 // As glTF has it an unlit surface emits nothing. Nor does one here whose texture, which says where, cannot be shown.
-void Textures::add_emission(const Material& material, bool has_uvs, ImageFinder& finder, Look& look) {
+void Textures::add_emission(const Material& material, bool has_uvs, Images& images, Look& look) {
   const glm::vec3 emissive(material.emissive[0], material.emissive[1], material.emissive[2]);
   if (material.unlit || emissive == glm::vec3(0)) return;
   const Texture* const where = texture_of(material, TextureRole::emissive);
   if (where != nullptr) {
-    if (has_uvs) look.emissive_texture = texture(shown_image(file_, where->image), finder);
+    if (has_uvs) look.emissive_texture = texture(shown_image(file_, where->image), images);
     if (look.emissive_texture == 0) return;
     look.emissive_sampler = sampler(*where);
   }
   look.emissive = emissive;
 }
 
-// Throws Failure, whose rule and advice say why the image cannot be shown.
-Pixels Textures::pixels(std::uint32_t index, ImageFinder& finder) const {
-  const ImageFormat format = file_.image(index).format;
-  if (format > ImageFormat::jpeg)
-    throw Failure(Exit::unsupported, path_, finder.name_of(index),
-                  std::string("its format, ") + word(format) + ", is not decoded here",
-                  "give its texture a PNG or JPEG as well");
-  Pixels out = decode_image(finder.bytes(index), path_, finder.name_of(index));
-  GLint largest = 0;
-  gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  if (std::max(out.width, out.height) > largest)
-    throw Failure(Exit::unsupported, path_, finder.name_of(index), "larger than this driver's textures",
-                  "at most " + std::to_string(largest) + " pixels each way");
-  return out;
-}
-
-GLuint Textures::texture(std::uint32_t index, ImageFinder& finder) {
+GLuint Textures::texture(std::uint32_t index, Images& images) {
   const auto [at, is_new] = textures_.try_emplace(index);
   if (!is_new) return at->second;
-  Pixels pixels;
-  try {
-    pixels = this->pixels(index, finder);
-  } catch (const Failure& why) {
-    std::fprintf(stderr, "%s: %s: drawn without: %s: %s\n", path_.c_str(), finder.name_of(index).c_str(),
-                 why.rule().c_str(), why.advice().c_str());
-    return 0;
-  }
+  GLint largest = 0;
+  gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  const Pixels pixels = images.pixels(index, largest);
+  if (pixels.rgba.empty()) return 0;
   GlTexture& texture = at->second = GlTexture(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, texture);
   const auto side = static_cast<unsigned>(std::max(pixels.width, pixels.height));

@@ -11,7 +11,6 @@
 #include "common/decode.h"
 #include "marrow/file.h"
 #include "render/gl.h"
-#include "render/images.h"
 
 namespace marrow::tools {
 
@@ -29,23 +28,29 @@ struct Look {
   bool textured() const { return texture != 0 || emissive_texture != 0; }
 };
 
+// Where a file's images come from.
+class Images {
+ public:
+  virtual ~Images() = default;
+  // The pixels of image `index`, at most `most` each way. Empty: it cannot be shown, and whoever wants to know why has
+  // been told.
+  virtual Pixels pixels(std::uint32_t index, int most) = 0;
+};
+
 class Textures {
  public:
-  // Decodes and uploads what the meshes of `file`, loaded from `path`, are coloured by and emit. Of WebP, KTX2 and DDS
-  // the fallback is shown. An image that cannot be shown is named on stderr, with why, and its meshes are drawn
-  // without. `gl` outlives it.
-  Textures(const Gl& gl, const std::string& path, const File& file, const ImagePlaces& places);
+  // Uploads what the meshes of `file` are coloured by and emit. Of WebP, KTX2 and DDS the fallback is shown. Meshes
+  // whose image cannot be shown are drawn without. `gl` outlives it, `images` need not.
+  Textures(const Gl& gl, const File& file, Images& images);
 
   const Look& look(std::uint32_t mesh) const { return looks_[mesh]; }
 
  private:
-  void add_emission(const Material& material, bool has_uvs, ImageFinder& finder, Look& look);
-  GLuint texture(std::uint32_t image, ImageFinder& finder);
+  void add_emission(const Material& material, bool has_uvs, Images& images, Look& look);
+  GLuint texture(std::uint32_t image, Images& images);
   GLuint sampler(const Texture& texture);
-  Pixels pixels(std::uint32_t image, ImageFinder& finder) const;
 
   const Gl& gl_;
-  std::string path_;
   File file_;
   std::map<std::uint32_t, GlTexture> textures_;  // by image; name 0 where there is none
   std::map<std::uint32_t, GlSampler> samplers_;  // by their modes

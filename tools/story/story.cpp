@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "behave/behaviour.h"
+#include "behave/find_graph.h"
 #include "cook/gltf/read.h"
 #include "disk/cook_on_disk.h"
 #include "disk/files.h"
@@ -57,7 +58,7 @@ class Teller {
  public:
   explicit Teller(const StoryFiles& files)
       : loaded_(load_mrw(files.character)),
-        behaviour_(files.character, loaded_.file, {"newt@" + files.moves, {files.moves}}),
+        behaviour_(files.character, loaded_.file, open_graph(files.moves, "newt"), {files.moves}),
         character_(loaded_.file, AsNormals::blended, 0, behaviour_.layers()),
         adjuster_(loaded_.file) {
     const glm::vec2 begin = eight_.at(kBegin), along = eight_.along(kBegin);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "behave/behaviour.h"
+#include "behave/find_graph.h"
 #include "common/failure.h"
 #include "disk/disk_files.h"
 #include "disk/files.h"
@@ -162,7 +163,7 @@ class BehaviourTest : public ::testing::Test {
 
 TEST_F(BehaviourTest, GoesWhereItsClipsGo) {
   const std::string text = write("walk.anim.toml", "output = \"walk\"\n");
-  Behaviour behaviour("newt.mrw", newt().file, {text, {}});
+  Behaviour behaviour("newt.mrw", newt().file, find_graph("newt.mrw", newt().file, text), {});
   EXPECT_EQ(std::string(behaviour.graph().name), "behaviour_walk");
   const ClipMotion motion = newt().file.motion(walk());
   ASSERT_GT(motion.speed_m_s, 0);
@@ -194,7 +195,8 @@ TEST_F(BehaviourTest, GoesWhereItsClipsGo) {
 TEST_F(BehaviourTest, SaysWhatIsMissing) {
   const auto refused = [&](const BehaviourArguments& arguments) -> std::string {
     try {
-      const Behaviour made("newt.mrw", newt().file, arguments);
+      const Behaviour made("newt.mrw", newt().file, find_graph("newt.mrw", newt().file, arguments.graph),
+                           arguments.clips);
       return "";
     } catch (const Failure& failure) {
       return failure.what();

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "commands/view/opening.h"
-#include "commands/view/stage/rehearsal.h"
+#include "stage/rehearsal.h"
 #include "support/places.h"
 
 namespace marrow::tools {

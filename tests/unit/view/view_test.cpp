@@ -6,13 +6,14 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "commands/view/changed_files.h"
 #include "commands/view/opening.h"
-#include "commands/view/overlay/among_figures.h"
-#include "commands/view/stage/recording.h"
-#include "commands/view/stage/rigging.h"
 #include "marrow/limits.h"
+#include "stage/among_figures.h"
+#include "stage/recording.h"
+#include "stage/rigging.h"
 #include "support/places.h"
 
 namespace marrow::tools {
@@ -58,7 +59,7 @@ TEST(Rig, HoldsWeightsOfTargetsByHand) {
   Rig rig(source.loaded.file);
   Settings settings;
   settings.weights = {{1, 0.4f}, {3, 2.0f}};
-  rig.prepare(settings, 0, 0, 0);
+  rig.prepare(settings, {}, 0);
   character.set_weigh([&](std::uint32_t mesh, Span<float> weights) { rig.weigh(mesh, weights); });
   character.pose({}, 0);
   // The others as the file has them.
@@ -90,7 +91,7 @@ TEST(Rig, KeepsLimitsWhereItIsAsked) {
   for (const bool limited : {false, true}) {
     Settings settings;
     settings.limits = limited;
-    rig.prepare(settings, 0, 0, 0);
+    rig.prepare(settings, {}, 0);
     const std::vector<SoaTransform> local = ridden(source.loaded.file, rig, "bend");
     for (const JointLimit& limit : skeleton.limits) {
       JointTransform t;
@@ -109,21 +110,48 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
   Character character(file);
   Rig rig(file);
   character.set_change([&](std::uint32_t skeleton, const Pose& pose) { rig.change(skeleton, pose); });
+  const NamedJoint joints[] = {{"arm", 0, 0}, {"forearm", 0, 1}, {"hand", 0, 2}};
   Settings settings;
-  rig.prepare(settings, 0, 0, 0);
+  rig.prepare(settings, joints, 0);
   character.pose({}, 0);
   const float before_m = character.model_from_joint(0)[2].rows[1][3];
   settings.springs = true;
   settings.spring.frequency_hz = 0.5f;
   for (int frame = 0; frame < 120; ++frame) {
-    rig.prepare(settings, 0, 0, 1.0f / 60);
+    rig.prepare(settings, joints, 1.0f / 60);
     character.pose({}, 0);
   }
   EXPECT_TRUE(rig.trouble().empty()) << rig.trouble();
   EXPECT_LT(character.model_from_joint(0)[2].rows[1][3], before_m - 0.5f);
   // The last joint of a chain has no bone.
-  rig.prepare(settings, 0, 2, 1.0f / 60);
+  settings.joint = 2;
+  rig.prepare(settings, joints, 1.0f / 60);
   EXPECT_FALSE(rig.trouble().empty());
+}
+
+// The arm lies along -x: a quarter turn about z takes the hand from there down to -y, about the shoulder.
+TEST(Rig, TurnsAJointByHand) {
+  const Source source = open_source(test::in_golden("tiny.gltf"));
+  const File& file = source.loaded.file;
+  Character character(file);
+  Rig rig(file);
+  character.set_change([&](std::uint32_t skeleton, const Pose& pose) { rig.change(skeleton, pose); });
+  const NamedJoint joints[] = {{"arm", 0, 0}, {"forearm", 0, 1}, {"hand", 0, 2}};
+  const auto hand = [&](const Settings& settings) {
+    rig.prepare(settings, joints, 0);
+    character.pose({}, 0);
+    const auto places = character.model_from_joint(0);
+    return glm::vec3(places[2].rows[0][3] - places[1].rows[0][3], places[2].rows[1][3] - places[1].rows[1][3],
+                     places[2].rows[2][3] - places[1].rows[2][3]);
+  };
+  Settings settings;
+  const glm::vec3 before = hand(settings);
+  settings.turns = {{1, {0, 0, 90}}};
+  const glm::vec3 after = hand(settings);
+  EXPECT_NEAR(after.x, -before.y, 1e-5);
+  EXPECT_NEAR(after.y, before.x, 1e-5);
+  EXPECT_NEAR(after.z, before.z, 1e-5);
+  EXPECT_GT(glm::length(before), 0.1f);
 }
 
 TEST(Curves, FollowAJointOverTheClip) {

@@ -17,6 +17,7 @@
 #include "disk/files.h"
 #include "disk/thread_pool.h"
 #include "pose/choose.h"
+#include "render/images.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
 #include "text/printable.h"
@@ -87,7 +88,8 @@ Row show(const Gl& gl, const DemoArguments& arguments, const std::string& input,
   progress.show(0, 0, "measuring");
   const Timings timings = measure(file, worst.clip, plain);
   progress.show(0, 0, "drawing");
-  const Textures textures(gl, input, file, places_beside(input));
+  FoundImages images(input, file, places_beside(input));
+  const Textures textures(gl, file, images);
   const Sheet sheet = make_sheet(gl, {file, plain, textures, stem, timings}, worst);
   const std::string png = (std::filesystem::path(arguments.directory) / (stem + ".png")).string();
   write_png(png, sheet.image);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "behave/behaviour.h"
+#include "behave/find_graph.h"
 #include "commands/graph/clip_kinds.h"
 #include "common/failure.h"
 #include "marrow/roles.h"

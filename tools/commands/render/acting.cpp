@@ -59,7 +59,7 @@ ordered_json trace_root(const Affine& m) {
 
 Acting::Acting(const std::string& path, const File& file, const BehaviourArguments& behaviour,
                const ActingArguments& arguments)
-    : behaviour_(path, file, behaviour), feet_(file) {
+    : behaviour_(path, file, find_graph(path, file, behaviour.graph), behaviour.clips), feet_(file) {
   const FoundGraph& found = behaviour_.found();
   if (!arguments.script.empty()) lines_ = read_script(arguments.script, found.file, found.graph);
   const float last_s = lines_.empty() ? 0 : static_cast<float>(lines_.back().time_s);

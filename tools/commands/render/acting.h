@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "behave/behaviour.h"
+#include "behave/find_graph.h"
+#include "behave/script.h"
 #include "render/overlay/ground.h"
 
 namespace marrow::tools {

@@ -8,6 +8,7 @@
 #include "common/formats.h"
 #include "pose/worn.h"
 #include "render/heat.h"
+#include "render/images.h"
 #include "render/overlay/mark.h"
 #include "text/printable.h"
 #include "text/quantity.h"
@@ -28,6 +29,14 @@ std::uint32_t layers_of(const Acting* acting) {
 
 }  // namespace
 
+namespace {
+
+std::unique_ptr<Images> images_of(const std::string& path, const File& file, const RenderArguments& arguments) {
+  return std::make_unique<FoundImages>(path, file, places_of(path, arguments.images_from));
+}
+
+}  // namespace
+
 Sitting::Sitting(const RenderArguments& arguments)
     : arguments_(arguments),
       size_(parse_size(arguments.size)),
@@ -40,7 +49,7 @@ Sitting::Sitting(const RenderArguments& arguments)
       springs_(file()),
       character_(file(), normals_, arguments.lod, layers_of(acting_.get())),
       performance_(perform()),
-      textures_(gl_, arguments.file, file(), places_of(arguments.file, arguments.images_from)),
+      textures_(gl_, file(), *images_of(arguments.file, file(), arguments)),
       studio_(gl_, size_.first, size_.second),
       figure_(gl_, studio_.programs(), file(), &textures_, normals_, arguments.lod),
       strokes_(gl_) {
@@ -56,7 +65,7 @@ Sitting::Sitting(const RenderArguments& arguments)
 
 Sitting::WornFigure::WornFigure(const Gl& gl, gles3::ProgramSet& programs, const Worn& worn,
                                 const RenderArguments& arguments)
-    : textures(gl, worn.path, worn.loaded.file, places_of(worn.path, arguments.images_from)),
+    : textures(gl, worn.loaded.file, *images_of(worn.path, worn.loaded.file, arguments)),
       figure(gl, programs, worn.loaded.file, &textures, arguments.normals, arguments.lod) {}
 
 Performance Sitting::perform() {

@@ -34,8 +34,9 @@ void set_overlays(const ViewArguments& arguments, Settings& s) {
 
 }  // namespace
 
-Settings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair, const Actor& actor) {
-  Settings s;
+ViewSettings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair,
+                            const ViewActor& actor) {
+  ViewSettings s;
   s.clip = actor.chosen();
   // Without --clip the first there is.
   if (!arguments.by_graph && arguments.choice.clip.empty() && actor.plays().size() > 1) s.clip = 1;

@@ -3,15 +3,15 @@
 
 #include <optional>
 
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/view_settings.h"
 #include "commands/view/view.h"
+#include "commands/view/view_actor.h"
 
 namespace marrow::tools {
 
 // As the arguments have it. pair: of --heatmap. Throws Failure (usage): a joint that is not there, springs where none
 // are.
-Settings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair, const Actor& actor);
+ViewSettings first_settings(const ViewArguments& arguments, const std::optional<DeformerPair>& pair,
+                            const ViewActor& actor);
 
 // The same for another actor: clips and joints are known by their names, all else stays.
 void carry_over(const Actor& from, const Actor& to, Settings& settings);

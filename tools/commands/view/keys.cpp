@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "commands/view/stage/recording.h"
+#include "stage/recording.h"
 
 namespace marrow::tools {
 namespace {
@@ -50,7 +50,7 @@ void use_graph_keys(Window& window, Rehearsal& rehearsal, Settings& s) {
   go(kKeyEnd, false, [&] { rehearsal.go_to(rehearsal.count()); });
 }
 
-void use_paint_keys(Window& window, Actor& actor, Settings& s) {
+void use_paint_keys(Window& window, ViewActor& actor, ViewSettings& s) {
   constexpr float kFiner = 0.85f;
   if (window.pressed(kKeySmaller)) s.brush.radius *= kFiner;
   if (window.pressed(kKeyLarger)) s.brush.radius /= kFiner;
@@ -64,7 +64,7 @@ void use_paint_keys(Window& window, Actor& actor, Settings& s) {
 
 }  // namespace
 
-void use_keys(Window& window, Actor& actor, Settings& s) {
+void use_keys(Window& window, ViewActor& actor, ViewSettings& s) {
   if (window.pressed(kKeySpace)) s.playing = !s.playing;
   if (actor.rehearsal() != nullptr) return use_graph_keys(window, *actor.rehearsal(), s);
   const float duration_s = actor.plays()[s.clip].play.duration_s, rate = actor.rate_hz(s);

@@ -14,15 +14,16 @@
 #include "commands/view/first_settings.h"
 #include "commands/view/keys.h"
 #include "commands/view/opening.h"
-#include "commands/view/overlay/among_figures.h"
 #include "commands/view/overlay/picture.h"
 #include "commands/view/panel/panel.h"
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/recording.h"
+#include "commands/view/view_actor.h"
 #include "commands/view/window.h"
 #include "common/failure.h"
 #include "common/formats.h"
 #include "disk/files.h"
+#include "stage/actor.h"
+#include "stage/among_figures.h"
+#include "stage/recording.h"
 #include "text/nearest.h"
 #include "text/printable.h"
 
@@ -72,7 +73,7 @@ class View {
  public:
   // What can be wrong with the arguments is found before there is a window.
   // settings: to begin with; none: the arguments'.
-  View(const ViewArguments& arguments, const std::optional<Settings>& settings)
+  View(const ViewArguments& arguments, const std::optional<ViewSettings>& settings)
       : arguments_(arguments),
         size_(parse_size(arguments.size)),
         pair_(parse_pair(arguments.heatmap)),
@@ -86,8 +87,8 @@ class View {
         painter_(gl_),
         studio_(gl_, 1, 1),
         strokes_(gl_),
-        actor_(
-            std::make_unique<Actor>(gl_, studio_.programs(), arguments.choice, std::move(source_), std::move(chosen_))),
+        actor_(std::make_unique<ViewActor>(gl_, studio_.programs(), arguments.choice, std::move(source_),
+                                           std::move(chosen_))),
         graph_(first_graph()),
         settings_(settings ? *settings : first_settings(arguments, pair_, *actor_)) {
     // The processor draws a quarter of a million soft shadows in a second or so.
@@ -113,7 +114,7 @@ class View {
     return read_pixels(gl_, 0, width, height);
   }
   const Gl& gl() const { return gl_; }
-  const Settings& settings() const { return settings_; }
+  const ViewSettings& settings() const { return settings_; }
   // With the file that is on show now.
   const ViewArguments& arguments() const { return arguments_; }
   int frames() const { return frames_; }
@@ -148,7 +149,10 @@ class View {
   Chosen choose_first() {
     expect_level(arguments_.file, source_.file(), arguments_.lod);
     const Reach goals(source_.file(), arguments_.reach);  // throws what is wrong with them
-    if (arguments_.by_graph) const Behaviour tried(arguments_.file, source_.file(), arguments_.behaviour);  // likewise
+    if (arguments_.by_graph)
+      const Behaviour tried(arguments_.file, source_.file(),
+                            find_graph(arguments_.file, source_.file(), arguments_.behaviour.graph),
+                            arguments_.behaviour.clips);  // likewise
     return choose(arguments_.file, source_.file(), arguments_.choice);
   }
 
@@ -199,7 +203,7 @@ class View {
     if (choice.clips.empty()) choice.clip.clear();
     try {
       Chosen chosen = choose(source->path, source->file(), choice);
-      auto next = std::make_unique<Actor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
+      auto next = std::make_unique<ViewActor>(gl_, studio_.programs(), choice, std::move(*source), std::move(chosen));
       if (graph_) {
         next->rehearse(graph_->read(source_path, next->file()), arguments_.behaviour.clips);
         next->rehearsal()->take(actor_->rehearsal()->kept());
@@ -237,7 +241,7 @@ class View {
 
   // After the first pose: before it, nobody knows how large the figure is.
   void choose_brush() {
-    Settings& s = settings_;
+    ViewSettings& s = settings_;
     if (s.painting && !(s.brush.radius > 0)) s.brush.radius = kFirstBrush * actor_->performance().radius();
   }
 
@@ -298,8 +302,8 @@ class View {
     if (actor_->paints(settings_)) {
       const NamedJoint& joint = actor_->joints()[settings_.joint];
       actor_->painting(settings_).pose(actor_->character());
-      at_work =
-          use_brush(actor_->painting(settings_), shot.camera, left, joint.skeleton, joint.joint, settings_, hand_);
+      at_work = use_brush(actor_->painting(settings_), shot.camera, left, joint.skeleton, joint.joint, settings_.brush,
+                          hand_);
     }
     if (!at_work) use_mouse(*actor_, drawer, ImGui::GetIO().DisplaySize.y, dragging_, settings_);
     const std::vector<Drawable> drawables = actor_->drawables(settings_, shot);
@@ -324,9 +328,9 @@ class View {
   Painter painter_;
   Studio studio_;
   Strokes strokes_;
-  std::unique_ptr<Actor> actor_;
+  std::unique_ptr<ViewActor> actor_;
   std::optional<GraphOnDisk> graph_;  // none: clips play
-  Settings settings_;
+  ViewSettings settings_;
   Dragging dragging_;
   BrushHand hand_;
   bool warned_ = false;  // of what is painted and would be lost
@@ -367,7 +371,7 @@ void run_view(const ViewArguments& arguments) {
     expect_extension(arguments.paint_file, {".json"});
     expect_writable(arguments.paint_file);
   }
-  std::optional<Settings> settings;
+  std::optional<ViewSettings> settings;
   std::vector<cook::PaintedMesh> painted;  // and not saved
   std::optional<Rehearsal::Kept> rehearsed;
   ViewArguments shown = arguments;

@@ -1,8 +1,8 @@
 #include "commands/arguments.h"
 #include "commands/command.h"
 #include "commands/look_arguments.h"
-#include "commands/view/stage/view_settings.h"
 #include "commands/view/view.h"
+#include "stage/settings.h"
 
 namespace marrow::tools {
 

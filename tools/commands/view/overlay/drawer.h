@@ -10,7 +10,9 @@
 #include <glm/vec3.hpp>
 
 #include "marrow/pose.h"
+#include "marrow/roles.h"
 #include "render/camera.h"
+#include "render/overlay/ground.h"
 
 namespace marrow::tools {
 
@@ -38,6 +40,12 @@ class Drawer {
   ImDrawList& list_;
   std::vector<ImVec4> taken_;  // by words: left, top, right, bottom
 };
+
+// Of a foot or a hand that stands.
+inline ImU32 colour_of(Role role) {
+  const Rgb rgb = foot_colour(role);
+  return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
+}
 
 inline glm::vec3 place_of(const Affine& joint) {
   return {joint.rows[0][3], joint.rows[1][3], joint.rows[2][3]};

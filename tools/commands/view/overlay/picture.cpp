@@ -7,35 +7,20 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "stage/moves.h"
+
 namespace marrow::tools {
 namespace {
 
-constexpr float kTurn = 0.008f;                    // radians a point
-constexpr float kZoom = 0.12f;                     // a step of the wheel
-constexpr float kLowest = -0.6f, kHighest = 1.5f;  // radians above the horizon
-constexpr float kClick = 4;                        // points that a click may move
-constexpr float kReach = 16;                       // points from what it means
+constexpr float kClick = 4;   // points that a click may move
+constexpr float kReach = 16;  // points from what it means
 constexpr ImU32 kBone = IM_COL32(236, 233, 226, 255), kChosen = IM_COL32(255, 176, 64, 255);
 constexpr ImU32 kGoal = IM_COL32(90, 220, 210, 255), kTrail = IM_COL32(255, 205, 120, 255);
+constexpr ImU32 kPath = IM_COL32(140, 230, 140, 255), kGone = IM_COL32(120, 120, 120, 160);
 constexpr ImU32 kAxes[] = {IM_COL32(232, 96, 84, 255), IM_COL32(128, 200, 96, 255), IM_COL32(96, 150, 240, 255)};
 
 float distance(ImVec2 a, ImVec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
-}
-
-std::string goal_text(const std::string& name, glm::vec3 p) {
-  return fmt::format("{}={:.6g},{:.6g},{:.6g}", name, p.x, p.y, p.z);
-}
-
-// Of a goal that goal_text() or the command line has made.
-std::string name_of(const std::string& goal) {
-  return goal.substr(0, goal.rfind('='));
-}
-glm::vec3 point_of(const std::string& goal) {
-  glm::vec3 p(0);
-  const std::size_t equals = goal.rfind('=');
-  if (equals != std::string::npos) std::sscanf(goal.c_str() + equals + 1, "%f,%f,%f", &p.x, &p.y, &p.z);
-  return p;
 }
 
 // The nearest of `count` places to a point of the window, within kReach; or count.
@@ -56,7 +41,7 @@ void press_or_click(const Actor& actor, const Drawer& drawer, Dragging& dragging
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     const std::size_t goals = s.reach.goals.size();
     const std::size_t goal =
-        nearest(drawer, io.MousePos, goals, [&](std::size_t i) { return point_of(s.reach.goals[i]); });
+        nearest(drawer, io.MousePos, goals, [&](std::size_t i) { return goal_point(s.reach.goals[i]); });
     dragging = {goal < goals ? goal : Dragging::kNone, 0, true};
   }
   if (!dragging.pressed) return;
@@ -123,7 +108,7 @@ glm::vec3 place_of(const Actor& actor, std::size_t joint) {
 void add_goal(const Actor& actor, Settings& settings) {
   const NamedJoint& joint = actor.joints()[settings.joint];
   const std::string name = actor.file().text(actor.file().skeleton(joint.skeleton).names[joint.joint]);
-  std::erase_if(settings.reach.goals, [&](const std::string& goal) { return name_of(goal) == name; });
+  std::erase_if(settings.reach.goals, [&](const std::string& goal) { return goal_name(goal) == name; });
   settings.reach.goals.push_back(goal_text(name, place_of(actor, settings.joint)));
 }
 
@@ -139,18 +124,16 @@ void use_mouse(const Actor& actor, const Drawer& drawer, float picture_height, D
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool move = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                     (left && io.KeyShift);
-  const float unit = view_height() * orbit.distance / picture_height;
-  const glm::vec3 dragged = unit * (io.MouseDelta.x * right_of(orbit) - io.MouseDelta.y * up_of(orbit));
+  const glm::vec3 dragged = dragged_by(orbit, io.MouseDelta.x, io.MouseDelta.y, picture_height);
   if (left && dragging.pressed && dragging.goal < settings.reach.goals.size()) {
     std::string& goal = settings.reach.goals[dragging.goal];
-    if (dragged != glm::vec3(0)) goal = goal_text(name_of(goal), point_of(goal) + dragged);
+    if (dragged != glm::vec3(0)) goal = goal_text(goal_name(goal), goal_point(goal) + dragged);
   } else if (move) {
     orbit.target -= dragged;
   } else if (left && dragging.moved > kClick) {
-    orbit.yaw = std::remainder(orbit.yaw - kTurn * io.MouseDelta.x, 6.2831853f);
-    orbit.pitch = std::clamp(orbit.pitch + kTurn * io.MouseDelta.y, kLowest, kHighest);
+    turn_orbit(orbit, io.MouseDelta.x, io.MouseDelta.y);
   }
-  orbit.distance = std::clamp(orbit.distance * std::exp(-kZoom * io.MouseWheel), 0.02f * radius, 40 * radius);
+  zoom_orbit(orbit, io.MouseWheel, radius);
 }
 
 namespace {
@@ -172,6 +155,13 @@ void draw_trail(Actor& actor, const Settings& s, Drawer& drawer) {
   for (const glm::vec3& place : curves->places) drawer.point(place, 1.6f, kTrail);
 }
 
+void draw_footprints(const Footprints& prints, float time_s, Drawer& drawer) {
+  for (const Footprints::Carried& print : prints.at(time_s))
+    drawer.square(print.at, print.stands ? 7.0f : 4.0f, print.stands ? colour_of(print.role) : kGone);
+  const std::vector<glm::vec3> path = prints.path(time_s);
+  for (std::size_t i = 1; i < path.size(); ++i) drawer.line(path[i - 1], path[i], kPath, 1.5f);
+}
+
 // The chosen joint's before all others.
 void draw_names(const Actor& actor, const Settings& s, Drawer& drawer) {
   const std::vector<NamedJoint>& joints = actor.joints();
@@ -191,7 +181,8 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
     if (parent != kNoJoint) drawer.line(place_of(places[parent]), place_of(actor, i), kBone, 1.6f);
   }
   if (s.overlays.trail) draw_trail(actor, s, drawer);
-  if (s.overlays.steps && actor.rehearsal() == nullptr) actor.footprints(s).draw(clip_time(s.playback), drawer);
+  if (s.overlays.steps && actor.rehearsal() == nullptr)
+    draw_footprints(actor.footprints(s), clip_time(s.playback), drawer);
   const float axis = 0.05f * actor.performance().radius();
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const bool chosen = marked && i == s.joint;
@@ -203,11 +194,11 @@ void draw_joints(Actor& actor, const Settings& s, Drawer& drawer) {
   }
   if (marked && !joints.empty()) drawer.point(place_of(actor, s.joint), 5, kChosen);
   draw_names(actor, s, drawer);
-  for (const std::string& goal : s.reach.goals) drawer.square(point_of(goal), 7, kGoal);
+  for (const std::string& goal : s.reach.goals) drawer.square(goal_point(goal), 7, kGoal);
 }
 
 bool use_brush(Painting& painting, const Camera& camera, float left, std::uint32_t skeleton, std::uint32_t joint,
-               const Settings& settings, BrushHand& hand) {
+               const Brush& brush, BrushHand& hand) {
   const ImGuiIO& io = ImGui::GetIO();
   if (painting.stroking() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) painting.end();
   hand.over.reset();
@@ -216,9 +207,9 @@ bool use_brush(Painting& painting, const Camera& camera, float left, std::uint32
   if (!painting.stroking()) {
     hand.last.reset();
     if (!hand.over || !ImGui::IsMouseClicked(ImGuiMouseButton_Left) || io.KeyShift || io.KeyCtrl) return false;
-    painting.begin(settings.brush, skeleton, joint);
+    painting.begin(brush, skeleton, joint);
   }
-  dab_along(painting, camera, left, io.MousePos, settings.brush.radius, hand);
+  dab_along(painting, camera, left, io.MousePos, brush.radius, hand);
   return true;
 }
 

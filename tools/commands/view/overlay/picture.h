@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "commands/view/overlay/drawer.h"
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/view_settings.h"
 #include "paint/painting.h"
 #include "render/camera.h"
+#include "stage/actor.h"
+#include "stage/settings.h"
 
 namespace marrow::tools {
 
@@ -43,7 +43,7 @@ struct BrushHand {
 // Whether the mouse is the brush's, and no one else's. Call Painting::pose() before. Precondition: painting has no
 // refusal().
 bool use_brush(Painting& painting, const Camera& camera, float left, std::uint32_t skeleton, std::uint32_t joint,
-               const Settings& settings, BrushHand& hand);
+               const Brush& brush, BrushHand& hand);
 
 // A ring on the surface.
 void draw_brush(const BrushHand& hand, const Brush& brush, Drawer& drawer);

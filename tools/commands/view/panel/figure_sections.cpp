@@ -4,9 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "commands/view/overlay/among_figures.h"
+#include "commands/view/overlay/drawer.h"
 #include "commands/view/panel/sections.h"
-#include "commands/view/stage/recording.h"
+#include "stage/among_figures.h"
+#include "stage/recording.h"
 
 namespace marrow::tools {
 namespace {
@@ -41,7 +42,38 @@ void frame_row(const Actor& actor, float scale, Settings& s) {
   if (combo("##rate", std::size(kRates), name, chosen)) s.rate_hz = kRates[chosen];
 }
 
-void brush_widgets(const Actor& actor, float scale, Settings& s) {
+constexpr ImU32 kNow = IM_COL32(255, 255, 255, 200);
+
+// A row a foot, with its contacts, other events, and time_s: as wide as the panel.
+void draw_rows(const Footprints& prints, float time_s, float scale) {
+  const ClipMotion& motion = prints.motion();
+  if (motion.events.empty() || motion.duration_s <= 0) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float width = ImGui::GetContentRegionAvail().x, height = 9 * scale;
+  const auto bar = [&](const ImVec2& corner, float from_s, float until_s, ImU32 colour) {
+    const float left = corner.x + width * from_s / motion.duration_s,
+                right = corner.x + width * std::min(until_s / motion.duration_s, 1.0f);
+    list.AddRectFilled({left, corner.y + 1}, {std::max(right, left + 2 * scale), corner.y + height - 1}, colour);
+  };
+  for (const Role role : {Role::left_foot, Role::right_foot, Role::left_hand, Role::right_hand, Role::none}) {
+    bool any = false;
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    for (std::size_t e = 0; e < motion.events.size; ++e) {
+      if (find_role(prints.name(e).c_str()) != role) continue;
+      const ClipEvent& event = motion.events[e];
+      bar(corner, event.time_s, event.until_s, colour_of(role));
+      if (event.until_s > motion.duration_s) bar(corner, 0, event.until_s - motion.duration_s, colour_of(role));
+      any = true;
+    }
+    if (!any) continue;
+    const float x = corner.x + width * time_s / motion.duration_s;
+    list.AddLine({x, corner.y}, {x, corner.y + height}, kNow, scale);
+    ImGui::Dummy({width, height});
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", role == Role::none ? "events" : role_name(role));
+  }
+}
+
+void brush_widgets(const Actor& actor, float scale, ViewSettings& s) {
   for (const auto& [name, mode] : kBrushModes) {
     if (mode != BrushMode::add) ImGui::SameLine(0, 4 * scale);
     if (ImGui::RadioButton(name, s.brush.mode == mode)) s.brush.mode = mode;
@@ -58,7 +90,7 @@ void brush_widgets(const Actor& actor, float scale, Settings& s) {
   ImGui::Checkbox("through, what is behind as well", &s.brush.through);
 }
 
-void mirror_widgets(const Actor& actor, float scale, Painting& painting, Settings& s) {
+void mirror_widgets(const Actor& actor, float scale, Painting& painting, ViewSettings& s) {
   label("mirror", scale);
   constexpr const char* kNames[] = {"off", "x", "y", "z"};
   for (int i = 0; i < 4; ++i) {
@@ -78,7 +110,7 @@ void mirror_widgets(const Actor& actor, float scale, Painting& painting, Setting
         (with < all ? fmt::format("; {} of {} vertices have no image", all - with, all) : ""));
 }
 
-void file_widgets(Painting& painting, Settings& s) {
+void file_widgets(Painting& painting, ViewSettings& s) {
   const History& history = painting.history();
   ImGui::BeginDisabled(history.done() == 0);
   if (ImGui::Button("undo")) painting.undo();
@@ -117,7 +149,7 @@ void clip_section(Actor& actor, float scale, Settings& s) {
     s.playback.time_s = static_cast<double>(time_s);
     s.playing = false;
   }
-  actor.footprints(s).draw_rows(time_s, scale);
+  draw_rows(actor.footprints(s), time_s, scale);
   frame_row(actor, scale, s);
   label("speed", scale);
   const float button = 62 * scale;
@@ -155,7 +187,7 @@ void overlay_section(const Actor& actor, float scale, Settings& s) {
   ImGui::EndDisabled();
 }
 
-void paint_section(Actor& actor, float scale, Settings& s) {
+void paint_section(ViewActor& actor, float scale, ViewSettings& s) {
   if (!section("Paint weights", s.painting)) return;
   if (actor.joints().empty()) return quiet("There are no joints.");
   ImGui::Checkbox("paint, with the left button", &s.painting);

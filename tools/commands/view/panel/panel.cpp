@@ -132,7 +132,7 @@ void help_section(Settings& s) {
 }
 
 // What is on show, and what it was made from.
-void file_lines(const Actor& actor, const Settings& settings) {
+void file_lines(const ViewActor& actor, const Settings& settings) {
   const Source& source = actor.source();
   text(std::filesystem::path(source.path).filename().string());
   if (source.cooked_here)
@@ -197,7 +197,7 @@ float panel_width(float scale) {
   return kPanelWidth * scale;
 }
 
-void show_panel(const PanelState& state, Actor& actor, Settings& settings) {
+void show_panel(const PanelState& state, ViewActor& actor, ViewSettings& settings) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({panel_width(state.scale), ImGui::GetIO().DisplaySize.y});
   ImGui::Begin("panel", nullptr,

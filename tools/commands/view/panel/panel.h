@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/view_settings.h"
+#include "commands/view/view_actor.h"
 
 namespace marrow::tools {
 
@@ -51,7 +50,7 @@ struct PanelState {
 };
 
 // Widgets for all settings; it scrolls where the window is low.
-void show_panel(const PanelState& state, Actor& actor, Settings& settings);
+void show_panel(const PanelState& state, ViewActor& actor, ViewSettings& settings);
 
 // Over the picture, which begins at `left`: what is being opened, and why the last file could not be.
 void show_notes(const std::string& busy_with, const std::string& error, float left, float scale);

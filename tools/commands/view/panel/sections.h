@@ -5,8 +5,7 @@
 
 #include <imgui.h>
 
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/view_settings.h"
+#include "commands/view/view_actor.h"
 
 namespace marrow::tools {
 
@@ -21,7 +20,7 @@ void node_section(const Rehearsal& rehearsal, float scale);
 // The tree of joints, the chosen one's transforms, and its curves over the clip.
 void joint_section(Actor& actor, float scale, Settings& settings);
 // The brush for a joint's weights.
-void paint_section(Actor& actor, float scale, Settings& settings);
+void paint_section(ViewActor& actor, float scale, ViewSettings& settings);
 // What is drawn over the picture.
 void overlay_section(const Actor& actor, float scale, Settings& settings);
 // Limits, goals and springs.

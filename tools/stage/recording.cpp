@@ -1,4 +1,4 @@
-#include "commands/view/stage/recording.h"
+#include "stage/recording.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the panel of `marrow view` sets.
+// How a character on the stage is shown: what plays, how it is deformed, coloured and turned, from where it is seen.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,9 @@
 
 #include "marrow/playback.h"
 #include "marrow/springs.h"
-#include "paint/painting.h"
 #include "pose/reach.h"
 #include "render/camera.h"
-#include "render/look.h"
+#include "render/manner.h"
 
 namespace marrow::tools {
 
@@ -36,6 +35,12 @@ inline constexpr Named<bool Overlays::*> kOverlays[] = {
     {"trail", &Overlays::trail},         {"steps", &Overlays::steps},    {"grid", &Overlays::grid},
     {"wireframe", &Overlays::wireframe}, {"normals", &Overlays::normals}};
 
+// A joint turned by hand, after the clip has posed it.
+struct Turn {
+  std::size_t joint = 0;  // of Actor::joints()
+  glm::vec3 degrees{0};   // about the parent's x, then y, then z axis
+};
+
 struct Settings {
   std::size_t clip = 0;    // of Actor::plays(); 0 is the rest pose
   std::size_t second = 0;  // likewise; 0: none
@@ -58,16 +63,13 @@ struct Settings {
   bool show_joint = false;  // to be scrolled to in the tree, once
   Overlays overlays;
 
+  std::vector<Turn> turns;
   ReachArguments reach;
   bool limits = false;
   bool springs = false;                  // below the chosen joint
   SpringJoint spring;                    // as all of its chain are
   std::map<std::size_t, float> weights;  // of morph targets of all meshes, in place of the clip's
 
-  bool painting = false;
-  Brush brush;                              // of radius 0: one is to be chosen
-  std::string paint_file;                   // empty: beside the source
-  bool save_paint = false;                  // to be done, once
   std::map<std::string, float> parameters;  // of example shapes, in place of the clip's
 
   int coarseness = 1;  // pixels of the window a pixel of the picture, each way

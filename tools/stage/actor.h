@@ -1,4 +1,4 @@
-// The character on show in `marrow view`: posed and coloured as the settings have it.
+// The character on the stage: posed and coloured as the settings have it.
 #pragma once
 
 #include <map>
@@ -7,26 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "commands/view/opening.h"
-#include "commands/view/overlay/footprints.h"
-#include "commands/view/stage/recording.h"
-#include "commands/view/stage/rehearsal.h"
-#include "commands/view/stage/rigging.h"
-#include "commands/view/stage/view_settings.h"
-#include "paint/painting.h"
 #include "render/figure.h"
 #include "render/performance.h"
+#include "render/textures.h"
+#include "stage/footprints.h"
+#include "stage/recording.h"
+#include "stage/rehearsal.h"
+#include "stage/rigging.h"
+#include "stage/settings.h"
 
 namespace marrow::tools {
 
 struct NamedPlay {
   std::string name;
   Play play;
-};
-
-struct NamedJoint {
-  std::string name;
-  std::uint32_t skeleton, joint;
 };
 
 // Milliseconds that the processor took.
@@ -37,9 +31,11 @@ struct ActorTimes {
 
 class Actor {
  public:
-  // Of a source, and what choose() made of it by `choice`. programs: of the studio. Throws Failure: what textures
-  // throw. `gl` and `programs` outlive it.
-  Actor(const Gl& gl, gles3::ProgramSet& programs, const Choice& choice, Source source, Chosen chosen);
+  // Of a file that was loaded from `path`. programs: of the studio. Throws Failure (internal) if the driver refuses.
+  // `gl` and `programs` outlive it, `images` need not.
+  Actor(const Gl& gl, gles3::ProgramSet& programs, std::string path, LoadedFile loaded, Images& images);
+  Actor(const Actor&) = delete;
+  Actor& operator=(const Actor&) = delete;
 
   // It plays this graph from now on, with clips of these packs as well; what is set and where it stands stays. Throws
   // as Rehearsal; then all is as before.
@@ -48,14 +44,15 @@ class Actor {
   Rehearsal* rehearsal() { return rehearsal_.get(); }
   const Rehearsal* rehearsal() const { return rehearsal_.get(); }
 
-  // The rest pose, each clip of the file, and what --clips chose.
+  // The rest pose, each clip of the file, and what was added.
   const std::vector<NamedPlay>& plays() const { return plays_; }
-  // Which of them --clip chose, or 0.
-  std::size_t chosen() const { return chosen_; }
+  // Which of them plays the same, or one more by this name. pack: holds its clips, if the file does not.
+  std::size_t add_play(const std::string& name, Play play, std::optional<LoadedFile> pack);
   // Of all skeletons, in the file's order.
   const std::vector<NamedJoint>& joints() const { return joints_; }
-  const Source& source() const { return source_; }
-  const File& file() const { return source_.loaded.file; }
+  const std::string& path() const { return path_; }
+  const LoadedFile& loaded() const { return loaded_; }
+  const File& file() const { return loaded_.file; }
   const Character& character() const { return *character_; }
   const Performance& performance() const { return *performance_; }
   int coarsest_lod() const { return coarsest_lod_; }
@@ -78,15 +75,10 @@ class Actor {
   const Footprints& footprints(const Settings& settings);
   // All meshes as they are at a moment of the chosen clip alone.
   std::vector<PosedMesh> ghost(const Settings& settings, float time_s);
+  // After the first pose.
+  Figure& figure() { return *figure_; }
   // All meshes as they are now, skinned on the processor.
   std::vector<PosedMesh> posed(Deformer deformer) const { return skin_all(file(), *character_, deformer); }
-
-  // Of this file, and of the settings' paint_file. Made when it is first asked for.
-  Painting& painting(const Settings& settings);
-  // Whether the settings ask for it, and it can be done.
-  bool paints(const Settings& settings);
-  // Null before.
-  Painting* painting() { return painting_ ? &*painting_ : nullptr; }
 
   // Poses; before it, rebuilds what the settings changed. dt_s: since the last pose.
   void pose(const Settings& settings, float dt_s);
@@ -101,11 +93,10 @@ class Actor {
     std::uint32_t layers = 0;  // that poses hold at once
     bool operator==(const Made&) const = default;
   };
-  void add_plays(Chosen chosen, const Choice& choice);
+  void add_plays();
   void make(const Made& wanted);
   Performance perform_graph();
   std::vector<Drawable> weighted(const Settings& settings, Shot& shot);
-  std::vector<Drawable> painted(const Settings& settings, Shot& shot);
   std::vector<Drawable> heat(const Settings& settings, Shot& shot);
   std::vector<Drawable> checkered(const Settings& settings);
   void make_checker();
@@ -113,11 +104,11 @@ class Actor {
 
   const Gl& gl_;
   gles3::ProgramSet& programs_;
-  Source source_;
+  std::string path_;
+  LoadedFile loaded_;
   std::optional<LoadedFile> pack_;
   std::vector<NamedPlay> plays_;
   std::vector<NamedJoint> joints_;
-  std::size_t chosen_ = 0;
   int coarsest_lod_ = 0;
   Textures textures_;
   Rig rig_;
@@ -141,7 +132,6 @@ class Actor {
   DeformerPair heat_pair_;
   float heat_largest_ = 0, heat_scale_ = 1;
   ActorTimes times_;
-  std::optional<Painting> painting_;
   std::unique_ptr<Rehearsal> rehearsal_;
 };
 

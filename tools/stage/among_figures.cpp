@@ -1,4 +1,4 @@
-#include "commands/view/overlay/among_figures.h"
+#include "stage/among_figures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "commands/view/stage/recording.h"
+#include "stage/recording.h"
 
 namespace marrow::tools {
 namespace {

@@ -1,12 +1,13 @@
-#include "commands/view/stage/actor.h"
+#include "stage/actor.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "commands/view/stage/recording.h"
 #include "math/affine.h"
 #include "render/heat.h"
+#include "render/manner.h"
+#include "stage/recording.h"
 
 namespace marrow::tools {
 namespace {
@@ -36,20 +37,21 @@ std::vector<NamedJoint> all_joints(const File& file) {
 
 }  // namespace
 
-Actor::Actor(const Gl& gl, gles3::ProgramSet& programs, const Choice& choice, Source source, Chosen chosen)
+Actor::Actor(const Gl& gl, gles3::ProgramSet& programs, std::string path, LoadedFile loaded, Images& images)
     : gl_(gl),
       programs_(programs),
-      source_(std::move(source)),
+      path_(std::move(path)),
+      loaded_(std::move(loaded)),
       joints_(all_joints(file())),
-      textures_(gl, source_.path, file(), source_.images),
+      textures_(gl, file(), images),
       rig_(file()),
       local_(file().skeleton_count()) {
-  add_plays(std::move(chosen), choice);
+  add_plays();
   for (std::uint32_t i = 0; i < file().mesh_count(); ++i)
     coarsest_lod_ = std::max(coarsest_lod_, static_cast<int>(file().mesh(i).lods.size));
 }
 
-void Actor::add_plays(Chosen chosen, const Choice& choice) {
+void Actor::add_plays() {
   plays_.push_back({"rest pose", {}});
   for (std::uint32_t i = 0; i < file().clip_count(); ++i) {
     const std::string name = file().clip(i).name;
@@ -57,18 +59,17 @@ void Actor::add_plays(Chosen chosen, const Choice& choice) {
     if (!name.empty() && file().find_clip(name.c_str()) != i) continue;
     plays_.push_back({name.empty() ? "clip " + std::to_string(i) : name, play_together(file(), i)});
   }
-  if (chosen.play.empty()) return;
-  if (chosen.pack) {
-    pack_ = std::move(chosen.pack);
-    plays_.push_back({choice.clip + " (" + choice.clips + ")", std::move(chosen.play)});
-    chosen_ = plays_.size() - 1;
-    return;
-  }
+}
+
+std::size_t Actor::add_play(const std::string& name, Play play, std::optional<LoadedFile> pack) {
   const auto same = [&](const NamedPlay& named) {
-    return std::ranges::equal(named.play.clip_of_skeleton, chosen.play.clip_of_skeleton);
+    return std::ranges::equal(named.play.clip_of_skeleton, play.clip_of_skeleton);
   };
-  chosen_ = static_cast<std::size_t>(std::ranges::find_if(plays_, same) - plays_.begin());
-  if (chosen_ == plays_.size()) plays_.push_back({choice.clip, std::move(chosen.play)});
+  const auto found = pack ? plays_.end() : std::ranges::find_if(plays_, same);
+  const auto index = static_cast<std::size_t>(found - plays_.begin());
+  if (index == plays_.size()) plays_.push_back({name, std::move(play)});
+  if (pack) pack_ = std::move(pack);
+  return index;
 }
 
 // The pose as the clip has it, kept for the panel, and what the rig makes of it.
@@ -101,7 +102,7 @@ void Actor::make(const Made& wanted) {
 }
 
 void Actor::rehearse(FoundGraph found, const std::vector<std::string>& packs) {
-  auto next = std::make_unique<Rehearsal>(source_.path, file(), std::move(found), packs);
+  auto next = std::make_unique<Rehearsal>(path_, file(), std::move(found), packs);
   if (rehearsal_) next->take(rehearsal_->kept());
   rehearsal_ = std::move(next);
   made_ = {};
@@ -185,10 +186,8 @@ std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
 void Actor::pose(const Settings& settings, float dt_s) {
   const std::uint32_t layers = rehearsal_ ? rehearsal_->behaviour().layers() : 0;
   make({settings.clip, settings.lod, settings.normals, std::max(Character::kMostLayers, layers)});
-  const bool any = !joints_.empty();
   character_->set_parameters(settings.parameters);
-  rig_.prepare(settings, any ? joints_[settings.joint].skeleton : 0, any ? joints_[settings.joint].joint : 0, dt_s,
-               rehearsal_ ? rehearsal_->behaviour().world_from_model() : kIdentity);
+  rig_.prepare(settings, joints_, dt_s, rehearsal_ ? rehearsal_->behaviour().world_from_model() : kIdentity);
   const float time_s = clip_time(settings.playback);
   const Play& first = plays_[settings.clip].play;
   times_.pose = milliseconds_of([&] {
@@ -207,9 +206,7 @@ std::vector<Drawable> Actor::drawables(const Settings& settings, Shot& shot) {
   shot.box = performance_->box(*character_);
   std::vector<Drawable> out;
   times_.skin = milliseconds_of([&] {
-    if (paints(settings)) {
-      out = painted(settings, shot);
-    } else if (settings.colours == Colours::distance) {
+    if (settings.colours == Colours::distance) {
       out = heat(settings, shot);
     } else if (settings.colours == Colours::weights && !joints_.empty()) {
       out = weighted(settings, shot);
@@ -217,7 +214,7 @@ std::vector<Drawable> Actor::drawables(const Settings& settings, Shot& shot) {
       out = checkered(settings);
     } else {
       const SkinPath path = cpu_only() ? SkinPath::cpu : settings.path;
-      out = drawables_of(source_.path, file(), *character_, *figure_, {settings.deformer, path, std::nullopt}, shot);
+      out = drawables_of(path_, file(), *character_, *figure_, {settings.deformer, path, std::nullopt}, shot);
     }
   });
   return out;
@@ -234,29 +231,6 @@ std::vector<Drawable> Actor::weighted(const Settings& settings, Shot& shot) {
   }
   shot.shading = kHeatShading;
   return figure_->from_cpu(skin_all(file(), *character_, settings.deformer), colours);
-}
-
-Painting& Actor::painting(const Settings& settings) {
-  if (!painting_)
-    painting_.emplace(file(), settings.paint_file.empty() ? paint_file_beside(source_.path) : settings.paint_file,
-                      source_.skins);
-  return *painting_;
-}
-
-bool Actor::paints(const Settings& settings) {
-  return settings.painting && !joints_.empty() && painting(settings).refusal().empty();
-}
-
-// By the weights as they are on the canvas, in full detail.
-std::vector<Drawable> Actor::painted(const Settings& settings, Shot& shot) {
-  const NamedJoint& joint = joints_[settings.joint];
-  painting_->pose(*character_);
-  const std::uint32_t image = painting_->image_of(settings.brush, joint.skeleton, joint.joint);
-  std::vector<std::vector<float>> colours;
-  for (std::uint32_t i = 0; i < file().mesh_count(); ++i)
-    colours.push_back(ramp_colours(painting_->weights(i, joint.skeleton, joint.joint, image)));
-  shot.shading = kHeatShading;
-  return figure_->from_cpu(painting_->posed(*character_), colours);
 }
 
 // Eight squares of two greys a unit each way; where u grows they redden, where v does they turn blue.

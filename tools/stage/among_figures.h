@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "commands/view/stage/actor.h"
-#include "commands/view/stage/view_settings.h"
 #include "render/overlay/strokes.h"
+#include "stage/actor.h"
+#include "stage/settings.h"
 
 namespace marrow::tools {
 

@@ -1,6 +1,9 @@
-#include "commands/view/stage/rigging.h"
+#include "stage/rigging.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
 
 #include "common/failure.h"
 #include "marrow/limits.h"
@@ -15,7 +18,7 @@ std::vector<std::uint16_t> chain_below(const Skeleton& skeleton, std::uint32_t j
   return out;
 }
 
-void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_t joint, float dt_s,
+void Rig::prepare(const Settings& settings, std::span<const NamedJoint> joints, float dt_s,
                   const Affine& world_from_model) {
   frame_.dt_s = dt_s;
   frame_.world_from_model = world_from_model;
@@ -30,8 +33,18 @@ void Rig::prepare(const Settings& settings, std::uint32_t skeleton, std::uint32_
   }
   if (settings.springs && !swing_files_) file_springs_ = FileSprings(file_);  // at rest again
   swing_files_ = settings.springs && has_springs();
-  if (settings.springs && !has_springs()) {
-    make_springs(settings, skeleton, joint);
+  turns_.clear();
+  for (const Turn& t : settings.turns) {
+    const glm::vec3 half = glm::radians(t.degrees) / 2.0f;
+    const auto about = [&](int axis) {
+      glm::quat out(std::cos(half[axis]), 0, 0, 0);
+      out[axis] = std::sin(half[axis]);
+      return out;
+    };
+    if (t.joint < joints.size()) turns_.push_back({joints[t.joint], about(2) * about(1) * about(0)});
+  }
+  if (settings.springs && !has_springs() && settings.joint < joints.size()) {
+    make_springs(settings, joints[settings.joint].skeleton, joints[settings.joint].joint);
   } else {
     spring_joints_.clear();
   }
@@ -55,7 +68,23 @@ void Rig::make_springs(const Settings& settings, std::uint32_t skeleton, std::ui
   if (status != Status::ok) trouble_ = "no joint below the chosen one: nothing swings";
 }
 
+void Rig::turn(std::uint32_t skeleton, const Pose& pose) const {
+  bool any = false;
+  for (const TurnedJoint& t : turns_) {
+    if (t.joint.skeleton != skeleton) continue;
+    JointTransform at;
+    check(get_joint(pose.local, t.joint.joint, at));
+    const glm::quat turned = t.by * glm::quat(at.rotation[3], at.rotation[0], at.rotation[1], at.rotation[2]);
+    for (int i = 0; i < 3; ++i) at.rotation[i] = turned[i];
+    at.rotation[3] = turned.w;
+    check(set_joint(pose.local, t.joint.joint, at));
+    any = true;
+  }
+  if (any) check(local_to_model(pose.skeleton, pose.local, pose.model_from_joint));
+}
+
 void Rig::change(std::uint32_t skeleton, const Pose& pose) {
+  turn(skeleton, pose);
   if (limits_ && !pose.skeleton.limits.empty()) {
     check(limit_pose(pose.skeleton.limits, pose.local));
     check(local_to_model(pose.skeleton, pose.local, pose.model_from_joint));

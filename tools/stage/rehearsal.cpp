@@ -1,4 +1,4 @@
-#include "commands/view/stage/rehearsal.h"
+#include "stage/rehearsal.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,6 @@
 
 namespace marrow::tools {
 
-class Drawer;
-
 // A foot on the ground from time_s until until_s.
 struct Footprint {
   Role role = Role::none;
@@ -28,10 +26,21 @@ class Footprints {
 
   // Of the ground below each foot that stands.
   std::vector<float> heights() const;
-  // Prints of the round before, this one and the next, as the ground has carried them at time_s, and the root's path.
-  void draw(float time_s, Drawer& drawer) const;
-  // A row a foot, with its contacts, other events, and time_s: as wide as the panel.
-  void draw_rows(float time_s, float scale) const;
+  // A print as the ground has carried it at a moment.
+  struct Carried {
+    glm::vec3 at{0};  // model space
+    Role role = Role::none;
+    bool stands = false;  // a foot, on it
+  };
+  // Those of the round before, this one and the next.
+  std::vector<Carried> at(float time_s) const;
+  // The root's path over a round, as the ground has carried it; empty of one that goes nowhere.
+  std::vector<glm::vec3> path(float time_s) const;
+
+  // Events and contacts of the clip.
+  const ClipMotion& motion() const { return motion_; }
+  // An event's.
+  const std::string& name(std::size_t event) const { return names_[event]; }
 
  private:
   glm::mat4 ground_since(double from_s, double to_s) const;

@@ -1,4 +1,4 @@
-#include "commands/view/overlay/footprints.h"
+#include "stage/footprints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,21 +7,11 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
 
-#include "commands/view/overlay/drawer.h"
 #include "common/check_status.h"
 #include "marrow/roles.h"
-#include "render/overlay/ground.h"
 
 namespace marrow::tools {
 namespace {
-
-constexpr ImU32 kPath = IM_COL32(140, 230, 140, 255), kNow = IM_COL32(255, 255, 255, 200),
-                kGone = IM_COL32(120, 120, 120, 160);
-
-ImU32 colour_of(Role role) {
-  const Rgb rgb = foot_colour(role);
-  return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
-}
 
 // M(t), rounds of a loop included.
 glm::mat4 root_at(const ClipMotion& motion, double time_s) {
@@ -90,46 +80,26 @@ glm::mat4 Footprints::ground_since(double from_s, double to_s) const {
   return out;
 }
 
-void Footprints::draw(float time_s, Drawer& drawer) const {
+std::vector<Footprints::Carried> Footprints::at(float time_s) const {
   const auto now = static_cast<double>(time_s), duration = static_cast<double>(motion_.duration_s);
+  std::vector<Carried> out;
   for (const Footprint& print : prints_)
     for (int round = -1; round <= 1; ++round) {
       const double from = static_cast<double>(print.time_s) + round * duration,
                    until = static_cast<double>(print.until_s) + round * duration;
-      const glm::vec3 at(ground_since(from, now) * glm::vec4(print.at, 1));
-      const bool stands = from <= now && now <= until;
-      drawer.square(at, stands ? 7.0f : 4.0f, stands ? colour_of(print.role) : kGone);
+      out.push_back(
+          {glm::vec3(ground_since(from, now) * glm::vec4(print.at, 1)), print.role, from <= now && now <= until});
     }
-  constexpr int kPieces = 48;
-  const auto path = [&](int i) { return glm::vec3(ground_since(duration * i / kPieces, now)[3]); };
-  for (int i = 0; i < kPieces && motion_.speed_m_s > 0; ++i) drawer.line(path(i), path(i + 1), kPath, 1.5f);
+  return out;
 }
 
-void Footprints::draw_rows(float time_s, float scale) const {
-  if (motion_.events.empty() || motion_.duration_s <= 0) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float width = ImGui::GetContentRegionAvail().x, height = 9 * scale;
-  const auto bar = [&](const ImVec2& corner, float from_s, float until_s, ImU32 colour) {
-    const float left = corner.x + width * from_s / motion_.duration_s,
-                right = corner.x + width * std::min(until_s / motion_.duration_s, 1.0f);
-    list.AddRectFilled({left, corner.y + 1}, {std::max(right, left + 2 * scale), corner.y + height - 1}, colour);
-  };
-  for (const Role role : {Role::left_foot, Role::right_foot, Role::left_hand, Role::right_hand, Role::none}) {
-    bool any = false;
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    for (std::size_t e = 0; e < names_.size(); ++e) {
-      if (find_role(names_[e].c_str()) != role) continue;
-      const ClipEvent& event = motion_.events[e];
-      bar(corner, event.time_s, event.until_s, colour_of(role));
-      if (event.until_s > motion_.duration_s) bar(corner, 0, event.until_s - motion_.duration_s, colour_of(role));
-      any = true;
-    }
-    if (!any) continue;
-    const float x = corner.x + width * time_s / motion_.duration_s;
-    list.AddLine({x, corner.y}, {x, corner.y + height}, kNow, scale);
-    ImGui::Dummy({width, height});
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", role == Role::none ? "events" : role_name(role));
-  }
+std::vector<glm::vec3> Footprints::path(float time_s) const {
+  constexpr int kPieces = 48;
+  std::vector<glm::vec3> out;
+  const auto now = static_cast<double>(time_s), duration = static_cast<double>(motion_.duration_s);
+  for (int i = 0; i <= kPieces && motion_.speed_m_s > 0; ++i)
+    out.emplace_back(ground_since(duration * i / kPieces, now)[3]);
+  return out;
 }
 
 }  // namespace marrow::tools
