@@ -38,12 +38,13 @@ float key_visibility(vec3 position, float softness, float bias, float turn) {
   vec3 p = (key_from_model * vec4(position, 1.0)).xyz;
   if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThan(p.xy, vec2(1.0)))) return 1.0;
   float depth = p.z - bias / key_extent.y;  // above 1 on the ground behind the character: still in its shadow
+  float compared = min(depth, 1.0);         // where nothing was drawn the map says 1
   float search = softness * scene_radius / key_extent.x;
   float blockers = 0.0;
   float blocker_depth = 0.0;
   for (int i = 0; i < 16; ++i) {
     float d = textureLod(key_depth, p.xy + search * sunflower(i, 16, turn), 0.0).r;
-    if (d < depth) {
+    if (d < compared) {
       blockers += 1.0;
       blocker_depth += d;
     }
@@ -53,7 +54,7 @@ float key_visibility(vec3 position, float softness, float bias, float turn) {
   float radius = clamp(softness * gap, 0.004 * scene_radius, softness * scene_radius) / key_extent.x;
   float light = 0.0;
   for (int i = 0; i < 32; ++i) {
-    light += textureLod(key_shadow, vec3(p.xy + radius * sunflower(i, 32, turn), depth), 0.0);
+    light += textureLod(key_shadow, vec3(p.xy + radius * sunflower(i, 32, turn), compared), 0.0);
   }
   return light / 32.0;
 }

@@ -48,20 +48,24 @@ void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t s
   }
 }
 
-// Describes the words from `begin` to the joints, sixteen bytes per attribute.
-void describe_words(const Api& api, const VertexLayout& layout, std::uint32_t begin, const std::uint32_t* location) {
-  for (; begin < layout.as_joints; begin += 16, ++location) {
-    api.EnableVertexAttribArray(*location);
-    api.VertexAttribIPointer(*location, layout.as_joints - begin < 16 ? 2 : 4, kGlUnsignedInt,
-                             static_cast<int>(layout.as_stride), at(begin));
+// Describes the words from `begin` to the joints, sixteen bytes per attribute, and all others that skin.glsl declares: of
+// these nothing is used, but WebGL draws nothing where an integer is declared and no array is there.
+void describe_words(const Api& api, const VertexLayout& layout, std::uint32_t begin, const std::uint32_t* location,
+                    std::uint32_t declared) {
+  for (std::uint32_t i = 0; i < declared; ++i) {
+    const std::uint32_t offset = begin + 16 * i < layout.as_joints ? begin + 16 * i : begin;
+    api.EnableVertexAttribArray(location[i]);
+    api.VertexAttribIPointer(location[i], layout.as_joints - offset < 16 ? 2 : 4, kGlUnsignedInt,
+                             static_cast<int>(layout.as_stride), at(offset));
   }
 }
 
 void describe_coordinates(const Api& api, const VertexLayout& layout, Words words) {
-  if (words == Words::all || words == Words::all_whole) return describe_words(api, layout, 0, kWordLocations);
+  if (words == Words::all || words == Words::all_whole)
+    return describe_words(api, layout, 0, kWordLocations, layout.surface_normals ? 12 : 4);
   for (std::uint32_t i = 0; i < layout.influences; ++i)
     attribute(api, kPositionLocation + i, 4, kGlShort, true, layout.as_stride, 8 * i);
-  if (words == Words::tangents_whole) return describe_words(api, layout, layout.as_tangents, kWordLocations + 6);
+  if (words == Words::tangents_whole) return describe_words(api, layout, layout.as_tangents, kWordLocations + 6, 6);
   for (std::uint32_t i = 0; layout.surface_normals && i < 8; ++i)
     attribute(api, kSurfaceLocations[i], 4, kGlShort, true, layout.as_stride, layout.as_tangents + 8 * i);
 }
