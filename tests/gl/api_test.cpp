@@ -18,6 +18,7 @@
 #include "gles3/program_set.h"
 #include "gles3/skinned.h"
 #include "gles3/skinner_state.h"
+#include "marrow/egl.h"
 #include "marrow/gles3_skinner.h"
 #include "support/rig.h"
 

@@ -12,6 +12,7 @@
 #include "gles3/crowd/crowd.h"
 #include "gles3/program.h"
 #include "gles3/skinner_state.h"
+#include "marrow/egl.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "gl/support/self_test_run.h"
+#include "marrow/egl.h"
 
 namespace marrow::test {
 namespace {

@@ -11,6 +11,7 @@
 #include "gl/support/stage.h"
 #include "gles3/program_set.h"
 #include "gles3/skinner_state.h"
+#include "marrow/egl.h"
 #include "marrow/gles3_skinner.h"
 #include "marrow/marrow.h"
 #include "pose/evaluate.h"

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
 
 #include "common/failure.h"
-#include "common/formats.h"
-#include "disk/files.h"
 #include "graph/animator_state.h"
 #include "pose/choose.h"
 #include "text/nearest.h"
@@ -22,11 +19,8 @@ std::vector<std::string> names_of(const std::vector<Animations>& animations) {
   return out;
 }
 
-// LINE:COLUMN where a text has a name in quotes first; empty: nowhere, or it is no text.
-std::string place_in_text(const std::string& path, const std::string& name) {
-  if (!has_extension(path, ".toml") || !std::filesystem::exists(path)) return "";
-  const AlignedBytes bytes = read_file(path);
-  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+// LINE:COLUMN where a text has a name in quotes first; empty: nowhere.
+std::string place_in_text(const std::string& text, const std::string& name) {
   const std::size_t at = std::min(text.find('"' + name + '"'), text.find('\'' + name + '\''));
   if (at == std::string::npos) return "";
   const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
@@ -64,7 +58,7 @@ void Behaviour::bind(const std::string& path, const File& file, std::span<const 
   const std::string rule = std::string(misfit.rule), name = printable(misfit.name);
   const bool is_clip = rule == "a clip of this name";
   const std::string graph = "graph \"" + printable(found_.graph.name) + "\"";
-  throw Failure(Exit::usage, found_.path, is_clip ? place_in_text(found_.path, misfit.name) : "",
+  throw Failure(Exit::usage, found_.path, is_clip ? place_in_text(found_.text, misfit.name) : "",
                 is_clip ? graph + " wants a clip \"" + name + "\", which " + path + " has not"
                         : graph + " wants " + rule + ": " + name,
                 is_clip ? printable(suggestion(misfit.name, names_of(animations_))) : "it does not fit " + path);

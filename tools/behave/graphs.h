@@ -14,8 +14,9 @@ struct FoundGraph {
   std::string path;  // of the file or the text that has it
   File file;         // whose names it has
   Graph graph;
-  std::vector<std::string> warnings;         // of a text
-  std::shared_ptr<const LoadedFile> memory;  // of a file that was opened for it
+  std::vector<std::string> warnings = {};              // of a text
+  std::shared_ptr<const LoadedFile> memory = nullptr;  // of a file that was opened for it
+  std::string text = {};                               // that it was cooked from; empty: it was in a cooked file
 };
 
 // All graphs of a file, in its order. Throws Failure (invalid) if one is damaged.

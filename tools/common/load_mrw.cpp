@@ -2,11 +2,21 @@
 
 #include "common/failure.h"
 #include "common/formats.h"
+#include "common/section_names.h"
 #include "common/unpack_mrw.h"
 #include "marrow/example_space.h"
 #include "marrow/unpack.h"
 
 namespace marrow::tools {
+namespace {
+
+constexpr const char* kTypes[][7] = {{"geometry", "GEOM", "MESH", "SHAP"},
+                                     {"skeletons", "SKEL", "SREF", "LIMI", "SPRI", "ROLE", "PMAP"},
+                                     {"clips", "CLIP", "BNDS"},
+                                     {"graphs", "GRPH"},
+                                     {"images", "IMAG"}};
+
+}  // namespace
 
 LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
   LoadedFile loaded;
@@ -32,6 +42,22 @@ LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes) {
                   to_string(status), error.rule);
   if (!packed) loaded.stored.assign(loaded.file.sections().begin(), loaded.file.sections().end());
   return loaded;
+}
+
+std::vector<Spent> spent_bytes(const LoadedFile& loaded) {
+  std::vector<Spent> out;
+  std::size_t rest = loaded.stored_bytes;
+  for (const auto& [on, a, b, c, d, e, f] : kTypes) {
+    Spent& spent = out.emplace_back(Spent{on});
+    for (const File::Section& section : loaded.stored) {
+      const std::string type = section_name(section.type);
+      const auto is = [&](const char* name) { return name != nullptr && type == name; };
+      if (is(a) || is(b) || is(c) || is(d) || is(e) || is(f)) spent.bytes += section.bytes;
+    }
+    rest -= spent.bytes;
+  }
+  out.push_back({"names_and_structure", rest});
+  return out;
 }
 
 }  // namespace marrow::tools

@@ -23,4 +23,13 @@ LoadedFile load_mrw(const std::string& path);
 // The same of bytes that are in memory already. path: for messages.
 LoadedFile load_mrw(const std::string& path, AlignedBytes file_bytes);
 
+// What its bytes are spent on.
+struct Spent {
+  const char* on;  // "geometry", "skeletons", "clips", "graphs", "images", "names_and_structure"
+  std::size_t bytes = 0;
+};
+
+// As they are stored: of a packed file its records. Everything is counted once.
+std::vector<Spent> spent_bytes(const LoadedFile& loaded);
+
 }  // namespace marrow::tools

@@ -17,7 +17,7 @@
 #include "render/clearest_side.h"
 #include "render/figure.h"
 #include "render/heat.h"
-#include "render/images.h"
+#include "render/disk/images.h"
 #include "render/performance.h"
 #include "text/quantity.h"
 

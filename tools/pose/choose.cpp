@@ -9,6 +9,7 @@
 #include "marrow/clip_pack.h"
 #include "pose/misfits_text.h"
 #include "text/nearest.h"
+#include "text/number.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
@@ -160,17 +161,17 @@ std::map<std::string, float> set_parameters(const std::string& path, const File&
   for (const std::string& given : choice.set) {
     const std::size_t divide = given.rfind('=');
     const std::string name = given.substr(0, divide);
-    float value = 0;
+    double value = 0;
     const char* const end = given.data() + given.size();
     const char* const number = divide == std::string::npos ? end : given.data() + divide + 1;
-    const auto [stop, error] = std::from_chars(number, end, value);
-    if (error != std::errc() || stop != end || !std::isfinite(value))
+    const auto [stop, error] = read_double(number, end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(static_cast<float>(value)))
       throw Failure(Exit::usage, "--set", "", "\"" + printable(given) + "\" gives no number",
                     "give NAME=VALUE, as in joy=0.5");
     if (std::ranges::find(names, name) == names.end())
       throw Failure(Exit::usage, path, "", "no parameter \"" + printable(name) + "\"",
                     names.empty() ? "no shapes are in the file" : suggestion(name, names));
-    out[name] = value;
+    out[name] = static_cast<float>(value);
   }
   return out;
 }

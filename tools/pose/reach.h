@@ -33,6 +33,9 @@ inline constexpr Named<ReachSolver> kIkSolvers[] = {{"two_bone", {}},
                                                     {"gauss_newton", {IkMethod::gauss_newton}},
                                                     {"genetic", {IkMethod::ccd, true}}};
 
+// How many joints above one bend, and do not share out a bone's twist alone; counted up to `most`.
+std::uint32_t bending_joints_above(const File& file, const Skeleton& skeleton, std::uint32_t joint, std::uint32_t most);
+
 class Reach {
  public:
   // Throws Failure (usage): a goal that cannot be read, a joint that is not there, or with too few above it.

@@ -108,6 +108,11 @@ void Actor::rehearse(FoundGraph found, const std::vector<std::string>& packs) {
   made_ = {};
 }
 
+void Actor::stop_rehearsal() {
+  rehearsal_.reset();
+  made_ = {};
+}
+
 // Moments of all clips that the graph plays, each where the character stands.
 Performance Actor::perform_graph() {
   const Span<const Animation> clips = rehearsal_->behaviour().binding().clips;

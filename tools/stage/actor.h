@@ -40,6 +40,8 @@ class Actor {
   // It plays this graph from now on, with clips of these packs as well; what is set and where it stands stays. Throws
   // as Rehearsal; then all is as before.
   void rehearse(FoundGraph found, const std::vector<std::string>& packs);
+  // It plays clips again.
+  void stop_rehearsal();
   // Null: it plays clips.
   Rehearsal* rehearsal() { return rehearsal_.get(); }
   const Rehearsal* rehearsal() const { return rehearsal_.get(); }

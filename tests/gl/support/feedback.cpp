@@ -17,6 +17,7 @@
 #include "gles3/palettes.h"
 #include "gles3/program.h"
 #include "gles3/skinned.h"
+#include "marrow/egl.h"
 #include "marrow/palette.h"
 
 namespace marrow::test {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "marrow/egl.h"
 #include "render/gl.h"
 
 namespace marrow::test {

@@ -9,6 +9,7 @@
 #include "gles3/crowd/crowd.h"
 #include "gles3/mesh/prepare.h"
 #include "gles3/program.h"
+#include "marrow/egl.h"
 
 namespace marrow::test {
 namespace {

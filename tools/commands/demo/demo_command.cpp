@@ -17,7 +17,7 @@
 #include "disk/files.h"
 #include "disk/thread_pool.h"
 #include "pose/choose.h"
-#include "render/images.h"
+#include "render/disk/images.h"
 #include "sample/embedded.h"
 #include "terminal/progress.h"
 #include "text/printable.h"

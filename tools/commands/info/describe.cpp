@@ -33,27 +33,10 @@ std::vector<File::Section> sections_of(const LoadedFile& loaded, const char* typ
   return out;
 }
 
-std::size_t bytes_of(const std::vector<File::Section>& sections) {
-  std::size_t sum = 0;
-  for (const File::Section& s : sections) sum += s.bytes;
-  return sum;
-}
-
-// Everything is counted once; what is left are the header, the table and padding.
 ordered_json describe_totals(const LoadedFile& loaded) {
-  const std::size_t geometry = bytes_of(sections_of(loaded, "GEOM")) + bytes_of(sections_of(loaded, "MESH")) +
-                               bytes_of(sections_of(loaded, "SHAP"));
-  const std::size_t skeletons = bytes_of(sections_of(loaded, "SKEL")) + bytes_of(sections_of(loaded, "SREF")) +
-                                bytes_of(sections_of(loaded, "LIMI")) + bytes_of(sections_of(loaded, "SPRI")) +
-                                bytes_of(sections_of(loaded, "ROLE")) + bytes_of(sections_of(loaded, "PMAP")),
-                    clips = bytes_of(sections_of(loaded, "CLIP")) + bytes_of(sections_of(loaded, "BNDS")),
-                    graphs = bytes_of(sections_of(loaded, "GRPH")), images = bytes_of(sections_of(loaded, "IMAG"));
-  return {{"geometry", geometry},
-          {"skeletons", skeletons},
-          {"clips", clips},
-          {"graphs", graphs},
-          {"images", images},
-          {"names_and_structure", loaded.stored_bytes - geometry - skeletons - clips - graphs - images}};
+  ordered_json out;
+  for (const Spent& spent : spent_bytes(loaded)) out[spent.on] = spent.bytes;
+  return out;
 }
 
 // Of the box around the joints at rest, scene units.

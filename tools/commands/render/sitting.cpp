@@ -8,7 +8,7 @@
 #include "common/formats.h"
 #include "pose/worn.h"
 #include "render/heat.h"
-#include "render/images.h"
+#include "render/disk/images.h"
 #include "render/overlay/mark.h"
 #include "text/printable.h"
 #include "text/quantity.h"

@@ -11,7 +11,7 @@
 #include "commands/view/changed_files.h"
 #include "open/open_model.h"
 #include "paint/painting.h"
-#include "render/images.h"
+#include "render/disk/images.h"
 
 namespace marrow::tools {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "render/heat.h"
-#include "render/images.h"
+#include "render/disk/images.h"
 
 namespace marrow::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/images.h"
+#include "render/disk/images.h"
 
 #include <algorithm>
 #include <cstdio>
