@@ -1,71 +1,54 @@
 #!/usr/bin/env bash
-# Builds the cooker for WebAssembly, cooks with it in node, and compares with what the program writes; see
-# docs/cooking/library.md. Exit 1 if they differ or cook.wasm has grown beyond its limit, 3 if a compiler or the sources
-# of Draco and meshoptimizer cannot be had. Builds in build/cook-wasm.
-# usage: tools/check/cook_wasm.sh MARROW      (the program)
+# Builds the cooker for WebAssembly, cooks with it in node, and compares with what the program writes and refuses; then
+# the page's worker. See docs/cooking/library.md. Exit 1 if anything differs or cook.wasm has grown beyond its limit, 3 if
+# a compiler, npm or the sources of Draco and meshoptimizer cannot be had. Builds in build/wasm.
+# usage: tools/check/cook_wasm.sh MARROW [all]   (the program; all: each model of MARROW_ASSETS and each bad input of
+#                                                 MARROW_CORPUS, not some of them)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 marrow=$(realpath "$1")
+form=${2:-short}
 work="$here/build/cook-wasm"
-most=1000000  # bytes of cook.wasm as brotli sends it
+most=1500000  # bytes of cook.wasm as brotli sends it
 
-missing() { for name in clang++-19 wasm-ld-19 node brotli xz; do command -v "$name" >/dev/null || echo "$name"; done; }
-"$here/tools/install.sh" "$here/tools/packages/cook-wasm.txt" || true
-[ -z "$(missing)" ] || { echo "check/cook_wasm: there is no $(missing | paste -sd ' ')" >&2; exit 3; }
-packages="$work/packages"
-mkdir -p "$packages/include" "$packages/features/draco"
-
-# The libraries that are no headers, from Debian's own sources. A second run finds them there.
-get_source() {  # PACKAGE FOLDER
-  [ ! -d "$packages/$2" ] || return 0
-  local apt="$work/apt"
-  mkdir -p "$apt"/{state/lists/partial,cache/archives/partial}
-  # shellcheck disable=SC2016  # apt's own words
-  apt-get indextargets --format 'deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $(REPO_URI) $(RELEASE) $(COMPONENT)' \
-    'Created-By: Packages' | sort -u >"$apt/sources.list"
-  local options=(-o Dir::State="$apt/state" -o Dir::Cache="$apt/cache" -o Dir::Etc::sourcelist="$apt/sources.list"
-    -o Dir::Etc::sourceparts=/dev/null -o APT::Sandbox::User= -o Debug::NoLocking=true)
-  (cd "$apt" && apt-get "${options[@]}" -qq update && apt-get "${options[@]}" -qq source --download-only "$1") \
-    >"$apt/log.txt" 2>&1 || { tail -n 3 "$apt/log.txt" >&2; return 1; }
-  mkdir "$packages/$2.part"
-  tar -xJf "$apt/$1"_*.orig.tar.xz -C "$packages/$2.part" --strip-components 1
-  mv "$packages/$2.part" "$packages/$2"
-}
-get_source draco draco && get_source meshoptimizer meshoptimizer ||
-  { echo "check/cook_wasm: apt has no sources of Draco and meshoptimizer" >&2; exit 3; }
-for header in nlohmann fmt glm toml++ tiny_gltf.h xxhash.h stb/stb_image.h eigen3/Eigen; do
-  ln -sfn "/usr/include/$header" "$packages/include/$(basename "$header")"
-done
-grep -v TRANSCODER /usr/include/draco/draco_features.h >"$packages/features/draco/draco_features.h"
-
-quietly() {  # COMMAND ...: what it says is shown if it fails
-  "$@" >"$work/log.txt" 2>&1 || { tail -n 60 "$work/log.txt" >&2; exit 1; }
-}
-# Sizes of 64 bits become those of 32, of which compilers warn: each has been held to a length in memory by then.
-quietly cmake -S "$here" -B "$work/build" -G Ninja --toolchain "$here/cmake/wasm32.cmake" \
-  -DCMAKE_BUILD_TYPE=MinSizeRel -DCMAKE_CXX_FLAGS=-fexceptions -DMARROW_WERROR=OFF \
-  -DMARROW_PACKAGES="$packages" -DMARROW_COOKER=ON -DMARROW_TOOLS=OFF -DMARROW_TESTS=OFF -DMARROW_GLES=OFF -DMARROW_INSTALL=OFF
-quietly cmake --build "$work/build" --target marrow_cook_wasm
-wasm="$work/build/tools/cook/cook.wasm"
+for tool in node npm brotli; do command -v "$tool" >/dev/null || "$here/tools/install.sh" "$here/tools/packages/cook-wasm.txt" || true; done
+for tool in node npm brotli; do command -v "$tool" >/dev/null || { echo "check/cook_wasm: there is no $tool" >&2; exit 3; }; done
+mkdir -p "$work"
+wasm=$("$here/tools/wasm.sh" cook) || exit $?
 sent=$(brotli -q 11 -c "$wasm" | wc -c)
 echo "cook.wasm: $(wc -c <"$wasm") B, $sent B by brotli"
 [ "$sent" -le $most ] || { echo "check/cook_wasm: cook.wasm is more than $most B by brotli" >&2; exit 1; }
 
-newt="$here/tools/sample/newt.glb"
-compare() {  # OPTIONS as TOML, the same for the program
-  local toml=$1
-  shift
-  node "$here/tools/cook/wasm.mjs" "$wasm" "$newt" "$work/page.mrw" "$toml" >"$work/said.txt"
-  "$marrow" cook "$newt" "$@" -o "$work/program.mrw" >/dev/null 2>&1
-  cmp "$work/page.mrw" "$work/program.mrw" ||
-    { echo "check/cook_wasm: other bytes than the program's, by $*" >&2; exit 1; }
-  echo "the newt, $*: $(tail -n 1 "$work/said.txt"), as by the program"
+quietly() {  # COMMAND ...: what it says is shown if it fails
+  "$@" >"$work/log.txt" 2>&1 || { tail -n 60 "$work/log.txt" >&2; exit 1; }
 }
-compare "" --effort default
-compare "mesh-codec = 'meshopt'
-lod = '0.5'" --mesh-codec meshopt --lod 0.5
+folders=("$here/tools/sample")
+for folder in "${MARROW_ASSETS:-$here/../shared/assets}" "${MARROW_CORPUS:-$here/../shared/corpus}"; do
+  if [ -d "$folder" ]; then folders+=("$folder"); else echo "check/cook_wasm: no folder $folder" >&2; fi
+done
+node "$here/tools/check/cook_wasm.mjs" "$marrow" "$wasm" "$form" "${folders[@]}"
 
-# A failure is JavaScript's, with its place.
-printf '{"asset": {"version": "2.0"}, "nodes": 3}' >"$work/bad.gltf"
-said=$(node "$here/tools/cook/wasm.mjs" "$wasm" "$work/bad.gltf" "$work/bad.mrw" 2>&1) && said="nothing"
-[[ "$said" == *"bad.gltf: /nodes:"* ]] || { echo "check/cook_wasm: a bad file is told as: $said" >&2; exit 1; }
+# Where memory ends, that is said. The stack alone has 128 pages of 64 KiB.
+said=$(node --wasm-max-mem-pages=150 "$here/tools/cook/wasm.mjs" "$wasm" "$here/tools/sample/newt.glb" "$work/no.mrw" 2>&1) && said=nothing
+[[ "$said" == *"newt.glb: out of memory at "* ]] || { echo "check/cook_wasm: without memory it says: $said" >&2; exit 1; }
+
+# The worker that a page has, with the types of what it says.
+page="$work/page"
+mkdir -p "$page/check"
+if [ ! -x "$page/node_modules/.bin/tsc" ] || ! cmp -s "$here/tools/page/package.json" "$page/package.json"; then
+  cp "$here/tools/page/package.json" "$page"
+  npm install --silent --no-audit --no-fund --no-package-lock --prefix "$page" >/dev/null 2>&1 ||
+    { echo "check/cook_wasm: npm cannot be reached" >&2; exit 3; }
+fi
+quietly "$page/node_modules/.bin/esbuild" "$here"/tools/page/src/{cooker,cook_worker}.ts --bundle --format=esm --target=es2022 \
+  --outdir="$page/site" --log-level=warning
+cp "$wasm" "$page/site"
+echo '{"type": "module"}' >"$page/site/package.json"
+newt="$here/tools/sample/newt.glb"
+"$marrow" cook "$newt" -o "$work/newt.mrw" >/dev/null 2>&1
+node "$here/tools/page/check_cooker.mjs" "$page/site" "$newt" "$work/newt.mrw"
+node "$here/tools/page/check_report.mjs" "$page/site/newt.json" "$page/check/report.ts"
+cat >"$page/check/tsconfig.json" <<END
+{"extends": "$here/tools/page/tsconfig.json", "include": ["report.ts", "$here/tools/page/src/cook_worker.ts"]}
+END
+quietly "$page/node_modules/.bin/tsc" -p "$page/check"

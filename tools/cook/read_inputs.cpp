@@ -6,6 +6,7 @@
 
 #include "common/failure.h"
 #include "common/hash.h"
+#include "common/retold.h"
 #include "cook/prepare/mirrors.h"
 #include "cook/retarget/retarget.h"
 #include "cook/rig/read_template.h"
@@ -64,14 +65,14 @@ class Reader {
   deform::SkeletonTemplate skeleton(const std::string& name) {
     const std::string_view builtin = builtin_template(name);
     if (!builtin.empty()) return parse_template(name, builtin);
-    try {
-      return parse_template(name, text(name, kLargestTemplate));
-    } catch (const tools::Failure& failure) {
-      if (failure.rule() != kNoSuchFile) throw;
-      throw tools::Failure(tools::Exit::usage, "--auto-skeleton", "",
-                           "\"" + tools::printable(name) + "\" is neither built in nor a file",
-                           "give humanoid, quadruped or a TEMPLATE.toml");
-    }
+    return tools::retold<tools::Failure>([&] { return parse_template(name, text(name, kLargestTemplate)); },
+                                         [&](const tools::Failure& failure) {
+                                           if (failure.rule() != kNoSuchFile) return failure;
+                                           return tools::Failure(
+                                               tools::Exit::usage, "--auto-skeleton", "",
+                                               "\"" + tools::printable(name) + "\" is neither built in nor a file",
+                                               "give humanoid, quadruped or a TEMPLATE.toml");
+                                         });
   }
 
  private:

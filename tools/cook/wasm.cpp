@@ -1,28 +1,23 @@
 // The cooker for WebAssembly: what JavaScript calls, and what it is asked. See docs/cooking/library.md.
-//
-// WebAssembly has no exceptions here: the first that is thrown is told to JavaScript, whose function throws, and ends
-// the instance.
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <exception>
+#include <new>
 #include <string>
-#include <typeinfo>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "common/failure.h"
+#include "wasm/throw.h"
 #include "marrow/cook.h"
-
-#define MARROW_IMPORT(name) __attribute__((import_module("marrow"), import_name(name)))
-#define MARROW_EXPORT(name) extern "C" __attribute__((export_name(name)))
+#include "text/printable.h"
 
 extern "C" {
-// The bytes of a file, at most `most`, in memory of take_memory(); their number to *size. Null: there is no such file.
-MARROW_IMPORT("read") std::byte* marrow_read(const char* name, std::size_t length, double most, std::size_t* size);
+// How many bytes the file of this name has; less than 0: there is no such file.
+MARROW_IMPORT("size") double marrow_size(const char* name, std::size_t length);
+// Its first bytes.
+MARROW_IMPORT("read") void marrow_read(const char* name, std::size_t length, std::byte* to, std::size_t count);
 MARROW_IMPORT("progress") void marrow_progress(int stage, std::size_t done, std::size_t count);
-// Throws in JavaScript.
-MARROW_IMPORT("failed") void marrow_failed(const char* text, std::size_t length, int code);
 }
 
 namespace marrow::cook {
@@ -31,12 +26,13 @@ namespace {
 class PageFiles : public Files {
  public:
   std::vector<std::byte> read(const std::string& name, std::uint64_t most) override {
-    std::size_t size = 0;
-    std::byte* const bytes = marrow_read(name.data(), name.size(), static_cast<double>(most), &size);
-    if (bytes == nullptr)
-      throw tools::Failure(tools::Exit::io, name, "", kNoSuchFile, "drop it together with the model");
-    std::vector<std::byte> out(bytes, bytes + size);
-    std::free(bytes);
+    const double size = marrow_size(name.data(), name.size());
+    if (size < 0)
+      throw tools::Failure(tools::Exit::io, name, "", kNoSuchFile,
+                           "drop " + tools::printable(name) + " together with the model");
+    if (std::min(size, static_cast<double>(most)) > static_cast<double>(kMostBytes)) throw too_large(name);
+    std::vector<std::byte> out(static_cast<std::size_t>(std::min(size, static_cast<double>(most))));
+    marrow_read(name.data(), name.size(), out.data(), out.size());
     return out;
   }
 };
@@ -44,23 +40,13 @@ class PageFiles : public Files {
 Result cooked;
 std::string report;
 
+[[noreturn]] void end_without_memory() {
+  constexpr std::string_view kText = "out of memory";
+  marrow_failed(kText.data(), kText.size(), static_cast<int>(tools::Exit::internal));
+}
+
 }  // namespace
 }  // namespace marrow::cook
-
-// Called in place of a throw.
-extern "C" void* __cxa_allocate_exception(std::size_t size) {
-  return std::malloc(size);
-}
-
-extern "C" [[noreturn]] void __cxa_throw(void* thrown, std::type_info* type, void (*)(void*)) {
-  using marrow::tools::Failure;
-  if (*type == typeid(Failure)) {
-    const auto& failure = *static_cast<const Failure*>(thrown);
-    marrow_failed(failure.what(), std::strlen(failure.what()), static_cast<int>(failure.code()));
-  }
-  marrow_failed(type->name(), std::strlen(type->name()), static_cast<int>(marrow::tools::Exit::internal));
-  std::abort();
-}
 
 MARROW_EXPORT("take_memory") void* take_memory(std::size_t size) {
   return std::malloc(size);
@@ -70,6 +56,7 @@ MARROW_EXPORT("take_memory") void* take_memory(std::size_t size) {
 MARROW_EXPORT("cook")
 void cook_in_page(const char* name, std::size_t name_length, const char* options, std::size_t options_length) {
   using namespace marrow::cook;
+  std::set_new_handler(end_without_memory);
   PageFiles files;
   const Host host{
       files, nullptr,

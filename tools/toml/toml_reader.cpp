@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/failure.h"
+#include "common/retold.h"
 #include "text/deep_key.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -53,16 +54,20 @@ void TomlReader::fail(const toml::source_region& at, const std::string& rule, co
   throw Failure(Exit::usage, path_, place_of(at), printable(rule), printable(advice));
 }
 
+toml::table parse_toml(std::string_view text, const std::function<void(const toml::parse_error&)>& fail) {
+  return retold<toml::parse_error>([&]() -> toml::table { return toml::parse(text); },
+                                   [&](const toml::parse_error& e) {
+                                     fail(e);
+                                     return Failure(Exit::internal, "", "", "no TOML", "");
+                                   });
+}
+
 toml::table TomlReader::parse(std::string_view text, std::size_t most_bytes) const {
   if (text.size() > most_bytes)
     throw Failure(Exit::usage, path_, "", "too large", fmt::format("{} KiB is the limit", most_bytes / 1024));
   if (const std::size_t line = line_of_deep_key(text))
     throw Failure(Exit::usage, path_, std::to_string(line) + ":1", "a key of too many parts", "quote names with dots");
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& e) {
-    fail(e.source(), "no TOML", explained(e.description()));
-  }
+  return parse_toml(text, [&](const toml::parse_error& e) { fail(e.source(), "no TOML", explained(e.description())); });
 }
 
 const toml::table& TomlReader::table(const toml::node& node, const char* what) const {

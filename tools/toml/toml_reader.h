@@ -1,6 +1,7 @@
 // Values of a TOML file, each refused at its line and column if it is not what it should be.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ std::string place_of(const toml::source_region& region);
 
 // A string as TOML has it, within quotation marks.
 std::string toml_quoted(const std::string& text);
+
+// A text of TOML. `fail` throws a Failure.
+toml::table parse_toml(std::string_view text, const std::function<void(const toml::parse_error&)>& fail);
 
 // All throw Failure (usage) with the file, the place, what is wrong and what to do.
 class TomlReader {

@@ -13,6 +13,7 @@
 #include "common/distinct.h"
 #include "common/failure.h"
 #include "common/parallel.h"
+#include "common/retold.h"
 #include "cook/geometry/build_geometry.h"
 #include "cook/mesh/bind_meshes.h"
 #include "cook/mesh/lod.h"
@@ -182,14 +183,15 @@ class Geometries {
 // The parts of one task.
 std::vector<BuiltGeometry> build_task(const std::string& source, const Task& task, MeshOptions options) {
   options.keep_vertex_order = options.keep_vertex_order && !task.is_lod;
-  try {
+  const auto build = [&]() -> std::vector<BuiltGeometry> {
     if (!task.parts.empty())
       return build_geometries(*task.primitive, task.bindings, task.joint_count, task.parts, task.grid, options,
                               task.deformers);
     return {build_geometry(*task.primitive, task.bindings, task.joint_count, task.grid, options, task.deformers)};
-  } catch (const tools::Failure& failure) {
-    throw tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
-  }
+  };
+  return tools::retold<tools::Failure>(build, [&](const tools::Failure& failure) {
+    return tools::Failure(failure.code(), source, task.primitive->pointer, failure.rule(), failure.advice());
+  });
 }
 
 // On all cores; returns for each task which geometries its parts have become, of those that differ. So many at a time,

@@ -59,12 +59,8 @@ RetargetMap parse_retarget_map(const std::string& path, std::string_view text) {
   if (text.size() > kLargestMap) fail("", "too large", "8 MiB is the limit");
   if (const std::size_t line = tools::line_of_deep_key(text))
     fail(std::to_string(line) + ":1", "a key of too many parts", "quote names with dots");
-  toml::table root;
-  try {
-    root = toml::parse(text);
-  } catch (const toml::parse_error& e) {
-    fail(place_of(e.source()), "no TOML", std::string(e.description()));
-  }
+  const toml::table root = tools::parse_toml(
+      text, [&](const toml::parse_error& e) { fail(place_of(e.source()), "no TOML", std::string(e.description())); });
   for (const auto& [key, value] : root)
     if (key.str() != "joints")
       fail(place_of(key.source()), "unknown setting \"" + std::string(key.str()) + "\"", "a map has [joints] alone");

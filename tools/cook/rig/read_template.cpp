@@ -10,6 +10,7 @@
 #include <toml++/toml.h>
 
 #include "common/failure.h"
+#include "cook/scene/raw.h"
 #include "text/deep_key.h"
 #include "text/printable.h"
 #include "toml/toml_reader.h"
@@ -208,12 +209,8 @@ SkeletonTemplate parse_template(const std::string& path, std::string_view text) 
   if (text.size() > kLargestTemplate) reader.fail("", "too large", "64 KiB is the limit");
   if (const std::size_t line = tools::line_of_deep_key(text))
     reader.fail(std::to_string(line) + ":1", "a key of too many parts", "a template has [[joint]] alone");
-  toml::table root;
-  try {
-    root = toml::parse(text);
-  } catch (const toml::parse_error& e) {
+  return reader.read(tools::parse_toml(text, [&](const toml::parse_error& e) {
     reader.fail(tools::place_of(e.source()), "no TOML", std::string(e.description()));
-  }
-  return reader.read(root);
+  }));
 }
 }  // namespace marrow::cook

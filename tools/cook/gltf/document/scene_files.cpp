@@ -6,6 +6,7 @@
 
 #include "common/failure.h"
 #include "common/hash.h"
+#include "common/retold.h"
 
 namespace marrow::cook::gltf {
 namespace {
@@ -144,11 +145,9 @@ namespace {
 // What the caller's files say, at the place in the scene.
 template <class Ask>
 auto located(const std::string& where, const Report& report, const Ask& ask) {
-  try {
-    return ask();
-  } catch (const tools::Failure& failure) {
+  return tools::retold<tools::Failure>(ask, [&](const tools::Failure& failure) -> tools::Failure {
     report.fail(failure.code(), where, failure.rule(), failure.advice());
-  }
+  });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include "cook/gltf/import/import_vertices.h"
 
 #include <cstring>
-#include <exception>
 #include <functional>
+#include <stdexcept>
 
 #include <draco/attributes/attribute_octahedron_transform.h>
 #include <draco/attributes/attribute_quantization_transform.h>
@@ -12,6 +12,7 @@
 #include <draco/core/quantization_utils.h>
 #include <draco/mesh/mesh.h>
 
+#include "common/retold.h"
 #include "draco/counts.h"
 
 namespace marrow::cook::gltf {
@@ -84,8 +85,7 @@ std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const std:
   const auto type = draco::Decoder::GetEncodedGeometryType(&buffer);
   if (!type.ok()) refuse(type.status().error_msg());
   if (type.value() != draco::TRIANGULAR_MESH) refuse("it is not a triangle mesh");
-  std::unique_ptr<draco::Mesh> mesh;
-  try {
+  const auto decode_mesh = [&]() -> std::unique_ptr<draco::Mesh> {
     draco::Decoder decoder;
     for (const auto kind :
          {draco::GeometryAttribute::POSITION, draco::GeometryAttribute::NORMAL, draco::GeometryAttribute::COLOR,
@@ -93,10 +93,12 @@ std::unique_ptr<draco::Mesh> decode(std::span<const std::byte> bytes, const std:
       decoder.SetSkipAttributeTransform(kind);  // restore() does it
     auto decoded = decoder.DecodeMeshFromBuffer(&buffer);
     if (!decoded.ok()) refuse(decoded.status().error_msg());
-    mesh = std::move(decoded).value();
-  } catch (const std::length_error&) {
-    refuse("it claims more than memory holds");
-  }
+    return std::move(decoded).value();
+  };
+  std::unique_ptr<draco::Mesh> mesh =
+      tools::retold<std::length_error>(decode_mesh, [&](const std::length_error&) -> tools::Failure {
+        report.invalid(where, "damaged Draco data", "it claims more than memory holds; export again");
+      });
   if (!mesh) refuse("nothing in it");
   return mesh;
 }
