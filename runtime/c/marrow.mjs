@@ -1,5 +1,6 @@
 // Calls the runtime in WebAssembly, by what tables.mjs says: structs as objects with fields, functions as methods that
 // take them. Nothing is copied; memory is what make() and list() give. See docs/c.md; types in marrow.d.ts.
+import { glImports } from './gl.mjs';
 import { ABI, functions, structs } from './tables.mjs';
 
 export * from './tables.mjs';
@@ -18,6 +19,16 @@ const kTold = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 6, 1, 96, 2, 127, 127, 0, 2, 7, 1, 1, 101, 1, 102, 0, 0, 7, 5, 1, 1, 102, 0, 0,
 ]);
 
+// A module with an instruction of SIMD, which is valid where they are known.
+const kSimd = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 8, 1, 6, 0, 65, 0, 253, 15, 11,
+]);
+// The libraries beside this file, each a literal that bundlers find.
+const kLibraries = [
+  () => new URL('./marrow-core.wasm', import.meta.url), () => new URL('./marrow-core-simd.wasm', import.meta.url),
+  () => new URL('./marrow-all.wasm', import.meta.url), () => new URL('./marrow-all-simd.wasm', import.meta.url),
+];
+
 class View {
   constructor(marrow, ptr) {
     this.marrow = marrow;
@@ -35,6 +46,7 @@ class List extends View {
     if (!(index >= 0 && index < this.length)) throw new RangeError(`${index} of ${this.length} ${this.type}`);
     return this.marrow.view(this.type, this.ptr + index * sizeOf(this.type));
   }
+  *[Symbol.iterator]() { for (let i = 0; i < this.length; ++i) yield this.at(i); }
   get array() {
     return this.marrow.arrayAt(kScalars[this.type] ? this.type : 'byte', this.ptr,
       this.length * (kScalars[this.type] ? 1 : sizeOf(this.type)));
@@ -56,7 +68,11 @@ function accessor([place, kind, type, count]) {
   const pointer = (view) => view.marrow.data.getUint32(view.ptr + place, true);
   const point = (view, to) => view.marrow.data.setUint32(view.ptr + place, to, true);
   switch (kind) {
-    case 'text': return { get() { return this.marrow.textAt(pointer(this)); } };
+    case 'text':
+      return {
+        get() { return this.marrow.textAt(pointer(this)); },
+        set(text) { point(this, this.marrow.textOf(text)); },
+      };
     case 'struct': return { get() { return this.marrow.view(type, this.ptr + place); } };
     case 'array': return { get() { return this.marrow.arrayAt(type, this.ptr + place, count); } };
     case 'structs':
@@ -85,23 +101,35 @@ for (const [name, struct] of Object.entries(structs)) {
 }
 
 export class Marrow {
-  static async load(wasm) {
+  static async load(wasm, context = null) {
     const module = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+    let exports = null;
+    const gl = context && glImports(context, () => exports);
     const nothing = () => 0;
-    const imports = {};  // the C library's of files, which the runtime calls none of
-    for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = nothing;
-    const marrow = new Marrow((await WebAssembly.instantiate(module, imports)).exports);
+    const imports = {};  // the C library's of files, which the runtime calls none of; OpenGL ES without a context
+    for (const { module: from, name } of WebAssembly.Module.imports(module))
+      (imports[from] ??= {})[name] = (from === 'gl' && gl?.imports[name]) || nothing;
+    ({ exports } = await WebAssembly.instantiate(module, imports));
+    const marrow = new Marrow(exports, gl);
     if (marrow.abi() >>> 0 !== ABI)
       throw new Error(`marrow: the library has ABI ${marrow.abi() >>> 0}, this binding ${ABI}: take both from one release`);
     return marrow;
   }
+  static async fetch(context = null, { all = false, simd = WebAssembly.validate(kSimd) } = {}) {
+    const response = await fetch(kLibraries[2 * all + simd]());
+    if (!response.ok) throw new Error(`marrow: ${response.url}: ${response.status}`);
+    return Marrow.load(await response.arrayBuffer(), context);
+  }
 
-  constructor(exports) {
+  constructor(exports, gl) {
     this.exports = exports;
+    this.gl = gl;
     this.blocks = new Map();
     this.texts = new Map();
     exports._initialize?.();
   }
+
+  get loadProc() { return this.exports.marrow_load_proc(); }
 
   get data() {
     const { buffer } = this.exports.memory;

@@ -90,6 +90,7 @@ class Api:
             'marrow.rs': to_rust.made(self.rows, self.parts),
             'Marrow.cs': to_csharp.made(self.rows, self.parts),
             'marrow.mjs': (ROOT / 'runtime/c/marrow.mjs').read_text(),
+            'gl.mjs': (ROOT / 'platform/web/gl.mjs').read_text(),
             'marrow.d.ts': to_script.types(self.rows, self.parts),
             'tables.mjs': to_script.tables(self.rows, self.parts),
         }

@@ -117,7 +117,8 @@ def types(rows, parts):
             '/** A struct in the memory of WebAssembly. */', 'export interface View { readonly ptr: number; }',
             '/** Structs or numbers in a row there. Set a field to one, or hand it over as an argument. */',
             'export interface List<T> extends View {', '  readonly length: number;',
-            '  /** Of structs. */', '  at(index: number): T;',
+            '  /** Of structs, and one after the other. */', '  at(index: number): T;',
+            '  [Symbol.iterator](): IterableIterator<T>;',
             '  /** Of numbers: a view that lasts until memory grows. */', '  readonly array: TypedArray;', '}', '']
     for r in structs.values():
         out += docs(r.doc, '') + [f'export interface {camel(r.name)} extends View {{']
@@ -125,10 +126,21 @@ def types(rows, parts):
             fixed = 'readonly ' if t.dims or (t.name in structs and not t.form) else ''
             out += docs(r.docs.get(n, []), '  ') + [f'  {fixed}{n}: {script_type(t, structs, enums)};']
         out += ['}', '']
+    out += ['/** What Marrow has made of WebGL. */', 'export interface GlObjects {',
+            "  /** The context's own: of a program's id a WebGLProgram; null if there is none of this name. */",
+            '  object(name: number): WebGLObject | null;',
+            '  /** Deletes every object, or forgets those of a context that was lost. */', '  release(): void;', '}',
+            'export type WebGLObject = WebGLBuffer | WebGLFramebuffer | WebGLProgram | WebGLShader | WebGLTexture |',
+            '  WebGLVertexArrayObject;', '']
     out += ['export interface Structs {'] + [f'  {camel(n)}: {camel(n)};' for n in structs] + ['}', '',
             'export class Marrow {',
-            '  /** Compiles the bytes of marrow.wasm, or takes a module. Throws if it is of another ABI. */',
-            '  static load(wasm: BufferSource | WebAssembly.Module): Promise<Marrow>;',
+            '  /** Compiles the bytes of a library, or takes a module. Throws if it is of another ABI. `context`: draws there. */',
+            '  static load(wasm: BufferSource | WebAssembly.Module, context?: WebGL2RenderingContext | null): Promise<Marrow>;',
+            '  /** Fetches the library beside this module: without solvers, limits, feet, springs and graphs, or `all`; with SIMD',
+            '   * where the browser has it. */',
+            '  static fetch(context?: WebGL2RenderingContext | null, options?: { all?: boolean; simd?: boolean }): Promise<Marrow>;',
+            '  /** Of the context, if there is one. */', '  readonly gl: GlObjects | null;',
+            '  /** For gles3_load_api(). */', '  readonly loadProc: number;',
             '  /** A struct as C++ has it by default, and with these values; zeros where there is no default. */',
             '  make<K extends keyof Structs>(name: K, values?: Partial<Structs[K]>): Structs[K];',
             '  /** A list of zeros, or of structs as by make(); of bytes on a boundary of 16. */',

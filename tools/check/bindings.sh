@@ -13,7 +13,7 @@ skipped=0
 skip() { echo "SKIPPED: $1" >&2; skipped=3; }
 has() { for name in "$@"; do command -v "$name" >/dev/null || return 1; done; }
 
-has rustc mcs mono em++ node || "$here/tools/install.sh" "$here/tools/packages/bindings.txt" || true
+has rustc mcs mono clang++-19 wasm-ld-19 node || "$here/tools/install.sh" "$here/tools/packages/bindings.txt" || true
 
 quietly() {  # COMMAND ...: what it says is shown if it fails
   "$@" >"$work/log.txt" 2>&1 || { cat "$work/log.txt" >&2; exit 1; }
@@ -75,20 +75,20 @@ if has mcs mono; then
 else
   skip "C#: there is no mcs or mono"
 fi
-if has em++ node; then
-  export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}  # where Debian's compiler has its own modules
-  quietly emcmake cmake -S "$here" -B "$work/wasm" -G Ninja "${runtime_alone[@]}"
-  quietly cmake --build "$work/wasm" --target marrow_wasm
-  compare JavaScript none node "$programs/road.mjs" "$work/wasm/runtime/c/marrow.wasm"
-  node "$programs/gles3.mjs" "$work/wasm/runtime/c/marrow.wasm" "$work/newt_none.mrw"
+if has clang++-19 wasm-ld-19 node; then
+  quietly cmake -S "$here" -B "$work/wasm" -G Ninja --toolchain "$here/cmake/wasm32.cmake" "${runtime_alone[@]}"
+  quietly cmake --build "$work/wasm" --target marrow-all
+  wasm="$work/wasm/platform/web/marrow-all.wasm"
+  compare JavaScript none node "$programs/road.mjs" "$wasm"
+  node "$programs/gles3.mjs" "$wasm" "$work/newt_none.mrw"
   # A library of another release is refused, and says so.
-  cp "$programs"/{marrow,tables}.mjs "$work"
+  cp "$programs"/{marrow,tables,gl}.mjs "$work"
   sed -i 's/^export const ABI = .*/export const ABI = 1;/' "$work/tables.mjs"
   said=$(node -e 'import(process.argv[1]).then((b) => b.Marrow.load(require("fs").readFileSync(process.argv[2])))' \
-    "$work/marrow.mjs" "$work/wasm/runtime/c/marrow.wasm" 2>&1) && said=nothing
+    "$work/marrow.mjs" "$wasm" 2>&1) && said=nothing
   [[ $said == *"Error: marrow: the library has ABI"* ]] ||
     { printf 'check/bindings: JavaScript takes a library of another ABI, and says\n%s\n' "$said" >&2; exit 1; }
 else
-  skip "JavaScript: there is no em++ or node"
+  skip "JavaScript: there is no clang++-19, wasm-ld-19 or node"
 fi
 exit $skipped

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Builds the game of platform/web to WebAssembly, draws it by WebGL 2 in a headless Chromium, and compares the pictures
 # with those of `marrow render`; see docs/platforms/web.md. Exit 1 if they differ or the program has grown beyond its limit, 3 if
-# a compiler or a browser cannot be had. Builds in build/web, pictures go to build/web/pictures.
+# a compiler or a browser cannot be had. Builds in build/web-newt, pictures go to build/web-newt/pictures.
 # usage: tools/check/web.sh MARROW      (the program)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 marrow=$(realpath "$1")
-work="$here/build/web"
+work="$here/build/web-newt"
 most=66500  # bytes of newt.wasm as brotli sends it
 
 missing() { for name in em++ node chromium brotli; do command -v "$name" >/dev/null || echo "$name"; done; }
