@@ -37,6 +37,10 @@ NEWT = "tools/sample/newt.glb "
 BITS = "tests/bits tests/golden/*.mrw " + " ".join(f"tests/support/{name}" for name in (
     "aligned.h", "character.cpp", "double_math.h", "family.h", "fan.h", "golden.h", "morphs.h", "pose_file.*", "poses.h",
     "rig.*", "ring.h", "surface.h")) + " "
+# What is built for WebAssembly without Emscripten.
+WASM = ("tools/wasm.sh tools/packages/cook-wasm.txt tools/CMakeLists.txt tools/wasm tools/text tools/common tools/toml tools/deform "
+        "tools/cook tools/disk tools/pose tools/behave tools/image tools/render tools/stage tools/page/viewer shaders "
+        "platform/web ")
 
 
 class Kit:
@@ -57,7 +61,8 @@ KITS = {
     "bindings": Kit(
         "Rust, C# and JavaScript", "tools/check/bindings.sh MARROW",
         LIBRARIES + NEWT + "tools/check/bindings.sh tools/packages/bindings.txt tools/c_api tests/bindings "
-        "tests/c/road.c tests/c/surfaceless.h platform/web/CMakeLists.txt",
+        "tests/c/road.c tests/c/surfaceless.h platform/web/CMakeLists.txt platform/web/*.h platform/web/gl.* "
+        "platform/web/load_proc.cpp",
         "build/bindings"),
     "bits": Kit(
         "same bits everywhere", "tools/same_bits.sh",
@@ -68,11 +73,21 @@ KITS = {
         INSTALL + NEWT + "tools/check/fbx.sh tools/fbx_to_glb.sh tools/validate_gltf.sh tools/packages/fbx.txt"),
     "web": Kit(
         "WebGL 2, in Chromium", "tools/check/web.sh MARROW",
-        LIBRARIES + NEWT + "tools/check/web.sh tools/packages/web.txt tools/web platform/web", "build/web"),
+        LIBRARIES + NEWT + "tools/check/web.sh tools/packages/web.txt tools/web platform/web", "build/web-newt"),
+    "package": Kit(
+        "the package for npm", "tools/check/package.sh MARROW",
+        LIBRARIES + NEWT + "tools/check/package.sh tools/packages/web-package.txt tools/web tools/c_api "
+        "platform/web tests/bindings/road.mjs tests/bindings/gles3.mjs tests/c/road.c tests/platform/web LICENSE",
+        "build/web-build build/web-check build/web-package"),
     "cook_wasm": Kit(
         "the cooker in WebAssembly", "tools/check/cook_wasm.sh MARROW",
-        LIBRARIES + NEWT + "tools/check/cook_wasm.sh tools/packages/cook-wasm.txt tools/CMakeLists.txt tools/text "
-        "tools/common tools/toml tools/deform tools/cook", "build/cook-wasm"),
+        LIBRARIES + NEWT + WASM + "tools/check/cook_wasm.sh tools/check/cook_wasm.mjs tools/page/*.json "
+        "tools/page/check_*.mjs tools/page/src/cook*r.ts tools/page/src/find_file.ts tools/page/src/report.ts "
+        "tools/sample/newt_moves.glb tests/golden/dance.gltf docs/report.schema.json", "build/cook-wasm build/wasm"),
+    "page": Kit(
+        "the page, in Chromium", "tools/check/page.sh MARROW",
+        LIBRARIES + NEWT + WASM + "tools/sample/newt_moves.glb tools/sample/newt.anim.toml tools/check/page.sh tools/web.sh "
+        "tools/packages/page.txt tools/page tests/page", "build/page build/web"),
     "gpu_cost": Kit(
         "what phones' compilers say", "tools/gpu_cost.sh --if-changed",
         LIBRARIES + "shaders tools/gpu_cost.sh tools/gpu_cost tools/get_arm64.sh tools/packages/gpu-cost.txt "
@@ -107,7 +122,8 @@ KITS = {
         "docs/platforms/sdl.md tests/golden/dance_v1.mrw LICENSE THIRD_PARTY.md", "build/sdl"),
     "unity": Kit(
         "Unity and Unreal", "tools/check/unity.sh MARROW",
-        LIBRARIES + NEWT + "tools/check/unity.sh tools/unity.sh tools/unity tools/c_api tools/packages/unity.txt "
+        LIBRARIES + NEWT + "tools/check/unity.sh tools/unity.sh tools/unity tools/c_api platform/web/gl.mjs "
+        "tools/packages/unity.txt "
         "platform/unity platform/unreal tests/platform/unity tests/platform/unreal tests/c/surfaceless.h docs/platforms/unity.md "
         "docs/platforms/unreal.md tests/examples/stages/animator.anim.toml "
         "LICENSE THIRD_PARTY.md", "build/unity build/unreal"),

@@ -3,7 +3,8 @@
 
 usage: tools/docs/pages.py FOLDER
 
-README.md becomes index.md. A link to a public header leads to its page of the API reference, one to another file of the
+README.md becomes index.md. Where tools/web.sh has built the page of the sample, a comment `<!-- play PART: STATE -->` becomes
+that page in a frame, with what its link calls STATE. A link to a public header leads to its page of the API reference, one to another file of the
 sources to its text.
 """
 import pathlib
@@ -59,10 +60,23 @@ class Site:
         parts = re.split(r"(^```.*?^```[^\n]*$)", text, flags=re.S | re.M)
         return "".join(p if p.startswith("```") else re.sub(r"(!?\[[^\]]*\])\(([^)\s]+)\)", link, p) for p in parts)
 
+    def with_frames(self, text, place):
+        """Pages where moving says more than a picture."""
+        up = "../" * (len(pathlib.PurePosixPath(place).parts) - 1)
+        has_page = (ROOT / "build/web/index.html").exists()
+
+        def frame(match):
+            if not has_page:
+                return ""
+            part, state = match.groups()
+            return (f'<iframe class="play" title="The sample, to be turned and played" loading="lazy" '
+                    f'src="{up}play/index.html?embed={part}#{state}"></iframe>')
+        return re.sub(r"<!-- play (\w+): (\S+) -->", frame, text)
+
     def page(self, path, place):
         out = self.folder / place
         out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(self.with_links(path.read_text(), path, place))
+        out.write_text(self.with_links(self.with_frames(path.read_text(), place), path, place))
 
     def source(self, relative):
         out = self.folder / f"source/{relative}.txt"
