@@ -84,6 +84,11 @@ KITS = {
         LIBRARIES + NEWT + WASM + "tools/check/cook_wasm.sh tools/check/cook_wasm.mjs tools/page/*.json "
         "tools/page/check_*.mjs tools/page/src/cook*r.ts tools/page/src/find_file.ts tools/page/src/report.ts "
         "tools/sample/newt_moves.glb tests/golden/dance.gltf docs/report.schema.json", "build/cook-wasm build/wasm"),
+    "page": Kit(
+        "the page, in Chromium", "tools/check/page.sh MARROW",
+        LIBRARIES + NEWT + WASM + "tools/sample/newt_moves.glb tools/sample/newt.anim.toml tools/check/page.sh tools/web.sh "
+        "tools/packages/page.txt tools/page tests/page tests/golden/*.gltf tests/golden/*.bin tests/golden/*.png",
+        "build/page build/web"),
     "gpu_cost": Kit(
         "what phones' compilers say", "tools/gpu_cost.sh --if-changed",
         LIBRARIES + "shaders tools/gpu_cost.sh tools/gpu_cost tools/get_arm64.sh tools/packages/gpu-cost.txt "

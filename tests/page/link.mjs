@@ -12,13 +12,13 @@ export const tests = {
     const { page, context } = await t.open({ permissions: ['clipboard-read', 'clipboard-write'] });
     const names = await page.evaluate(() => ({ clips: marrowPage.viewer.about.clips.map((c) => c.name),
                                               joints: marrowPage.viewer.about.joints.map((j) => j.name) }));
-    const joint = names.joints.indexOf('forearm.L'), clip = names.clips.indexOf('twist');
+    const joint = names.joints.indexOf('forearm.L'), clip = names.clips.indexOf('walk');
     const turns = [{ joint, degrees: [10, -20, 30] }];
     await set(page, { ...kWanted, clip, time_s: 0.7, joint, picked: true, turns });
     await frame(page);
     await page.evaluate(() => document.getElementById('copy-link').click());
     const hash = await page.evaluate(() => location.hash);
-    assert.match(hash, /clip=twist/);
+    assert.match(hash, /clip=walk/);
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), page.url());
     await context.close();
     const again = await t.open({ hash });

@@ -1,4 +1,4 @@
-// Tests of the page in a headless Chromium; tools/page/check.sh calls it.
+// Tests of the page in a headless Chromium; tools/check/page.sh calls it.
 // usage: node tests/page/run.mjs MARROW SITE PACKAGES [NAME ...]
 // The program; the folder of the built site; where npm has installed tools/page/package.json; files beside this one by
 // their names, or all of them. MARROW_TESTS=all: with what takes minutes. MARROW_ASSETS, MARROW_CORPUS: models, and files

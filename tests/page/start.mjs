@@ -12,7 +12,8 @@ export const tests = {
   async 'the newt moves within two seconds'(t) {
     const { page, troubles, outside } = await t.open();
     await page.waitForFunction(() => marrowPage.now);
-    const first_s = await page.evaluate(() => performance.now()) / 1000;
+    const [first_s, load_s] = await page.evaluate(() => [performance.getEntriesByName('first picture')[0].startTime / 1000,
+                                                         performance.getEntriesByType('navigation')[0].loadEventEnd / 1000]);
     const before = await frame(page);
     await page.waitForTimeout(300);
     const after = await frame(page);
@@ -20,8 +21,9 @@ export const tests = {
     assert.ok(await page.evaluate(() => marrowPage.viewer.about.clips[marrowPage.settings.clip].duration_s > 0), 'the rest pose');
     assert.deepEqual(troubles, []);
     assert.deepEqual(outside, []);
-    assert.ok(first_s < kFirst_s * t.slower(), `the first picture comes after ${first_s.toFixed(2)} s`);
-    return `after ${first_s.toFixed(2)} s, at ${t.slower().toFixed(1)} times the load of an idle machine`;
+    const said = `the first picture comes ${(first_s - load_s).toFixed(2)} s after the page is loaded, ${first_s.toFixed(2)} s after it is asked for`;
+    assert.ok(first_s - load_s < kFirst_s * t.slower(), said);
+    return `${said}, at ${t.slower().toFixed(1)} times the load of an idle machine`;
   },
   async 'it asks for its own files, and they are there'(t) {
     t.site.asked.length = 0;

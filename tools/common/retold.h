@@ -11,7 +11,7 @@ namespace marrow::tools {
 
 #ifdef __wasi__
 
-// Those who are to be asked before an exception is told, the innermost first; see wasm_throw.cpp.
+// Those who are to be asked before an exception is told, the innermost first; see wasm/throw.cpp.
 struct Retelling {
   const std::type_info& type;
   std::function<Failure(const void*)> tell;

@@ -15,9 +15,9 @@
 #include "disk/cook_on_disk.h"
 #include "image/jpeg.h"
 #include "render/clearest_side.h"
+#include "render/disk/images.h"
 #include "render/figure.h"
 #include "render/heat.h"
-#include "render/disk/images.h"
 #include "render/performance.h"
 #include "text/quantity.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/failure.h"
-#include "wasm/throw.h"
 #include "marrow/cook.h"
 #include "text/printable.h"
+#include "wasm/throw.h"
 
 extern "C" {
 // How many bytes the file of this name has; less than 0: there is no such file.

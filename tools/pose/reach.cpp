@@ -43,7 +43,8 @@ void check_solved(Status status, const Skeleton& skeleton) {
 
 }  // namespace
 
-std::uint32_t bending_joints_above(const File& file, const Skeleton& skeleton, std::uint32_t joint, std::uint32_t most) {
+std::uint32_t bending_joints_above(const File& file, const Skeleton& skeleton, std::uint32_t joint,
+                                   std::uint32_t most) {
   return static_cast<std::uint32_t>(above(file, skeleton, joint, most).size());
 }
 

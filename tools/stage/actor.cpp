@@ -208,7 +208,7 @@ void Actor::pose(const Settings& settings, float dt_s) {
 }
 
 std::vector<Drawable> Actor::drawables(const Settings& settings, Shot& shot) {
-  shot.box = performance_->box(*character_);
+  if (shot.box.empty()) shot.box = performance_->box(*character_);
   std::vector<Drawable> out;
   times_.skin = milliseconds_of([&] {
     if (settings.colours == Colours::distance) {

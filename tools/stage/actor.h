@@ -84,6 +84,8 @@ class Actor {
 
   // Poses; before it, rebuilds what the settings changed. dt_s: since the last pose.
   void pose(const Settings& settings, float dt_s);
+  // Completes `shot`, which has a camera already. Without a box it gets one that holds the whole performance: it costs
+  // nothing, and keeps shadows steady.
   std::vector<Drawable> drawables(const Settings& settings, Shot& shot);
 
  private:

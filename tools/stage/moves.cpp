@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 namespace marrow::tools {
 namespace {
@@ -24,8 +25,13 @@ void zoom_orbit(Orbit& orbit, float steps, float radius) {
   orbit.distance = std::clamp(orbit.distance * std::exp(-kZoom * steps), 0.02f * radius, 40 * radius);
 }
 
-glm::vec3 dragged_by(const Orbit& orbit, float dx, float dy, float height) {
-  const float unit = view_height() * orbit.distance / height;
+float depth_of(const Orbit& orbit, glm::vec3 place) {
+  const glm::vec3 back = glm::cross(right_of(orbit), up_of(orbit));
+  return orbit.distance - glm::dot(place - orbit.target, back);
+}
+
+glm::vec3 dragged_by(const Orbit& orbit, float dx, float dy, float height, float depth) {
+  const float unit = view_height() * depth / height;
   return unit * (dx * right_of(orbit) - dy * up_of(orbit));
 }
 

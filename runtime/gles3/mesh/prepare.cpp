@@ -48,8 +48,8 @@ void describe_joints(const Api& api, const VertexLayout& layout, std::uint32_t s
   }
 }
 
-// Describes the words from `begin` to the joints, sixteen bytes per attribute, and all others that skin.glsl declares: of
-// these nothing is used, but WebGL draws nothing where an integer is declared and no array is there.
+// Describes the words from `begin` to the joints, sixteen bytes per attribute, and all others that skin.glsl declares:
+// of these nothing is used, but WebGL draws nothing where an integer is declared and no array is there.
 void describe_words(const Api& api, const VertexLayout& layout, std::uint32_t begin, const std::uint32_t* location,
                     std::uint32_t declared) {
   for (std::uint32_t i = 0; i < declared; ++i) {

@@ -12,6 +12,7 @@
 #include "commands/view/opening.h"
 #include "marrow/limits.h"
 #include "stage/among_figures.h"
+#include "stage/moves.h"
 #include "stage/recording.h"
 #include "stage/rigging.h"
 #include "support/places.h"
@@ -127,6 +128,20 @@ TEST(Rig, SpringsHangDownBelowAJoint) {
   settings.joint = 2;
   rig.prepare(settings, joints, 1.0f / 60);
   EXPECT_FALSE(rig.trouble().empty());
+}
+
+// By hand: from 2 m away, a picture of 100 points shows 2 tan(0.235) · 2 m, so that much is a hundredth of it a point;
+// what is half as far away goes half as far.
+TEST(Moves, WhatIsDraggedStaysBelowTheHand) {
+  const Orbit orbit{{0, 1, 0}, 0, 0, 2};  // from +Z
+  EXPECT_NEAR(depth_of(orbit, {0.3f, 1.2f, 0}), 2, 1e-5);
+  EXPECT_NEAR(depth_of(orbit, {0, 0, 1}), 1, 1e-5);
+  const float point_m = 2 * std::tan(0.235f) * 2 / 100;
+  const glm::vec3 far = dragged_by(orbit, 10, -5, 100, 2), near = dragged_by(orbit, 10, -5, 100, 1);
+  EXPECT_NEAR(far.x, 10 * point_m, 1e-6);
+  EXPECT_NEAR(far.y, 5 * point_m, 1e-6);
+  EXPECT_NEAR(far.z, 0, 1e-6);
+  EXPECT_NEAR(near.x, 5 * point_m, 1e-6);
 }
 
 // The arm lies along -x: a quarter turn about z takes the hand from there down to -y, about the shoulder.

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "render/heat.h"
 #include "render/disk/images.h"
+#include "render/heat.h"
 
 namespace marrow::tools {
 namespace {

@@ -20,6 +20,7 @@ export class Stage {
   private coarseness = 1;
   private least = 1;
   private lost = false;
+  private first = true;  // picture of the page
 
   constructor(private readonly app: App) {
     const context = this.canvas.getContext('webgl2', { antialias: false, alpha: false, powerPreference: 'high-performance' });
@@ -115,8 +116,13 @@ export class Stage {
     try {
       if (coarseness !== app.settings.coarseness) app.viewer!.set({ coarseness });
       app.settings.coarseness = coarseness;
+      // The very first picture is of one half: the shaders of the other take their time.
+      if (this.first) app.viewer!.set({ split: 1 });
       app.now = app.viewer!.frame(dt_s, width, height);
-      this.dirty = false;
+      this.dirty = this.first;
+      if (this.first) app.viewer!.set({ split: app.settings.split });
+      if (this.first) performance.mark('first picture');
+      this.first = false;
       app.tell('frame', app.now);
     } catch (failure) {
       this.fail(failure, { ...kFirst, playing: false });

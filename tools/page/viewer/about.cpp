@@ -43,9 +43,8 @@ ordered_json joints(const Actor& actor) {
     if (joint.skeleton >= first.size()) first.resize(joint.skeleton + 1, static_cast<int>(i));
     const Skeleton skeleton = actor.file().skeleton(joint.skeleton);
     const std::uint16_t parent = skeleton.parents[joint.joint];
-    const bool limited = std::ranges::any_of(skeleton.limits, [&](const JointLimit& limit) {
-      return limit.joint == joint.joint;
-    });
+    const bool limited =
+        std::ranges::any_of(skeleton.limits, [&](const JointLimit& limit) { return limit.joint == joint.joint; });
     const Role role = role_of(actor.file().roles(joint.skeleton), joint.joint);
     out.push_back({{"name", joint.name},
                    {"parent", parent == kNoJoint ? -1 : first[joint.skeleton] + parent},
@@ -96,8 +95,8 @@ ordered_json graphs(const Actor& actor) {
   const File& file = actor.file();
   constexpr const char* kKinds[] = {"number", "flag", "trigger"};
   for (const Graph& graph : graphs_of(actor.path(), file)) {
-    ordered_json& one = out.emplace_back(ordered_json{
-        {"name", graph.name}, {"parameters", ordered_json::array()}, {"machines", ordered_json::array()}});
+    ordered_json& one = out.emplace_back(
+        ordered_json{{"name", graph.name}, {"parameters", ordered_json::array()}, {"machines", ordered_json::array()}});
     for (const GraphParameter& p : graph.parameters)
       one["parameters"].push_back({{"name", file.text(p.name)},
                                    {"kind", kKinds[static_cast<std::size_t>(p.kind)]},

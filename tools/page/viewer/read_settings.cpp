@@ -10,15 +10,14 @@ namespace {
 
 using nlohmann::json;
 
-constexpr Named<Colours> kColours[] = {{"surface", Colours::surface},
-                                       {"distance", Colours::distance},
-                                       {"weights", Colours::weights},
-                                       {"uv", Colours::uv}};
+constexpr Named<Colours> kColours[] = {
+    {"surface", Colours::surface}, {"distance", Colours::distance}, {"weights", Colours::weights}, {"uv", Colours::uv}};
 
 template <class Table>
 void read_name(const json& in, const Table& table, auto& out) {
   const auto value = value_of(table, in.get<std::string>());
-  if (!value) throw Failure(Exit::usage, "settings", "", "no \"" + in.get<std::string>() + "\"", "it is none of the choices");
+  if (!value)
+    throw Failure(Exit::usage, "settings", "", "no \"" + in.get<std::string>() + "\"", "it is none of the choices");
   out = *value;
 }
 

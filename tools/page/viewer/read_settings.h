@@ -8,8 +8,8 @@
 
 namespace marrow::tools {
 
-// Members as src/viewer.ts's Settings has them, but `graph`, `goals` and `set`. Throws Failure (usage) for a name that is
-// none of a table's; numbers are brought into their ranges.
+// Members as src/viewer.ts's Settings has them, but `graph`, `goals` and `set`. Throws Failure (usage) for a name that
+// is none of a table's; numbers are brought into their ranges.
 void read_settings(const nlohmann::json& wanted, const Actor& actor, PageSettings& settings);
 
 glm::vec3 point_of(const nlohmann::json& numbers);

@@ -80,7 +80,7 @@ void Show::turn(float dx, float dy) {
 }
 
 void Show::move(float dx, float dy, float height) {
-  settings_.orbit.target -= dragged_by(settings_.orbit, dx, dy, std::max(height, 1.0f));
+  settings_.orbit.target -= dragged_by(settings_.orbit, dx, dy, std::max(height, 1.0f), settings_.orbit.distance);
 }
 
 void Show::zoom(float steps) {
@@ -90,7 +90,10 @@ void Show::zoom(float steps) {
 glm::vec3 Show::drag_goal(std::size_t goal, float dx, float dy, float height) {
   if (goal >= settings_.reach.goals.size()) return glm::vec3(0);
   std::string& text = settings_.reach.goals[goal];
-  const glm::vec3 to = goal_point(text) + dragged_by(settings_.orbit, dx, dy, std::max(height, 1.0f));
+  const glm::vec3 from = goal_point(text);
+  Orbit orbit = settings_.orbit;
+  orbit.target += actor_.performance().followed(actor_.character());
+  const glm::vec3 to = from + dragged_by(orbit, dx, dy, std::max(height, 1.0f), depth_of(orbit, from));
   text = goal_text(goal_name(text), to);
   return to;
 }
@@ -138,6 +141,8 @@ void Show::draw(int width, int height) {
 
 void Show::take_half(Deformer deformer, Shot shot) {
   const Deformer before = std::exchange(settings_.deformer, deformer);
+  // A picture that stands is as `marrow render` takes it.
+  if (!settings_.playing) shot.box = box_of(actor_.posed(deformer));
   const std::vector<Drawable> drawables = actor_.drawables(settings_, shot);
   add_strokes(actor_, settings_, shot, strokes_);
   studio_.take(shot, drawables, &strokes_);
@@ -164,21 +169,20 @@ glm::vec3 Show::joint_at(std::size_t joint) const {
 
 nlohmann::ordered_json Show::now() const {
   const Orbit& orbit = settings_.orbit;
-  nlohmann::ordered_json out = {
-      {"time_s", settings_.playback.time_s},
-      {"duration_s", actor_.plays()[settings_.clip].play.duration_s},
-      {"orbit",
-       {{"target", {orbit.target.x, orbit.target.y, orbit.target.z}},
-        {"yaw", orbit.yaw},
-        {"pitch", orbit.pitch},
-        {"distance", orbit.distance}}},
-      {"heat_m", actor_.heat_scale()},
-      {"trouble", trouble_.empty() ? actor_.rig().trouble() : trouble_},
-      {"states", nlohmann::ordered_json::array()},
-      {"values", nlohmann::ordered_json::array()},
-      {"events", nlohmann::ordered_json::array()},
-      {"pose_ms", actor_.times().pose},
-      {"skin_ms", actor_.times().skin}};
+  nlohmann::ordered_json out = {{"time_s", settings_.playback.time_s},
+                                {"duration_s", actor_.plays()[settings_.clip].play.duration_s},
+                                {"orbit",
+                                 {{"target", {orbit.target.x, orbit.target.y, orbit.target.z}},
+                                  {"yaw", orbit.yaw},
+                                  {"pitch", orbit.pitch},
+                                  {"distance", orbit.distance}}},
+                                {"heat_m", actor_.heat_scale()},
+                                {"trouble", trouble_.empty() ? actor_.rig().trouble() : trouble_},
+                                {"states", nlohmann::ordered_json::array()},
+                                {"values", nlohmann::ordered_json::array()},
+                                {"events", nlohmann::ordered_json::array()},
+                                {"pose_ms", actor_.times().pose},
+                                {"skin_ms", actor_.times().skin}};
   if (actor_.rehearsal() == nullptr) return out;
   const Rehearsal& rehearsal = *actor_.rehearsal();
   out["time_s"] = rehearsal.time_s();

@@ -30,8 +30,8 @@ class Show {
   void set(const nlohmann::json& wanted);
   // Moves time on by dt_s, poses and draws to the canvas, whose size is given in pixels. What is now, as JSON.
   nlohmann::ordered_json frame(float dt_s, int width, int height);
-  // Of each joint, then of each goal, after frame(): x and y in the picture, 0 … 1 to the right and down, and its depth,
-  // ≤ 0 behind the camera.
+  // Of each joint, then of each goal, after frame(): x and y in the picture, 0 … 1 to the right and down, and its
+  // depth, ≤ 0 behind the camera.
   const std::vector<float>& places() const { return places_; }
 
   // dx, dy: of a hand, points; of a picture `height` points high.

@@ -3,11 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "wasm/throw.h"
 #include "page/viewer/about.h"
 #include "page/viewer/page_images.h"
 #include "page/viewer/show.h"
 #include "render/heat.h"
+#include "wasm/throw.h"
 
 namespace marrow::tools {
 namespace {
@@ -32,8 +32,8 @@ MARROW_EXPORT("take_memory") void* take_memory(std::size_t size) {
   return std::malloc(size);
 }
 
-// Loads a file. bytes: of take_memory(), which this gives back. Its images as JSON: {name, uri, at, size}, of one that is
-// in the file where its bytes are in memory.
+// Loads a file. bytes: of take_memory(), which this gives back. Its images as JSON: {name, uri, at, size}, of one that
+// is in the file where its bytes are in memory.
 MARROW_EXPORT("load")
 const char* load_file(const char* name, std::size_t name_length, std::byte* bytes, std::size_t size) {
   AlignedBytes own(std::span<const std::byte>(bytes, size));

@@ -124,12 +124,17 @@ void use_mouse(const Actor& actor, const Drawer& drawer, float picture_height, D
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool move = ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                     (left && io.KeyShift);
-  const glm::vec3 dragged = dragged_by(orbit, io.MouseDelta.x, io.MouseDelta.y, picture_height);
+  const auto dragged = [&](float depth) {
+    return dragged_by(orbit, io.MouseDelta.x, io.MouseDelta.y, picture_height, depth);
+  };
   if (left && dragging.pressed && dragging.goal < settings.reach.goals.size()) {
     std::string& goal = settings.reach.goals[dragging.goal];
-    if (dragged != glm::vec3(0)) goal = goal_text(goal_name(goal), goal_point(goal) + dragged);
+    Orbit following = orbit;
+    following.target += actor.performance().followed(actor.character());
+    const glm::vec3 from = goal_point(goal), to = from + dragged(depth_of(following, from));
+    if (to != from) goal = goal_text(goal_name(goal), to);
   } else if (move) {
-    orbit.target -= dragged;
+    orbit.target -= dragged(orbit.distance);
   } else if (left && dragging.moved > kClick) {
     turn_orbit(orbit, io.MouseDelta.x, io.MouseDelta.y);
   }

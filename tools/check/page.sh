@@ -3,13 +3,13 @@
 # models against the program's bytes and pictures, files that are wrong, a lost context, memory, and who uses it otherwise;
 # tests/page has the tests. Exit 1 if one fails, 3 if a compiler, npm or Chromium cannot be had. MARROW_TESTS=all: with
 # what takes minutes. Builds in build/wasm, build/page and build/web.
-# usage: tools/page/check.sh MARROW [TEST ...]      (the program; files of tests/page by their names)
+# usage: tools/check/page.sh MARROW [TEST ...]      (the program; files of tests/page by their names)
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 marrow=$(realpath "$1")
 shift
 
 "$here/tools/install.sh" "$here/tools/packages/page.txt" || true
-command -v chromium >/dev/null || { echo "page/check: there is no chromium" >&2; exit 3; }
+command -v chromium >/dev/null || { echo "check/page: there is no chromium" >&2; exit 3; }
 "$here/tools/web.sh" "$marrow" "$here/build/web"
 MARROW_CHROMIUM=$(command -v chromium) node "$here/tests/page/run.mjs" "$marrow" "$here/build/web" "$here/build/page" "$@"
