@@ -87,7 +87,7 @@ KITS = {
     "page": Kit(
         "the page, in Chromium", "tools/check/page.sh MARROW",
         LIBRARIES + NEWT + WASM + "tools/sample/newt_moves.glb tools/sample/newt.anim.toml tools/check/page.sh tools/web.sh "
-        "tools/packages/page.txt tools/page tests/page tests/golden/*.gltf tests/golden/*.bin tests/golden/*.png",
+        "tools/packages/page.txt tools/page tests/page tests/golden/*.gltf tests/golden/*.png",
         "build/page build/web"),
     "gpu_cost": Kit(
         "what phones' compilers say", "tools/gpu_cost.sh --if-changed",
