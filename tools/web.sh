@@ -30,6 +30,8 @@ else
   "$marrow" cook "${sample[0]}" --retarget "${sample[1]}" --graph "${sample[2]}" --mirror turn_right=turn_left --root '*=ground' --as fit --truth elastic \
     --cache "$here/build/cache" -o "$out/newt.mrw" >/dev/null 2>&1
 fi
+# As any engine would draw it.
+"$marrow" cook "${sample[0]}" --retarget "${sample[1]}" --root '*=ground' --clip-error 2mm -o "$out/newt_plain.mrw" >/dev/null 2>&1
 cp "${sample[@]}" "$out/"
 echo "$out: open it by a server of files, as by: python3 -m http.server -d $out"
 [ -n "${2:-}" ] || "$here/tools/web/package.sh"

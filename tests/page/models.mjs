@@ -55,6 +55,27 @@ export const tests = {
     assert.deepEqual(t.site.asked.sort(), ['/cook.wasm', '/cook_worker.js'], 'cooking fetches the cooker alone, and once');
     return said.join(', ');
   },
+  async 'the plain newt is drawn as its own file is'(t) {
+    const { page, troubles } = await t.open({ viewport: { width: 700, height: 520 } });
+    await page.waitForFunction(() => marrowPage.viewer?.about.deformers.includes('plain'));
+    const { clips } = await page.evaluate(() => marrowPage.viewer.about);
+    const clip = clips.findIndex(({ name }) => name === 'twist'), picture = path.join(t.work, 'plain.png');
+    const look = { clip, time_s: 0.7, playing: false, split: 1, normals: 'blended', orbit: null };
+    const drawn = {};
+    for (const deformer of ['plain', 'as']) {
+      await set(page, { ...look, deformer });
+      await frame(page);
+      drawn[deformer] = (await download(page, 'save-picture')).bytes;
+    }
+    const [width, height] = [drawn.plain.readUInt32BE(16), drawn.plain.readUInt32BE(20)];
+    run(t.marrow, 'render', path.join(t.folder, 'newt_plain.mrw'), '--clip', 'twist', '--time', '0.7', '--size', `${width}x${height}`, '-o', picture);
+    const { wrong } = await differ(page, drawn.plain, fs.readFileSync(picture));
+    const { wrong: other } = await differ(page, drawn.as, fs.readFileSync(picture));
+    assert.deepEqual(troubles, []);
+    assert.ok(wrong <= kMostWrong, `${(100 * wrong).toFixed(2)} % of the pixels differ`);
+    assert.ok(other > 2 * wrong, 'animation space is another picture');
+    return `${(100 * wrong).toFixed(2)} %, and ${(100 * other).toFixed(2)} % by animation space`;
+  },
   async 'options of the panel and of the text, and what is wrong in them'(t) {
     const { page } = await t.open({ viewport: { width: 820, height: 700 } });
     const source = own(t, 'dance.gltf'), cooked = path.join(t.work, 'options.mrw');

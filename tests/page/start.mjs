@@ -27,9 +27,10 @@ export const tests = {
   },
   async 'it asks for its own files, and they are there'(t) {
     t.site.asked.length = 0;
-    await t.open();
+    const { page } = await t.open();
+    await page.waitForFunction(() => marrowPage.viewer?.about.deformers.includes('plain'));
     const asked = t.site.asked.map((address) => address.replace(/^\/|\?.*$/g, '')).sort();
-    assert.deepEqual(asked, ['index.html', 'main.js', 'newt.mrw', 'style.css', 'viewer.wasm']);
+    assert.deepEqual(asked, ['index.html', 'main.js', 'newt.mrw', 'newt_plain.mrw', 'style.css', 'viewer.wasm']);
     return asked.join(' ');
   },
   async 'the policy stands'(t) {

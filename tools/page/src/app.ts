@@ -12,6 +12,8 @@ export interface Source {
 export interface Shown {
   name: string;
   cooked: Uint8Array;
+  plain: Uint8Array | null;  // the same without a better deformer; null: it has none, or nobody knows
+  options: string;           // of the cooker
   source: Source | null;  // null: it was cooked elsewhere
   report: Report | null;
   seconds: number;        // that cooking took

@@ -68,5 +68,8 @@ export function section(title: string, open: boolean, ...content: Content[]): HT
 }
 
 export const bytesText = (bytes: number): string =>
-  bytes < 1000 ? `${bytes} B` : bytes < 1e6 ? `${(bytes / 1e3).toFixed(1)} kB` : `${(bytes / 1e6).toFixed(2)} MB`;
+  bytes < 1000 ? `${bytes} B` : bytes < 1e6 ? `${(bytes / 1e3).toFixed(1)} kB` :
+  bytes < 1e9 ? `${(bytes / 1e6).toFixed(bytes < 1e8 ? 2 : 0)} MB` : `${(bytes / 1e9).toFixed(1)} GB`;
+export const durationText = (seconds: number): string =>
+  seconds < 90 ? `${Math.ceil(seconds)} s` : `${Math.round(seconds / 60)} minutes`;
 export const by = (id: string): HTMLElement => document.getElementById(id)!;

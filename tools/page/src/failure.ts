@@ -1,5 +1,3 @@
-// What cannot be done, in the cooker's words: file, place, rule, advice. code: as the program's exit codes.
-export class Failure extends Error {
-  constructor(message: string, readonly code: number) { super(message); }
-}
+// What cannot be done, in the cooker's words, with the program's exit code: one class for cooker and viewer.
+export { CookFailure as Failure } from '../../cook/instance.mjs';
 export const sentence = (error: unknown): string => error instanceof Error ? error.message : String(error);

@@ -1,4 +1,5 @@
 // Images of a model as the browser decodes them.
+import { findFile } from './find_file';
 import type { Decode, FileImage } from './viewer';
 
 const kMost = 4096;  // pixels each way; larger ones are made smaller
@@ -52,12 +53,6 @@ function fromData(uri: string): Uint8Array | null {
   const comma = uri.indexOf(',');
   if (!uri.slice(0, comma).endsWith(';base64')) return null;
   return Uint8Array.from(atob(uri.slice(comma + 1)), (c) => c.charCodeAt(0));
-}
-
-const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1).toLowerCase();
-export function findFile(files: Map<string, Uint8Array>, name: string): Uint8Array | null {
-  const same = [...files.keys()].filter((path) => path === name || lastOf(path) === lastOf(name));
-  return same.length === 1 ? files.get(same[0]!)! : files.get(name) ?? null;
 }
 
 async function decodeBytes(bytes: Uint8Array): Promise<ImageData | null> {

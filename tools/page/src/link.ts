@@ -81,7 +81,7 @@ function named(given: URLSearchParams, app: App): Partial<Settings> {
   return out;
 }
 
-const kDeformers = ['rigid', 'ssd', 'as', 'mwe', 'psd'];
+const kDeformers = ['plain', 'rigid', 'ssd', 'as', 'mwe', 'psd'];
 const kAllowed: Record<(typeof kWords)[number], string[]> = {
   deformer: kDeformers, other: kDeformers, colours: ['surface', 'distance', 'weights', 'uv'],
   solver: ['auto', 'fabrik', 'ccd', 'dls'], normals: ['blended', 'tangents'],

@@ -4,6 +4,9 @@ import { by, checkbox, choice, element, section, slider } from './controls';
 import { nameOf } from './overlay';
 import type { Settings } from './viewer';
 
+// Distances are between deformers of one file.
+const paired = (deformer: string): string => deformer === 'plain' ? 'ssd' : deformer;
+
 export function useLooks(app: App): void {
   const root = by('looks'), legend = by('legend');
   let redraw = (): void => {};
@@ -19,12 +22,12 @@ export function useLooks(app: App): void {
 
   function build(): () => void {
     const { about } = app.viewer!;
-    const deformers = about.deformers.map((d): [string, string] => [d, nameOf(d)]);
+    const deformers = about.deformers.map((d): [string, string] => [d, nameOf(d, about.deformers)]);
     const colours = choice('Colours', [['surface', 'of the surface'], ['distance', 'how far the two are apart'],
                                        ['weights', 'weights of the chosen joint'], ['uv', 'a checker']],
                            (value) => app.set({ colours: value as Settings['colours'] }));
-    const left = choice('Left', deformers, (value) => app.set({ deformer: value, pair: [value, app.settings.pair[1]] }));
-    const right = choice('Right', deformers, (value) => app.set({ other: value, pair: [app.settings.pair[0], value] }));
+    const left = choice('Left', deformers, (value) => app.set({ deformer: value, pair: [paired(value), app.settings.pair[1]] }));
+    const right = choice('Right', deformers, (value) => app.set({ other: value, pair: [app.settings.pair[0], paired(value)] }));
     const halves = checkbox('Two halves', (on) => app.set({ split: on ? 0.5 : 1 }));
     const level = slider('Level of detail', 0, about.levels - 1, 1, (value) => app.set({ level: value }));
     const flags: [keyof Settings, string][] = [['wireframe', 'Wireframe'], ['show_normals', 'Normals'], ['grid', 'Grid']];

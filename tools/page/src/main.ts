@@ -1,6 +1,6 @@
 // The page: drop a model, see what Marrow makes of it.
 import { App, kFirst, type Shown, type Source } from './app';
-import { button, by, bytesText, element } from './controls';
+import { button, by, bytesText, durationText, element } from './controls';
 import { cook, estimate } from './cooker';
 import { useCookPanel } from './cook_panel';
 import { useCost } from './cost';
@@ -20,6 +20,9 @@ import { useTimeline } from './timeline';
 const kMuch = 200e6;  // bytes, before which somebody is asked
 const kSample = ['newt.glb', 'newt_moves.glb', 'newt.anim.toml'];
 const kSampleOptions = "retarget = ['newt_moves.glb']\ngraph = ['newt.anim.toml']\nroot = ['*=ground']\nmirror = ['turn_right=turn_left']";
+
+// The newt's left arm has no twist joints: there the two differ most.
+const kSampleFirst = { ...kFirst, deformer: 'as', other: 'plain' };
 
 const app = new App();
 const alertBox = by('alert'), statusBox = by('status'), busy = by('busy') as HTMLDialogElement;
@@ -58,13 +61,21 @@ async function start(): Promise<void> {
 async function showSample(stage: Stage, settings: Partial<typeof kFirst>): Promise<void> {
   const response = await fetch('newt.mrw');
   const cooked = new Uint8Array(await response.arrayBuffer());
-  await stage.open({ name: 'newt.mrw', cooked, source: null, report: null, seconds: 0, decode: async () => null }, settings);
+  await stage.open({ name: 'newt.mrw', cooked, options: '', source: null, report: null, seconds: 0, decode: async () => null, plain: null },
+                   { ...kSampleFirst, ...settings });
   const first = app.viewer!.about.clips.findIndex((clip) => clip.name === 'twist');
   if (settings.clip === undefined && first > 0) app.set({ clip: first });
   sample = true;
+  void comparePlain(stage, settings).catch((failure) => app.tell('error', sentence(failure)));
   title('the newt', 'the sample that Marrow brings');
 }
 let sample = false;
+
+// Once the first picture is there: the newt as any engine draws it.
+async function comparePlain(stage: Stage, { deformer = 'as', other = 'plain' }: Partial<typeof kFirst>): Promise<void> {
+  const plain = new Uint8Array(await (await fetch('newt_plain.mrw')).arrayBuffer());
+  if (sample) await stage.addPlain(plain, { deformer, other });
+}
 
 function title(name: string, more: string): void {
   by('name').textContent = name;
@@ -120,12 +131,20 @@ async function again(stage: Stage): Promise<void> {
   }
 }
 
+// Options that make linear blend skinning another one than the source's.
+const kBetter = /^\s*(as|helpers|mwe|psd|eigenskin)\b/m;
+
 async function show(stage: Stage, source: Source, settings: Partial<typeof kFirst>): Promise<void> {
+  // What was cooked of it before without a better deformer is what the better one is compared with.
+  const before = app.shown?.source === source ? app.shown : null;
+  const plain = before?.plain ?? (before && !kBetter.test(before.options) ? before.cooked : null);
   const shown = isCooked(source) ? opened(source) : await cooked(source);
   if (!shown) return;
+  if (kBetter.test(shown.options)) shown.plain = plain;
   await stage.open(shown, settings);
   sample = false;
   const { about } = app.viewer!;
+  if (about.deformers.includes('plain')) app.set({ deformer: 'plain', other: 'as' });
   app.set({ split: !about.deformers.includes('as') ? 1 : app.settings.split < 1 ? app.settings.split : 0.5 });
   title(source.document, shown.source
     ? `${bytesText(source.bytes)} → ${bytesText(shown.cooked.length)}, cooked in ${shown.seconds.toFixed(1)} s`
@@ -134,7 +153,8 @@ async function show(stage: Stage, source: Source, settings: Partial<typeof kFirs
 
 function opened(source: Source): Shown {
   const cookedBytes = source.files.get(source.document)!;
-  return { name: source.document, cooked: cookedBytes, source: null, report: null, seconds: 0, decode: decoder('', source.files) };
+  return { name: source.document, cooked: cookedBytes, options: '', plain: null, source: null, report: null, seconds: 0,
+           decode: decoder('', source.files) };
 }
 
 // A marrow.toml that was dropped along says what it says for all files.
@@ -157,7 +177,7 @@ async function cooked(source: Source): Promise<Shown | null> {
       if (count > 0) Object.assign(bar, { max: count, value: done });
       else bar.removeAttribute('value');
     }, stop.signal);
-    return { name: source.document, cooked: made.file, source, report: made.report, seconds: made.seconds,
+    return { name: source.document, cooked: made.file, plain: null, options: app.options, source, report: made.report, seconds: made.seconds,
              decode: decoder(source.document, source.files) };
   } catch (failure) {
     if (stop.signal.aborted) return null;
@@ -184,7 +204,7 @@ async function mayRead(bytes: number): Promise<boolean> {
     const end = (yes: boolean) => () => { dialog.close(); resolve(yes); };
     dialog.oncancel = () => resolve(false);
     dialog.replaceChildren(element('h2', {}, `${bytesText(bytes)} is much for a page`),
-      element('p', {}, `Cooking it takes about ${bytesText(memory_bytes)} of memory and ${Math.ceil(seconds)} s here. ` +
+      element('p', {}, `Cooking it takes about ${bytesText(memory_bytes)} of memory and ${durationText(seconds)} here. ` +
         'The program marrow takes less of both, and uses all processors.'),
       button('Try it', end(true), { class: 'primary' }), button('Leave it', end(false)));
     dialog.showModal();
@@ -209,7 +229,7 @@ function useDownloads(stage: Stage): void {
   });
   by('copy-link').addEventListener('click', () => {
     if (!app.viewer) return;
-    const first = sample ? { ...kFirst, clip: app.viewer!.about.clips.findIndex((clip) => clip.name === 'twist') } : kFirst;
+    const first = sample ? { ...kSampleFirst, clip: app.viewer!.about.clips.findIndex((clip) => clip.name === 'twist') } : kFirst;
     const hash = toLink(app, first);
     history.replaceState(null, '', hash ? `#${hash}` : location.pathname + location.search);
     void navigator.clipboard?.writeText(location.href).catch(() => {});

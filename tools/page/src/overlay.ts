@@ -90,8 +90,8 @@ export function useDivide(app: App): void {
     handle.hidden = left.hidden = right.hidden = !halves;
     handle.style.left = `${100 * settings.split}%`;
     handle.setAttribute('aria-valuenow', String(Math.round(100 * settings.split)));
-    left.textContent = nameOf(settings.deformer);
-    right.textContent = nameOf(settings.other);
+    left.textContent = nameOf(settings.deformer, viewer?.about.deformers ?? []);
+    right.textContent = nameOf(settings.other, viewer?.about.deformers ?? []);
   };
   const to = (share: number) => app.set({ split: Math.min(0.98, Math.max(0.02, share)) });
   handle.addEventListener('pointerdown', (event) => {
@@ -116,6 +116,8 @@ export function useDivide(app: App): void {
 }
 
 const kNames: Record<string, string> = {
-  rigid: 'Rigid', ssd: 'Linear blend skinning', as: 'Animation space', mwe: 'Multi-weights', psd: 'Pose space',
+  plain: 'Linear blend skinning', rigid: 'Rigid', ssd: 'Linear blend skinning', as: 'Animation space', mwe: 'Multi-weights', psd: 'Pose space',
 };
-export const nameOf = (deformer: string): string => kNames[deformer] ?? deformer;
+// all: those that there are. Helpers make linear blend skinning of the cooked file better than any engine's.
+export const nameOf = (deformer: string, all: string[]): string =>
+  deformer === 'ssd' && all.includes('plain') ? 'Linear blend skinning, with helpers' : kNames[deformer] ?? deformer;

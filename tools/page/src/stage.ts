@@ -60,14 +60,25 @@ export class Stage {
 
   private async opened(shown: Shown, wanted: Settings): Promise<[Viewer, Settings]> {
     const viewer = await Viewer.open(await this.module, this.context, shown.name, shown.cooked, shown.decode);
-    const all = { ...fitting(viewer, wanted), coarseness: this.coarseness };
     try {
+      if (shown.plain) await viewer.addPlain(shown.plain, shown.decode);
+      const all = { ...fitting(viewer, wanted), coarseness: this.coarseness };
       viewer.set(all);
       return [viewer, all];
     } catch (failure) {
       viewer.close();
       throw failure;
     }
+  }
+
+  // The plain file of what is on show came later.
+  async addPlain(plain: Uint8Array, settings: Partial<Settings>): Promise<void> {
+    const { app } = this;
+    if (!app.viewer || !app.shown) return;
+    app.shown.plain = plain;
+    await app.viewer.addPlain(plain, app.shown.decode);
+    app.tell('file', undefined);
+    app.set(fitting(app.viewer, { ...app.settings, ...settings }));
   }
 
   touch(): void {
@@ -153,9 +164,10 @@ function fitting(viewer: Viewer, wanted: Settings): Settings {
   const out = { ...wanted };
   const can = (deformer: string) => about.deformers.includes(deformer);
   const best = can('as') ? 'as' : 'ssd';
-  if (!can(out.deformer)) out.deformer = 'ssd';
-  if (!can(out.other)) out.other = best;
-  if (!out.pair.every(can)) out.pair = ['ssd', best];
+  const first = can('plain') ? 'plain' : 'ssd';
+  if (!can(out.deformer)) out.deformer = first;
+  if (!can(out.other)) out.other = out.deformer === best ? first : best;
+  if (!out.pair.every(can) || out.pair.includes('plain')) out.pair = ['ssd', best];
   if (out.deformer === out.other) out.split = 1;
   out.clip = Math.min(out.clip, about.clips.length - 1);
   out.second = out.second < about.clips.length ? out.second : 0;

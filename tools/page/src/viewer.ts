@@ -105,6 +105,7 @@ interface Exports {
   take_memory(size: number): number;
   load(name: number, nameLength: number, bytes: number, size: number): number;
   show(): void;
+  show_plain(): number;
   about(): number;
   set(json: number, length: number): void;
   frame(dt_s: number, width: number, height: number): number;
@@ -145,6 +146,13 @@ export class Viewer {
       viewer.close();
       throw failure;
     }
+  }
+
+  // Has the same character, cooked without a better deformer, as the deformer "plain". Another character is left out.
+  async addPlain(bytes: Uint8Array, decode: Decode): Promise<void> {
+    this.images = await Promise.all(this.load('plain.mrw', bytes).map(decode));
+    if (this.exports.show_plain() === 1 && !this.about.deformers.includes('plain')) this.about.deformers.unshift('plain');
+    this.images = [];
   }
 
   private constructor(module: WebAssembly.Module, context: WebGL2RenderingContext) {

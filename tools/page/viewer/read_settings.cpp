@@ -27,6 +27,13 @@ void read_number(const json& in, float least, float most, float& out) {
   if (std::isfinite(value)) out = std::clamp(value, least, most);
 }
 
+// A deformer, or "plain": by linear blend skinning of the plain file.
+void read_half(const json& in, Deformer& deformer, bool& plain) {
+  plain = in.get<std::string>() == "plain";
+  if (plain) deformer = Deformer::ssd;
+  if (!plain) read_name(in, kDeformers, deformer);
+}
+
 std::size_t index_of(const json& in, std::size_t count) {
   const auto value = in.get<std::int64_t>();
   return value >= 0 && static_cast<std::size_t>(value) < count ? static_cast<std::size_t>(value) : 0;
@@ -46,8 +53,8 @@ void read_playback(const json& w, const Actor& actor, PageSettings& s) {
 }
 
 void read_look(const json& w, const Actor& actor, PageSettings& s) {
-  if (w.contains("deformer")) read_name(w["deformer"], kDeformers, s.deformer);
-  if (w.contains("other")) read_name(w["other"], kDeformers, s.other);
+  if (w.contains("deformer")) read_half(w["deformer"], s.deformer, s.plain);
+  if (w.contains("other")) read_half(w["other"], s.other, s.plain_other);
   if (w.contains("split")) read_number(w["split"], 0, 1, s.divide);
   if (w.contains("normals")) read_name(w["normals"], kAsNormals, s.normals);
   if (w.contains("level")) s.lod = std::clamp(w["level"].get<int>(), 0, actor.coarsest_lod());

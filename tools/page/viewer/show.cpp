@@ -31,6 +31,12 @@ Show::Show(std::string name, LoadedFile loaded, Images& images)
   settings_.playback.mode = PlayMode::loop;
 }
 
+bool Show::add_plain(LoadedFile loaded, Images& images) {
+  if (!Plain::fits(loaded.file, actor_.file())) return false;
+  plain_ = std::make_unique<Plain>(gl_, studio_.programs(), std::move(loaded), images);
+  return true;
+}
+
 void Show::set(const nlohmann::json& wanted) {
   const std::size_t clip = settings_.clip;
   if (wanted.contains("graph")) set_graph(wanted["graph"].get<int>());
@@ -128,23 +134,29 @@ void Show::draw(int width, int height) {
     gl_.Disable(GL_SCISSOR_TEST);
   };
   if (!halves || left > 0) {
-    take_half(settings_.deformer, shot);
+    take_half(settings_.deformer, settings_.plain, shot);
     show_from(0, halves ? left : width);
   }
   if (halves) {
-    take_half(settings_.other, shot);
+    take_half(settings_.other, settings_.plain_other, shot);
     show_from(left, width);
   }
   gl_.check("drawing");
   keep_places(shot.camera);
 }
 
-void Show::take_half(Deformer deformer, Shot shot) {
+void Show::take_half(Deformer deformer, bool plain, Shot shot) {
   const Deformer before = std::exchange(settings_.deformer, deformer);
   // A picture that stands is as `marrow render` takes it.
   if (!settings_.playing) shot.box = box_of(actor_.posed(deformer));
-  const std::vector<Drawable> drawables = actor_.drawables(settings_, shot);
+  std::vector<Drawable> drawables = actor_.drawables(settings_, shot);
+  const Overlays overlays = settings_.overlays;
+  if (plain && plain_ && settings_.colours == Colours::surface) {
+    drawables = plain_->drawables(actor_.character());
+    settings_.overlays.wireframe = settings_.overlays.normals = false;  // they are the other's
+  }
   add_strokes(actor_, settings_, shot, strokes_);
+  settings_.overlays = overlays;
   studio_.take(shot, drawables, &strokes_);
   settings_.deformer = before;
 }

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "page/viewer/plain.h"
 #include "render/studio.h"
 #include "stage/actor.h"
 #include "stage/settings.h"
@@ -15,9 +16,10 @@
 namespace marrow::tools {
 
 struct PageSettings : Settings {
-  Deformer other = Deformer::as;  // to the right of the divide
-  float divide = 1;               // share of the width; 1: there is no right half
-  int graph = -1;                 // that plays; -1: clips
+  Deformer other = Deformer::as;            // to the right of the divide
+  bool plain = false, plain_other = false;  // in place of either: what add_plain() has
+  float divide = 1;                         // share of the width; 1: there is no right half
+  int graph = -1;                           // that plays; -1: clips
 };
 
 class Show {
@@ -26,6 +28,8 @@ class Show {
   Show(std::string name, LoadedFile loaded, Images& images);
 
   Actor& actor() { return actor_; }
+  // Has the same character without a better deformer, for a half of its own. False: it is another character.
+  bool add_plain(LoadedFile loaded, Images& images);
   // Members of src/viewer.ts's Settings. What it does not name stays. Throws Failure (usage) for what makes no sense.
   void set(const nlohmann::json& wanted);
   // Moves time on by dt_s, poses and draws to the canvas, whose size is given in pixels. What is now, as JSON.
@@ -47,7 +51,7 @@ class Show {
   void set_graph(int graph);
   void set_goals(const nlohmann::json& goals);
   void draw(int width, int height);
-  void take_half(Deformer deformer, Shot shot);
+  void take_half(Deformer deformer, bool plain, Shot shot);
   void keep_places(const Camera& camera);
   nlohmann::ordered_json now() const;
 
@@ -55,6 +59,7 @@ class Show {
   Studio studio_;
   Strokes strokes_;
   Actor actor_;
+  std::unique_ptr<Plain> plain_;
   PageSettings settings_;
   std::string trouble_;
   std::vector<float> places_;

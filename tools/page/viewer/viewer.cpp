@@ -18,6 +18,12 @@ std::unique_ptr<Show> shown;
 std::string text;  // of the last call that gives one
 float numbers[3];
 
+// Names of a file may be no UTF-8.
+const char* told(const nlohmann::ordered_json& json) {
+  text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return text.c_str();
+}
+
 const float* three(glm::vec3 from) {
   for (int i = 0; i < 3; ++i) numbers[i] = from[i];
   return numbers;
@@ -48,8 +54,7 @@ const char* load_file(const char* name, std::size_t name_length, std::byte* byte
                       {"at", reinterpret_cast<std::uintptr_t>(image.bytes.data)},
                       {"size", image.bytes.size}});
   }
-  text = images.dump();
-  return text.c_str();
+  return told(images);
 }
 
 // Begins to show it: asks for its images, by "image".
@@ -58,9 +63,14 @@ MARROW_EXPORT("show") void show_file() {
   shown = std::make_unique<Show>(path, std::move(loaded), images);
 }
 
+// Begins to show it in a half of its own, in the pose of what is shown. 0: it is another character.
+MARROW_EXPORT("show_plain") int show_plain() {
+  PageImages images;
+  return shown->add_plain(std::move(loaded), images) ? 1 : 0;
+}
+
 MARROW_EXPORT("about") const char* about_file() {
-  text = about(shown->actor()).dump();
-  return text.c_str();
+  return told(about(shown->actor()));
 }
 
 MARROW_EXPORT("set") void set(const char* json, std::size_t length) {
@@ -68,8 +78,7 @@ MARROW_EXPORT("set") void set(const char* json, std::size_t length) {
 }
 
 MARROW_EXPORT("frame") const char* frame(float dt_s, int width, int height) {
-  text = shown->frame(dt_s, width, height).dump();
-  return text.c_str();
+  return told(shown->frame(dt_s, width, height));
 }
 
 MARROW_EXPORT("places") const float* places() {
