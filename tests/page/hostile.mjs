@@ -42,6 +42,7 @@ export const tests = {
   async 'those of the corpus'(t) {
     if (!fs.existsSync(t.corpus)) return 'none are here';
     const { page, troubles, outside } = await t.open({ viewport: { width: 640, height: 500 } });
+    if (t.all) page.setDefaultTimeout(300_000);  // some take the program half a minute
     await page.evaluate(() => { globalThis.alive = true; });
     const every = walk(t.corpus), count = t.all ? kLong : kShort, files = [];
     for (let i = 0; i < count; ++i) files.push(every[Math.floor(i * every.length / count)]);
