@@ -91,8 +91,17 @@ std::uint64_t MemoryGate::half_of_memory() {
          static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))) / 2;
 }
 
+// Looked for once a folder; a link lies where it leads to.
+std::string SettingsOf::nearest(const CookJob& job) {
+  std::error_code ignored;
+  if (fs::is_symlink(job.in, ignored)) return cook::find_settings(job.in, job.root).value_or("");
+  const auto [at, is_new] = nearest_.try_emplace({fs::path(job.in).parent_path().string(), job.root});
+  if (is_new) at->second = cook::find_settings(job.in, job.root).value_or("");
+  return at->second;
+}
+
 Order SettingsOf::order(const CookJob& job, const cook::Options& command_line) {
-  Order out{job, {}, {}, "", given_.empty() ? cook::find_settings(job.in, job.root).value_or("") : given_};
+  Order out{job, {}, {}, "", given_.empty() ? nearest(job) : given_};
   cook::Options given;
   if (!out.settings_file.empty()) {
     const auto [known, is_new] = known_.try_emplace(out.settings_file);

@@ -55,8 +55,10 @@ class SettingsOf {
     cook::Settings settings;
     std::vector<bool> used;
   };
+  std::string nearest(const CookJob& job);
   std::string given_;
   std::map<std::string, Known> known_;
+  std::map<std::pair<std::string, std::string>, std::string> nearest_;  // by folder and root
 };
 
 // The same options for many files, of which each need not fit every one.

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 
 #include "common/failure.h"
@@ -41,6 +42,7 @@ class FolderStore final : public Store {
       const std::string path = file_of(name);
       create_folders(fs::path(path).parent_path().string());
       write_file_atomically(path, bytes);
+      has_grown_ = true;
     } catch (const Failure& failure) {
       note(std::string("the cache is not kept: ") + failure.what());
     }
@@ -49,6 +51,7 @@ class FolderStore final : public Store {
   void reject(const std::string&) override {}  // it is replaced
 
   void end() override {
+    if (!has_grown_) return;
     struct Entry {
       fs::file_time_type used;
       std::uint64_t bytes;
@@ -79,6 +82,7 @@ class FolderStore final : public Store {
  private:
   std::string file_of(const std::string& name) const { return (fs::path(place()) / name.substr(0, 2) / name).string(); }
   std::uint64_t most_bytes_;
+  std::atomic<bool> has_grown_{false};
 };
 
 }  // namespace

@@ -44,8 +44,8 @@ class Store {
   std::string trouble_;
 };
 
-// A folder, which processes may share: files are replaced whole and never changed. In end() those that were not used for
-// longest are removed until the rest has at most so many bytes. Only what it has written is removed.
+// A folder, which processes may share: files are replaced whole and never changed. Once it has grown, end() removes
+// those that were not used for longest until the rest has at most so many bytes. Only what a cache has written is removed.
 std::unique_ptr<Store> folder_store(const std::string& folder, std::uint64_t most_bytes);
 
 // A server that knows GET and PUT, as caches of Bazel and ccache do: ADDRESS/ac/ and 64 hexadecimal digits. Throws Failure:

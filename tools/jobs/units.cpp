@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 // Measured on real models by one thread; docs/cooking/many_machines.md says how well they foretell.
-constexpr double kStart_s = 0.01, kSecondsAByte = 1e-8, kSecondsAKey = 8e-6, kSecondsAVertex = 3e-6;
-constexpr double kFitSecondsAVertex = 2e-4, kElasticSecondsAVertex = 1.2e-3;
+constexpr double kStart_s = 0.01, kSecondsAByte = 2e-8, kSecondsAKey = 4e-5, kSecondsAVertex = 3e-5;
+constexpr double kFit_s = 0.3, kFitSecondsAVertex = 1.5e-4, kElastic_s = 25, kElasticSecondsAVertex = 6e-4;
 
 // What a scene's document says of how much there is, without its buffers.
 struct Amounts {
@@ -124,7 +124,8 @@ std::optional<double> History::seconds_of(const std::string& input) const {
 
 double fit_seconds(const cook::LearnOptions& options, std::size_t vertices) {
   const bool elastic = options.animation_space == cook::AnimationSpace::fit && options.truth == cook::Truth::elastic;
-  return kStart_s + static_cast<double>(vertices) * (elastic ? kElasticSecondsAVertex : kFitSecondsAVertex);
+  const auto count = static_cast<double>(vertices);
+  return elastic ? kElastic_s + kElasticSecondsAVertex * count : kFit_s + kFitSecondsAVertex * count;
 }
 
 Unit file_unit(std::size_t index, const Order& order, const History& history) {
