@@ -11,6 +11,10 @@
 
 #ifdef MARROW_CURL
 #include <curl/curl.h>
+#include <dlfcn.h>
+// The header checks types by macros, which are of calls by name.
+#undef curl_easy_setopt
+#undef curl_easy_getinfo
 #endif
 
 namespace marrow::tools {
@@ -21,6 +25,49 @@ namespace {
 constexpr std::size_t kMostBytes = 256u << 20;
 constexpr long kConnect_ms = 3000;
 constexpr int kMostFailures = 3;  // in a row: then the server is left alone
+
+// libcurl, loaded when the first server is asked: with what it needs it makes a start of the program take twice as long.
+class Curl {
+ public:
+  Curl() {
+    void* const library = ::dlopen("libcurl.so.4", RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw Failure(Exit::usage, "--cache", "", "no HTTP", std::string(::dlerror()));
+    load(library, "curl_easy_init", easy_init);
+    load(library, "curl_easy_cleanup", easy_cleanup);
+    load(library, "curl_easy_reset", easy_reset);
+    load(library, "curl_easy_setopt", easy_setopt);
+    load(library, "curl_easy_perform", easy_perform);
+    load(library, "curl_easy_getinfo", easy_getinfo);
+    load(library, "curl_easy_strerror", easy_strerror);
+    load(library, "curl_slist_append", slist_append);
+    load(library, "curl_slist_free_all", slist_free_all);
+    decltype(&curl_global_init) global_init = nullptr;
+    load(library, "curl_global_init", global_init);
+    const CURLcode ready = global_init(CURL_GLOBAL_DEFAULT);
+    if (ready != CURLE_OK) throw Failure(Exit::internal, "--cache", "", "no HTTP", easy_strerror(ready));
+  }
+  decltype(&curl_easy_init) easy_init = nullptr;
+  decltype(&curl_easy_cleanup) easy_cleanup = nullptr;
+  decltype(&curl_easy_reset) easy_reset = nullptr;
+  decltype(&::curl_easy_setopt) easy_setopt = nullptr;
+  decltype(&curl_easy_perform) easy_perform = nullptr;
+  decltype(&::curl_easy_getinfo) easy_getinfo = nullptr;
+  decltype(&curl_easy_strerror) easy_strerror = nullptr;
+  decltype(&curl_slist_append) slist_append = nullptr;
+  decltype(&curl_slist_free_all) slist_free_all = nullptr;
+
+ private:
+  template <typename Function>
+  static void load(void* library, const char* name, Function& out) {
+    out = reinterpret_cast<Function>(::dlsym(library, name));
+    if (out == nullptr) throw Failure(Exit::usage, "--cache", "", "no HTTP", std::string("libcurl has no ") + name);
+  }
+};
+
+const Curl& curl() {
+  static const Curl one;
+  return one;
+}
 
 // Without name and password.
 std::string shown(const std::string& address) {
@@ -61,14 +108,12 @@ class HttpStore final : public Store {
  public:
   HttpStore(const std::string& address, const CacheArguments& arguments)
       : Store(shown(address)), address_(address), read_only_(arguments.read_only), timeout_s_(arguments.timeout_s) {
-    static const CURLcode ready = curl_global_init(CURL_GLOBAL_DEFAULT);
-    if (ready != CURLE_OK) throw Failure(Exit::internal, place(), "", "no HTTP", curl_easy_strerror(ready));
     while (address_.ends_with('/')) address_.pop_back();
     std::string header = "Authorization: Bearer ";
     if (!arguments.token_file.empty())
-      headers_.reset(curl_slist_append(nullptr, (header + read_token(arguments.token_file)).c_str()));
-    headers_.reset(curl_slist_append(headers_.release(), "Content-Type: application/octet-stream"));
-    headers_.reset(curl_slist_append(headers_.release(), "Expect:"));
+      headers_.reset(curl().slist_append(nullptr, (header + read_token(arguments.token_file)).c_str()));
+    headers_.reset(curl().slist_append(headers_.release(), "Content-Type: application/octet-stream"));
+    headers_.reset(curl().slist_append(headers_.release(), "Expect:"));
   }
 
   std::optional<std::string> get(const std::string& name) override {
@@ -98,7 +143,7 @@ class HttpStore final : public Store {
   // With its connection, which the next call uses again.
   Handle take() {
     const std::lock_guard lock(idle_mutex_);
-    if (idle_.empty()) return {curl_easy_init(), &curl_easy_cleanup};
+    if (idle_.empty()) return {curl().easy_init(), curl().easy_cleanup};
     Handle out = std::move(idle_.back());
     idle_.pop_back();
     return out;
@@ -120,25 +165,25 @@ class HttpStore final : public Store {
     CURL* const c = handle.get();
     if (c == nullptr) return 0;
     const curl_off_t size = upload != nullptr ? static_cast<curl_off_t>(upload->rest.size()) : 0;
-    curl_easy_reset(c);
-    curl_easy_setopt(c, CURLOPT_URL, address_of(name).c_str());
-    curl_easy_setopt(c, CURLOPT_PROTOCOLS_STR, "http,https");
-    curl_easy_setopt(c, CURLOPT_FOLLOWLOCATION, 0L);
-    curl_easy_setopt(c, CURLOPT_NOSIGNAL, 1L);
-    curl_easy_setopt(c, CURLOPT_CONNECTTIMEOUT_MS, kConnect_ms);
-    curl_easy_setopt(c, CURLOPT_TIMEOUT, static_cast<long>(timeout_s_));
-    curl_easy_setopt(c, CURLOPT_HTTPHEADER, headers_.get());
-    curl_easy_setopt(c, CURLOPT_WRITEFUNCTION, &receive);
-    curl_easy_setopt(c, CURLOPT_WRITEDATA, &body);
+    curl().easy_reset(c);
+    curl().easy_setopt(c, CURLOPT_URL, address_of(name).c_str());
+    curl().easy_setopt(c, CURLOPT_PROTOCOLS_STR, "http,https");
+    curl().easy_setopt(c, CURLOPT_FOLLOWLOCATION, 0L);
+    curl().easy_setopt(c, CURLOPT_NOSIGNAL, 1L);
+    curl().easy_setopt(c, CURLOPT_CONNECTTIMEOUT_MS, kConnect_ms);
+    curl().easy_setopt(c, CURLOPT_TIMEOUT, static_cast<long>(timeout_s_));
+    curl().easy_setopt(c, CURLOPT_HTTPHEADER, headers_.get());
+    curl().easy_setopt(c, CURLOPT_WRITEFUNCTION, &receive);
+    curl().easy_setopt(c, CURLOPT_WRITEDATA, &body);
     if (upload != nullptr) {
-      curl_easy_setopt(c, CURLOPT_UPLOAD, 1L);
-      curl_easy_setopt(c, CURLOPT_READFUNCTION, &send);
-      curl_easy_setopt(c, CURLOPT_READDATA, upload);
-      curl_easy_setopt(c, CURLOPT_INFILESIZE_LARGE, size);
+      curl().easy_setopt(c, CURLOPT_UPLOAD, 1L);
+      curl().easy_setopt(c, CURLOPT_READFUNCTION, &send);
+      curl().easy_setopt(c, CURLOPT_READDATA, upload);
+      curl().easy_setopt(c, CURLOPT_INFILESIZE_LARGE, size);
     }
-    const CURLcode done = curl_easy_perform(c);
+    const CURLcode done = curl().easy_perform(c);
     long status = 0;
-    curl_easy_getinfo(c, CURLINFO_RESPONSE_CODE, &status);
+    curl().easy_getinfo(c, CURLINFO_RESPONSE_CODE, &status);
     give_back(std::move(handle));
     return judged(done, status, upload != nullptr);
   }
@@ -152,7 +197,7 @@ class HttpStore final : public Store {
       return status;
     }
     const std::string why = done == CURLE_WRITE_ERROR ? "it sends an entry of more than 256 MiB"
-                            : done != CURLE_OK        ? curl_easy_strerror(done)
+                            : done != CURLE_OK        ? curl().easy_strerror(done)
                                                       : fmt::format("it answers {}", status);
     if (refuses || ++failures >= kMostFailures) given_up_ = true;
     note(why + (given_up_ ? "; it is not asked any more" : ""));
@@ -162,7 +207,7 @@ class HttpStore final : public Store {
   std::string address_;
   bool read_only_;
   unsigned timeout_s_;
-  Headers headers_{nullptr, &curl_slist_free_all};
+  Headers headers_{nullptr, curl().slist_free_all};
   std::mutex idle_mutex_;
   std::vector<Handle> idle_;
   std::atomic<int> get_failures_{0}, put_failures_{0};

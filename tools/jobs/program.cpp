@@ -61,7 +61,7 @@ const std::string& program_hash() {
     hasher.add(hash_of_file("/proc/self/exe"));
     for (const std::string& path : loaded.paths) {
       const std::string name = std::filesystem::path(path).filename().string();
-      if (loaded.needed.contains(name) && !name.starts_with("libcurl")) hasher.add(hash_of_file(path));
+      if (loaded.needed.contains(name)) hasher.add(hash_of_file(path));
     }
     return hasher.hex();
   }();
