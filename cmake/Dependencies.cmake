@@ -26,6 +26,8 @@ if(NOT XXHASH_INCLUDE_DIR)
 endif()
 find_package(PNG REQUIRED)
 find_package(ZLIB REQUIRED)
+# Caches on servers; without it the program has folders alone.
+find_package(CURL 7.85)
 # tinygltf's repository has it too.
 find_path(MARROW_STB_INCLUDE stb_image.h PATH_SUFFIXES stb HINTS ${tinygltf_SOURCE_DIR} REQUIRED)
 find_package(Threads REQUIRED)

@@ -38,7 +38,7 @@ marrow_tools_test(marrow_cook_tests cook
   unit/cook/emptied_lists_test.cpp unit/cook/library_test.cpp
   unit/cook/keep_test.cpp unit/cook/learn/deformers_test.cpp
   unit/cook/learn/eigen_targets_test.cpp unit/cook/learn/examples_test.cpp unit/cook/learn/learn_deformers_test.cpp
-  unit/cook/learn/learn_test.cpp unit/cook/learn/look_better_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
+  unit/cook/learn/kept_fit_test.cpp unit/cook/learn/learn_test.cpp unit/cook/learn/look_better_test.cpp unit/cook/learn/single_joints_test.cpp unit/cook/mesh/hung_test.cpp unit/cook/mesh/lod_test.cpp
   unit/cook/mesh/merge_runs_test.cpp unit/cook/mesh/residual_apart_test.cpp unit/cook/mesh/shapes_test.cpp
   unit/cook/mesh/skin_apart_test.cpp unit/cook/mesh/split_test.cpp unit/cook/mesh/subdivide_mesh_test.cpp
   unit/cook/mesh/subdivide_test.cpp unit/cook/prepare/add_skeleton_test.cpp unit/cook/prepare/bind_weights_test.cpp
@@ -140,7 +140,7 @@ marrow_tools_test(marrow_cli_tests cli
   cli/cook/atomic_test.cpp cli/cook/batch_test.cpp cli/cook/bvh_test.cpp cli/cook/cache_test.cpp
   cli/cook/clip_pack_test.cpp cli/cook/depfile_test.cpp cli/cook/report_test.cpp cli/cook/rig_maps_test.cpp
   cli/cook/same_bytes_test.cpp cli/cook/same_names_test.cpp cli/cook/schema_test.cpp cli/cook/settings_test.cpp
-  cli/cook/split_test.cpp cli/cook/watch_test.cpp
+  cli/cook/shard_test.cpp cli/cook/split_test.cpp cli/cook/watch_test.cpp
   cli/pictures/demo_test.cpp cli/pictures/film_test.cpp cli/pictures/looks_test.cpp cli/pictures/movie_test.cpp
   cli/pictures/view_graph_test.cpp cli/pictures/view_test.cpp
   cli/support/cookings.cpp cli/support/process.cpp)

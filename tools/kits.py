@@ -89,6 +89,10 @@ KITS = {
         LIBRARIES + NEWT + WASM + "tools/sample/newt_moves.glb tools/sample/newt.anim.toml tools/check/page.sh tools/web.sh "
         "tools/packages/page.txt tools/page tests/page tests/golden/*.gltf tests/golden/*.png",
         "build/page build/web"),
+    "machines": Kit(
+        "shards, caches, Bazel and Slurm", "tools/check/machines.sh MARROW",
+        INSTALL + NEWT + "tools/check/machines.sh tools/packages/machines.txt tools/farm tests/machines tools/jobs "
+        "tools/commands/cook tools/commands/report tools/sample/newt.anim.toml"),
     "gpu_cost": Kit(
         "what phones' compilers say", "tools/gpu_cost.sh --if-changed",
         LIBRARIES + "shaders tools/gpu_cost.sh tools/gpu_cost tools/get_arm64.sh tools/packages/gpu-cost.txt "

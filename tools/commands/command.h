@@ -11,6 +11,7 @@ using AddCommand = void (*)(CLI::App& app, int& exit_code);
 
 void add_cook(CLI::App& app, int& exit_code);
 void add_watch(CLI::App& app, int& exit_code);
+void add_report(CLI::App& app, int& exit_code);
 void add_retarget(CLI::App& app, int& exit_code);
 void add_graph(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);

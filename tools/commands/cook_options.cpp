@@ -49,13 +49,26 @@ void add_cook_files(CLI::App* command, CookArguments& a) {
       ->add_option("--settings", a.settings,
                    "options from this file; without it from the nearest marrow.toml, in the input's folder or above")
       ->type_name("FILE");
-  command->add_option("--cache", a.cache, "keep cooked files in this folder and cook nothing twice")
+  command
+      ->add_option("--cache", a.cache.places,
+                   "keep cooked files in this folder, or on this server, and cook nothing twice; again for another "
+                   "place, which is asked where those before have nothing")
       ->envname("MARROW_CACHE")
-      ->type_name("DIR");
-  command->add_option("--cache-size", a.cache_bytes, "beyond it what was not used for longest is removed, as in 500MB")
+      ->allow_extra_args(false)
+      ->type_name("DIR|http://…");
+  command
+      ->add_option("--cache-size", a.cache.folder_bytes,
+                   "of a folder: beyond it what was not used for longest is removed, as in 500MB")
       ->transform(CLI::AsSizeValue(true))
       ->default_str("1GiB")
       ->type_name("BYTES");
+  command->add_flag("--cache-read-only", a.cache.read_only, "keep nothing on servers");
+  command->add_option("--cache-token", a.cache.token_file, "servers are told who asks by the first line of this file")
+      ->type_name("FILE");
+  command->add_option("--cache-timeout", a.cache.timeout_s, "how long a server may take for an entry")
+      ->check(CLI::Range(1u, 3600u))
+      ->default_str("10")
+      ->type_name("SECONDS");
   command->add_option("--jobs", a.jobs, "threads; without it one a core")->check(CLI::Range(1u, 1024u))->type_name("N");
 }
 

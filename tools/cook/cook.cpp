@@ -8,6 +8,7 @@
 #include "cook/clip/build_clips.h"
 #include "cook/graph/build_graph.h"
 #include "cook/learn/eigen_targets.h"
+#include "cook/mesh/bind_meshes.h"
 #include "cook/mesh/build_examples.h"
 #include "cook/mesh/build_materials.h"
 #include "cook/mesh/build_meshes.h"
@@ -56,12 +57,18 @@ BuiltMeshes make_meshes(const RawScene& scene, const CookOptions& options, Built
   return meshes;
 }
 
+// With limits and clips, which learning and levels of detail look at.
+Matched prepare_to_learn(RawScene given, const CookOptions& options, Notes& notes) {
+  Matched out = prepare(std::move(given), options, notes);
+  set_limits(out.scene, out.built, notes);
+  set_springs(out.scene, out.built, notes);
+  out.built.clips = build_raw_clips(out.scene, out.built, options.clips.additive);
+  return out;
+}
+
 // A character or an outfit.
 BuiltScene build_character(RawScene given, const CookOptions& options, Notes& notes) {
-  auto [scene, out] = prepare(std::move(given), options, notes);
-  set_limits(scene, out, notes);
-  set_springs(scene, out, notes);
-  out.clips = build_raw_clips(scene, out, options.clips.additive);  // what learning and levels of detail look at
+  auto [scene, out] = prepare_to_learn(std::move(given), options, notes);
   BuiltMeshes meshes = make_meshes(scene, options, out, notes);
   notes.begin(Stage::clip);
   const std::vector<Mesh> full = full_meshes(meshes);
@@ -113,14 +120,54 @@ Result cook_scene(RawScene scene, CookOptions options, const Host& host) {
   return write(source, built, std::move(reads), notes);
 }
 
-Result cook_source(const std::string& name, CookOptions options, const Host& host) {
-  const tools::UseWork work({host.threads, host.stop});
+namespace {
+
+// The scene, and in `options` what it is cooked onto.
+RawScene read_scene(const std::string& name, CookOptions& options, const Host& host) {
   Notes{{}, &host}.begin(Stage::read);
   RawScene scene = read_source(name, host.files, options.source);
   if (!options.skeleton_file.empty() && !options.onto)
     options.onto = std::make_shared<Character>(
         read_character(options.skeleton_file, {host.files, host.threads, {}, host.stop}, scene.reads));
+  return scene;
+}
+
+bool learns(const LearnOptions& options) {
+  return options.animation_space == AnimationSpace::fit || options.helpers != 0;
+}
+
+}  // namespace
+
+Result cook_source(const std::string& name, CookOptions options, const Host& host) {
+  const tools::UseWork work({host.threads, host.stop});
+  RawScene scene = read_scene(name, options, host);
   return cook_scene(std::move(scene), std::move(options), host);
+}
+
+Looked look(const std::string& name, const Options& given, const Host& host) {
+  const tools::UseWork work({host.threads, host.stop});
+  CookOptions options = to_options(given);
+  RawScene scene = read_scene(name, options, host);
+  read_named_files(options, host.files, scene.reads);
+  Looked out{std::move(scene.reads), {}};
+  if (!learns(options.learn) || options.clips_only) return out;
+  for (const MeshOnSkin& which : skinned_meshes(scene)) {
+    std::size_t& vertices = out.fits.emplace_back(0);
+    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(which.first)].primitives)
+      vertices += primitive.positions.size();
+  }
+  return out;
+}
+
+void learn_fit(const std::string& name, std::size_t which, const Options& given, const Host& host) {
+  const tools::UseWork work({host.threads, host.stop});
+  CookOptions options = to_options(given);
+  RawScene read = read_scene(name, options, host);
+  Notes notes{{}, &host};
+  read_named_files(options, host.files, read.reads);
+  const auto [scene, built] = prepare_to_learn(with_one_form_of_mirrors(std::move(read)), options, notes);
+  const std::vector<MeshOnSkin> meshes = skinned_meshes(scene);
+  if (which < meshes.size()) learn_ahead(scene, built, meshes[which], options.learn, notes);
 }
 
 Result cook(const std::string& name, const Options& options, const Host& host) {

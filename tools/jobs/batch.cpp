@@ -32,10 +32,25 @@ std::vector<fs::path> scenes_below(const fs::path& folder) {
   return out;
 }
 
-fs::path canonical(const std::string& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(path), ignored);
-}
+// Canonical names of many files: each folder is looked up once.
+class CanonicalNames {
+ public:
+  fs::path of(const std::string& name) {
+    std::error_code ignored;
+    const fs::path path = name;
+    if (!path.has_filename() || fs::is_symlink(path, ignored)) return whole(path);
+    const auto [folder, is_new] = folders_.try_emplace(path.parent_path());
+    if (is_new) folder->second = whole(path.has_parent_path() ? path.parent_path() : ".");
+    return folder->second / path.filename();
+  }
+
+ private:
+  static fs::path whole(const fs::path& path) {
+    std::error_code ignored;
+    return fs::weakly_canonical(fs::absolute(path), ignored);
+  }
+  std::map<fs::path, fs::path> folders_;
+};
 
 }  // namespace
 
@@ -72,13 +87,14 @@ std::vector<CookJob> plan_batch(const std::vector<std::string>& inputs, const st
       jobs.push_back({in.string(), (output / fs::path(name).replace_extension(".mrw")).string(), input});
     }
   }
+  CanonicalNames names;
   std::map<fs::path, const CookJob*> job_of;
   std::vector<CookJob> out;
   for (const CookJob& job : jobs) {
-    const auto [other, is_new] = job_of.try_emplace(canonical(job.out), &job);
+    const auto [other, is_new] = job_of.try_emplace(names.of(job.out), &job);
     if (is_new) {
       out.push_back(job);
-    } else if (canonical(other->second->in) != canonical(job.in)) {
+    } else if (names.of(other->second->in) != names.of(job.in)) {
       throw Failure(Exit::usage, job.out, "", "two inputs have this output",
                     other->second->in + " and " + job.in + "; rename one, or cook them into different folders");
     }
@@ -93,13 +109,14 @@ void expect_cooked_name(const std::string& output) {
 }
 
 void expect_distinct(const std::vector<std::string>& written, const std::vector<std::string>& read) {
+  CanonicalNames names;
   std::set<fs::path> inputs, seen;
-  for (const std::string& path : read) inputs.insert(canonical(path));
+  for (const std::string& path : read) inputs.insert(names.of(path));
   for (const std::string& path : written) {
     if (path.empty()) continue;
-    if (inputs.contains(canonical(path)))
+    if (inputs.contains(names.of(path)))
       throw Failure(Exit::usage, path, "", "is an input", "name another file to write");
-    if (!seen.insert(canonical(path)).second)
+    if (!seen.insert(names.of(path)).second)
       throw Failure(Exit::usage, path, "", "would be written twice", "give each output a file of its own");
   }
 }

@@ -1,18 +1,16 @@
 #include "jobs/cache.h"
 
-#include <fcntl.h>
-#include <link.h>
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <sstream>
-#include <vector>
+
+#include <fmt/format.h>
 
 #include "common/failure.h"
 #include "common/hash.h"
 #include "disk/files.h"
+#include "jobs/program.h"
 
 namespace marrow::tools {
 namespace {
@@ -21,11 +19,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::size_t kHashDigits = 32;
-constexpr const char *kInputs = ".inputs", *kCooked = ".cooked";
-
-std::string_view text_of(const AlignedBytes& bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+constexpr const char *kInputs = ".inputs", *kCooked = ".cooked", *kFit = ".fit";
 
 std::span<const std::byte> bytes_of(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
@@ -39,32 +33,18 @@ std::optional<AlignedBytes> try_read(const std::string& path) {
   }
 }
 
-// The program and the libraries that it runs with: another build may cook other bytes.
-const std::string& build_identity() {
-  static const std::string identity = [] {
-    std::vector<std::string> files = {"/proc/self/exe"};
-    dl_iterate_phdr(
-        [](dl_phdr_info* info, std::size_t, void* out) {
-          if (info->dlpi_name != nullptr && info->dlpi_name[0] == '/')
-            static_cast<std::vector<std::string>*>(out)->push_back(info->dlpi_name);
-          return 0;
-        },
-        &files);
-    Hasher hasher;
-    for (const std::string& file : files) {
-      const std::optional<AlignedBytes> bytes = try_read(file);
-      hasher.add(bytes ? hash_of({bytes->data(), bytes->size()}) : file);
-    }
-    return hasher.hex();
-  }();
-  return identity;
-}
-
 std::string scene_key(const std::string& scene_hash, const std::string& options) {
   Hasher hasher;
-  hasher.add(build_identity());
+  hasher.add(program_hash());
   hasher.add(options);
   hasher.add(scene_hash);
+  return hasher.hex();
+}
+
+std::string fit_key(const std::string& of) {
+  Hasher hasher;
+  hasher.add(program_hash());
+  hasher.add(of);
   return hasher.hex();
 }
 
@@ -86,25 +66,11 @@ std::string cooked_key(const std::string& scene, const std::vector<Input>& input
 }
 
 // Of an entry by its name as well: another one's, copied over it, is none.
-std::string entry_hash(const std::string& path, std::string_view body) {
+std::string entry_hash(const std::string& name, std::string_view body) {
   Hasher hasher;
-  hasher.add(fs::path(path).filename().string());
+  hasher.add(name);
   hasher.add(body);
   return hasher.hex();
-}
-
-// A file of the cache without the hash in front.
-std::optional<std::string> read_checked(const std::string& path) {
-  const std::optional<AlignedBytes> bytes = try_read(path);
-  if (!bytes || bytes->size() < kHashDigits) return std::nullopt;
-  const std::string_view text = text_of(*bytes);
-  if (entry_hash(path, text.substr(kHashDigits)) != text.substr(0, kHashDigits)) return std::nullopt;
-  return std::string(text.substr(kHashDigits));
-}
-
-void write_checked(const std::string& path, const std::string& body) {
-  create_folders(fs::path(path).parent_path().string());
-  write_file_atomically(path, entry_hash(path, body) + body);
 }
 
 // Inputs as "BYTES PATH" a line.
@@ -131,15 +97,38 @@ std::optional<std::vector<Input>> read_inputs(const std::string& text, const fs:
   return out;
 }
 
-bool is_own(const fs::path& path) {
-  std::string name = path.filename().string();
-  if (name.starts_with('.') && name.ends_with(".tmp")) name = name.substr(1, name.size() - 5);
-  return name.size() > kHashDigits && name.find_first_not_of("0123456789abcdef") == kHashDigits &&
-         path.parent_path().filename() == name.substr(0, 2) &&
-         (name.substr(kHashDigits) == kInputs || name.substr(kHashDigits) == kCooked);
+// The report's size and what cooking took, each with a blank behind it, the report, the cooked file.
+std::string kept_text(const cook::Result& result, double cooking_s) {
+  const std::string report = result.report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  std::string out = fmt::format("{} {:.3f} ", report.size(), cooking_s) + report;
+  out.append(reinterpret_cast<const char*>(result.file.data()), result.file.size());
+  return out;
+}
+
+std::optional<Cache::Kept> read_kept(std::string_view text) {
+  Cache::Kept out;
+  std::size_t report_bytes = 0;
+  const char* const end = text.data() + text.size();
+  const auto [first, wrong] = std::from_chars(text.data(), end, report_bytes);
+  if (wrong != std::errc() || first == end) return std::nullopt;
+  const auto [second, wrong_time] = std::from_chars(first + 1, end, out.cooking_s);
+  if (wrong_time != std::errc() || second == end) return std::nullopt;
+  const std::string_view rest(second + 1, end);
+  if (report_bytes > rest.size()) return std::nullopt;
+  out.result.report = ordered_json::parse(rest.substr(0, report_bytes), nullptr, false);
+  if (out.result.report.is_discarded()) return std::nullopt;
+  const auto cooked = bytes_of(rest.substr(report_bytes));
+  out.result.file.assign(cooked.begin(), cooked.end());
+  return out;
 }
 
 }  // namespace
+
+bool is_entry(const std::string& name) {
+  if (name.size() <= kHashDigits || name.find_first_not_of("0123456789abcdef") != kHashDigits) return false;
+  const std::string_view kind = std::string_view(name).substr(kHashDigits);
+  return kind == kInputs || kind == kCooked || kind == kFit;
+}
 
 std::string relative_to_scene(const std::string& scene, const std::string& path) {
   std::error_code ignored;
@@ -147,88 +136,81 @@ std::string relative_to_scene(const std::string& scene, const std::string& path)
   return fs::path(path).lexically_relative(folder).string();
 }
 
-std::string Cache::file_of(const std::string& key, const char* extension) const {
-  return (fs::path(folder_) / key.substr(0, 2) / (key + extension)).string();
+Cache::Cache(const CacheArguments& arguments) {
+  for (const std::string& place : arguments.places)
+    stores_.push_back(is_http(place) ? http_store(place, arguments) : folder_store(place, arguments.folder_bytes));
 }
 
-std::optional<cook::Result> Cache::find(const std::string& path, const std::string& options) const {
+// An entry without the hash in front. Places before the one that has it get it as well.
+std::optional<std::string> Cache::get(const std::string& name) const {
+  for (std::size_t i = 0; i < stores_.size(); ++i) {
+    std::optional<std::string> entry = stores_[i]->get(name);
+    if (!entry) continue;
+    const std::string_view text = *entry;
+    if (text.size() < kHashDigits || entry_hash(name, text.substr(kHashDigits)) != text.substr(0, kHashDigits)) {
+      stores_[i]->reject(name);
+      continue;
+    }
+    for (std::size_t before = 0; before < i; ++before) stores_[before]->put(name, text);
+    return entry->substr(kHashDigits);
+  }
+  return std::nullopt;
+}
+
+void Cache::put(const std::string& name, const std::string& body) const {
+  const std::string entry = entry_hash(name, body) + body;
+  for (const std::unique_ptr<Store>& store : stores_) store->put(name, entry);
+}
+
+std::optional<Cache::Kept> Cache::find(const std::string& path, const std::string& options) const {
   const std::optional<AlignedBytes> scene = try_read(path);
   if (!scene) return std::nullopt;
   const std::string scene_hash = hash_of({scene->data(), scene->size()});
   const std::string key = scene_key(scene_hash, options);
-  const std::optional<std::string> listed = read_checked(file_of(key, kInputs));
+  const std::optional<std::string> listed = get(key + kInputs);
   if (!listed) return std::nullopt;
   const fs::path folder = fs::path(path).parent_path();
   const std::optional<std::vector<Input>> inputs = read_inputs(*listed, folder);
   if (!inputs) return std::nullopt;
-  const std::string file = file_of(cooked_key(key, *inputs), kCooked);
-  const std::optional<std::string> body = read_checked(file);
+  const std::optional<std::string> body = get(cooked_key(key, *inputs) + kCooked);
   if (!body) return std::nullopt;
-  // The report's size, a blank, the report, the cooked file.
-  std::size_t report_bytes = 0;
-  const auto [end, error] = std::from_chars(body->data(), body->data() + body->size(), report_bytes);
-  const std::size_t start = static_cast<std::size_t>(end - body->data()) + 1;
-  if (error != std::errc() || start > body->size() || report_bytes > body->size() - start) return std::nullopt;
-  cook::Result result;
-  result.report = ordered_json::parse(body->substr(start, report_bytes), nullptr, false);
-  if (result.report.is_discarded()) return std::nullopt;
-  const auto cooked = bytes_of(std::string_view(*body).substr(start + report_bytes));
-  result.file.assign(cooked.begin(), cooked.end());
+  std::optional<Kept> kept = read_kept(*body);
+  if (!kept) return std::nullopt;
+  cook::Result& result = kept->result;
   result.reads.push_back({path, scene->size(), scene_hash});
   for (const Input& input : *inputs) {
     std::error_code ignored;
     result.reads.push_back(
         {fs::weakly_canonical(fs::absolute(folder / input.path), ignored).string(), input.bytes, input.hash});
   }
-  for (const std::string& used : {file, file_of(key, kInputs)}) ::utimensat(AT_FDCWD, used.c_str(), nullptr, 0);
-  return result;
+  return kept;
 }
 
-std::string Cache::store(const cook::Result& result, const std::string& options) const {
-  if (result.reads.empty()) return "";
+void Cache::store(const cook::Result& result, double cooking_s, const std::string& options) const {
+  if (result.reads.empty()) return;
   std::vector<Input> inputs;
   for (std::size_t i = 1; i < result.reads.size(); ++i) {
     const cook::Read& read = result.reads[i];
     inputs.push_back({relative_to_scene(result.reads[0].name, read.name), read.bytes, read.hash});
   }
-  const std::string report = result.report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  std::string body = std::to_string(report.size()) + ' ' + report;
-  body.append(reinterpret_cast<const char*>(result.file.data()), result.file.size());
   const std::string key = scene_key(result.reads[0].hash, options);
-  try {
-    write_checked(file_of(cooked_key(key, inputs), kCooked), body);
-    write_checked(file_of(key, kInputs), to_text(inputs));
-  } catch (const Failure& failure) {
-    return failure.what();
-  }
-  return "";
+  put(cooked_key(key, inputs) + kCooked, kept_text(result, cooking_s));
+  put(key + kInputs, to_text(inputs));
 }
 
-void Cache::shrink(std::uint64_t most_bytes) const {
-  struct Entry {
-    fs::file_time_type used;
-    std::uint64_t bytes;
-    fs::path path;
-  };
-  std::vector<Entry> entries;
-  std::uint64_t sum = 0;
-  std::error_code error;
-  // Another process may remove what is listed here.
-  for (fs::recursive_directory_iterator at(folder_, error), end; !error && at != end; at.increment(error)) {
-    if (at.depth() > 1) at.disable_recursion_pending();
-    std::error_code gone;
-    if (at.depth() != 1 || !is_own(at->path()) || !at->is_regular_file(gone)) continue;
-    const Entry entry{at->last_write_time(gone), at->file_size(gone), at->path()};
-    if (gone) continue;
-    sum += entry.bytes;
-    entries.push_back(entry);
-  }
-  std::ranges::sort(entries, [](const Entry& a, const Entry& b) { return a.used < b.used; });
-  for (const Entry& entry : entries) {
-    if (sum <= most_bytes) break;
-    std::error_code ignored;
-    fs::remove(entry.path, ignored);
-    sum -= entry.bytes;
+std::optional<std::string> Cache::find(const std::string& key) {
+  return get(fit_key(key) + kFit);
+}
+
+void Cache::keep(const std::string& key, const std::string& bytes) {
+  put(fit_key(key) + kFit, bytes);
+}
+
+void Cache::end() {
+  for (const std::unique_ptr<Store>& store : stores_) {
+    store->end();
+    if (const std::string trouble = store->trouble(); !trouble.empty())
+      fmt::print(stderr, "{}: warning: {}\n", store->place(), trouble);
   }
 }
 

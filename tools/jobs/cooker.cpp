@@ -91,8 +91,17 @@ std::uint64_t MemoryGate::half_of_memory() {
          static_cast<std::uint64_t>(std::max(1L, ::sysconf(_SC_PAGESIZE))) / 2;
 }
 
+// Looked for once a folder; a link lies where it leads to.
+std::string SettingsOf::nearest(const CookJob& job) {
+  std::error_code ignored;
+  if (fs::is_symlink(job.in, ignored)) return cook::find_settings(job.in, job.root).value_or("");
+  const auto [at, is_new] = nearest_.try_emplace({fs::path(job.in).parent_path().string(), job.root});
+  if (is_new) at->second = cook::find_settings(job.in, job.root).value_or("");
+  return at->second;
+}
+
 Order SettingsOf::order(const CookJob& job, const cook::Options& command_line) {
-  Order out{job, {}, {}, "", given_.empty() ? cook::find_settings(job.in, job.root).value_or("") : given_};
+  Order out{job, {}, {}, "", given_.empty() ? nearest(job) : given_};
   cook::Options given;
   if (!out.settings_file.empty()) {
     const auto [known, is_new] = known_.try_emplace(out.settings_file);
@@ -129,7 +138,7 @@ cook::Options for_many(cook::Options given) {
 }
 
 Cook::Cook(const CookArguments& arguments) : a_(arguments) {
-  if (!a_.cache.empty()) cache_.emplace(a_.cache);
+  if (!a_.cache.places.empty()) cache_.emplace(a_.cache);
 }
 
 Cook::Cooked Cook::cook(const Order& order, const Show& show) {
@@ -140,8 +149,13 @@ Cook::Cooked Cook::cook(const Order& order, const Show& show) {
   std::string options_text = order.options_text;
   if (cache_ && !options.clips_only) options_text += named_files_text(order);
   if (cache_) options_text += files_of_clips_text(order);
-  if (cache_) result = cache_->find(order.job.in, options_text);
-  out.outcome.from_cache = result.has_value();
+  if (cache_) {
+    if (std::optional<Cache::Kept> kept = cache_->find(order.job.in, options_text)) {
+      result = std::move(kept->result);
+      out.outcome.cooking_s = kept->cooking_s;
+      out.outcome.from_cache = true;
+    }
+  }
   if (!result) {
     CountingFiles files;
     std::optional<MemoryGate::Pass> pass;  // once it is known how much has been read
@@ -151,9 +165,10 @@ Cook::Cooked Cook::cook(const Order& order, const Show& show) {
                               pass.emplace(memory_, files.bytes() << (2 * options.mesh.subdivide));
                             if (show) show(stage, done, count);
                           },
-                          nullptr};
+                          nullptr, cache_ ? &*cache_ : nullptr};
     result = cook::cook(order.job.in, order.given, host);
-    if (cache_) note_trouble(cache_->store(*result, options_text));
+    out.outcome.cooking_s = seconds_since(start);
+    if (cache_) cache_->store(*result, out.outcome.cooking_s, options_text);
   }
   result->report["source"]["file"] = order.job.in;
   result->report["output"]["file"] = order.job.out;
@@ -166,13 +181,29 @@ Cook::Cooked Cook::cook(const Order& order, const Show& show) {
 }
 
 Outcome Cook::cook_into_folder(const Order& order) {
-  const auto start = Clock::now();
-  Outcome outcome;
-  try {
+  return told(order, [&] {
     Cooked cooked = cook(order);
     create_folders(fs::path(order.job.out).parent_path().string());
     if (!is_there(order.job.out, cooked.file)) write_file_atomically(order.job.out, cooked.file);
-    outcome = std::move(cooked.outcome);
+    return std::move(cooked.outcome);
+  });
+}
+
+Outcome Cook::learn_fit(const Order& order, std::size_t which) {
+  return told(order, [&] {
+    CountingFiles files;
+    const cook::Host host{files, &all_cores(), {}, nullptr, &*cache_};
+    cook::learn_fit(order.job.in, which, order.given, host);
+    return Outcome{};
+  });
+}
+
+// What went wrong is in the outcome, and how long it took.
+Outcome Cook::told(const Order& order, const std::function<Outcome()>& work) {
+  const auto start = Clock::now();
+  Outcome outcome;
+  try {
+    outcome = work();
   } catch (const Failure& failure) {
     outcome = failed(order.job, failure.code(), failure.what());
   } catch (const std::bad_alloc&) {
@@ -206,8 +237,7 @@ std::vector<std::string> Cook::inputs_of(const Order& order, const Outcome& outc
 }
 
 void Cook::end() {
-  if (cache_) cache_->shrink(a_.cache_bytes);
-  if (!cache_trouble_.empty()) fmt::print(stderr, "{}: warning: the cache is not kept: {}\n", a_.cache, cache_trouble_);
+  if (cache_) cache_->end();
 }
 
 // -o scene.bin is a slip of the hand that would cost an artist's file.
@@ -218,11 +248,6 @@ void Cook::expect_not_read(const Order& order, const std::vector<cook::Read>& re
       if (!target.empty() && fs::equivalent(target, read.name, ignored) && !ignored)
         throw Failure(Exit::usage, target, "", "is an input", "it belongs to the scene; name another file to write");
   }
-}
-
-void Cook::note_trouble(const std::string& text) {
-  const std::lock_guard lock(mutex_);
-  if (cache_trouble_.empty()) cache_trouble_ = text;
 }
 
 }  // namespace marrow::tools

@@ -24,8 +24,7 @@ namespace marrow::tools {
 struct CookArguments {
   std::vector<std::string> inputs;
   std::string out, report, depfile, settings;
-  std::string cache;  // empty: none
-  std::uint64_t cache_bytes = 1u << 30;
+  CacheArguments cache;
   unsigned jobs = 0;  // 0: one a core
   bool json = false;
   cook::Options given;  // on the command line
@@ -56,8 +55,10 @@ class SettingsOf {
     cook::Settings settings;
     std::vector<bool> used;
   };
+  std::string nearest(const CookJob& job);
   std::string given_;
   std::map<std::string, Known> known_;
+  std::map<std::pair<std::string, std::string>, std::string> nearest_;  // by folder and root
 };
 
 // The same options for many files, of which each need not fit every one.
@@ -68,7 +69,7 @@ class MemoryGate {
  public:
   class Pass {
    public:
-    Pass(MemoryGate& gate, std::uint64_t source_bytes) : gate_(gate), need_(kLeast + kTimes * source_bytes) {
+    Pass(MemoryGate& gate, std::uint64_t source_bytes) : gate_(gate), need_(need(source_bytes)) {
       std::unique_lock lock(gate_.mutex_);
       gate_.changed_.wait(lock, [&] { return gate_.used_ == 0 || gate_.used_ + need_ <= gate_.most_; });
       gate_.used_ += need_;
@@ -82,11 +83,15 @@ class MemoryGate {
     Pass& operator=(const Pass&) = delete;
 
    private:
-    // The largest clip that is compressed takes 80 MB; all else stayed below 10 times the source on our models.
-    static constexpr std::uint64_t kLeast = 100'000'000, kTimes = 20;
     MemoryGate& gate_;
     std::uint64_t need_;
   };
+
+  static std::uint64_t need(std::uint64_t source_bytes) {
+    // The largest clip that is compressed takes 80 MB; all else stayed below 10 times the source on our models.
+    constexpr std::uint64_t kLeast = 100'000'000, kTimes = 20;
+    return kLeast + kTimes * source_bytes;
+  }
 
  private:
   std::mutex mutex_;
@@ -111,24 +116,24 @@ class Cook {
   Cooked cook(const Order& order, const Show& show = {});
   // Writes the output and makes its folder. Throws nothing: what went wrong is in the outcome.
   Outcome cook_into_folder(const Order& order);
+  // Learns for one mesh of cook::look() into the cache, which there must be. Throws nothing.
+  Outcome learn_fit(const Order& order, std::size_t which);
 
   // With a cache, files that need not change keep their time of change.
   bool is_there(const std::string& path, std::span<const std::byte> bytes) const;
   // All files that a successful cook came from, the scene first.
   std::vector<std::string> inputs_of(const Order& order, const Outcome& outcome) const;
 
-  // Keeps the cache within its bounds; says on stderr what was wrong with it.
+  // As Cache::end().
   void end();
 
  private:
   void expect_not_read(const Order& order, const std::vector<cook::Read>& reads) const;
-  void note_trouble(const std::string& text);
+  Outcome told(const Order& order, const std::function<Outcome()>& work);
 
   const CookArguments& a_;
   std::optional<Cache> cache_;
   MemoryGate memory_;
-  std::mutex mutex_;
-  std::string cache_trouble_;  // the first
 };
 
 }  // namespace marrow::tools

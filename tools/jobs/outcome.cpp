@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "jobs/program.h"
 #include "terminal/warnings.h"
 
 namespace marrow::tools {
@@ -65,10 +66,17 @@ std::string report_text(const ordered_json& report) {
   return report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-ordered_json report_of(const CookJob& job, const Outcome& outcome) {
-  if (outcome.code == Exit::done) return outcome.report;
-  return {{"source", {{"file", job.in}}},
-          {"error", {{"code", static_cast<int>(outcome.code)}, {"text", outcome.failure}}}};
+ordered_json report_of(const CookJob& job, const Outcome& outcome, std::size_t files) {
+  ordered_json out = outcome.report;
+  if (outcome.code != Exit::done)
+    out = {{"source", {{"file", job.in}}},
+           {"error", {{"code", static_cast<int>(outcome.code)}, {"text", outcome.failure}}}};
+  out["run"] = {{"program", program_hash()},
+                {"files", files},
+                {"from_cache", outcome.from_cache},
+                {"seconds", outcome.seconds},
+                {"cooking_s", outcome.code == Exit::done ? outcome.cooking_s : outcome.seconds}};
+  return out;
 }
 
 void print_warnings(const CookJob& job, const Outcome& outcome) {

@@ -18,14 +18,16 @@ struct Outcome {
   nlohmann::ordered_json report;
   std::vector<cook::Read> reads;
   double seconds = 0;
+  double cooking_s = 0;  // the same where it was cooked, now or before
   bool from_cache = false;
 };
 
 // As a file and on stdout; names need not be UTF-8, the report says what it can.
 std::string report_text(const nlohmann::ordered_json& report);
 
-// {source {file}, error {code, text}} of a failure, else the report.
-nlohmann::ordered_json report_of(const CookJob& job, const Outcome& outcome);
+// {source {file}, error {code, text}} of a failure, else the report; and `run`: by which program, how long it took, and
+// how many files the command has, all its shards together.
+nlohmann::ordered_json report_of(const CookJob& job, const Outcome& outcome, std::size_t files);
 
 // One line about a single file, and a table of many; on stdout.
 void print_summary(const CookJob& job, const Outcome& outcome);

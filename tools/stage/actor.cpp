@@ -189,8 +189,8 @@ std::vector<PosedMesh> Actor::ghost(const Settings& settings, float time_s) {
 }
 
 void Actor::pose(const Settings& settings, float dt_s) {
-  const std::uint32_t layers = rehearsal_ ? rehearsal_->behaviour().layers() : 0;
-  make({settings.clip, settings.lod, settings.normals, std::max(Character::kMostLayers, layers)});
+  const std::uint32_t graph_layers = rehearsal_ ? rehearsal_->behaviour().layers() : 0;
+  make({settings.clip, settings.lod, settings.normals, std::max(Character::kMostLayers, graph_layers)});
   character_->set_parameters(settings.parameters);
   rig_.prepare(settings, joints_, dt_s, rehearsal_ ? rehearsal_->behaviour().world_from_model() : kIdentity);
   const float time_s = clip_time(settings.playback);

@@ -38,6 +38,13 @@ class CliCache : public ::testing::Test {
       if (entry.is_regular_file()) files.push_back(entry.path());
     return files;
   }
+  // An entry without its hash and without how long cooking took, which is in some: "HASHREPORT_BYTES SECONDS REPORT…".
+  static std::string what_counts(const std::string& entry) {
+    constexpr std::size_t kHashDigits = 32;
+    const std::size_t blank = entry.find(' '), next = entry.find(' ', blank + 1);
+    const bool has_time = entry.find("MRRP") != std::string::npos;
+    return has_time ? entry.substr(kHashDigits, blank - kHashDigits) + entry.substr(next) : entry;
+  }
   TemporaryFolder folder_;
 };
 
@@ -175,7 +182,7 @@ TEST_F(CliCache, DamagedEntriesAreReplaced) {
          {std::size_t{0}, std::size_t{1}, std::size_t{31}, whole.size() / 2, whole.size() - 1}) {
       write_text(file, whole.substr(0, cut));
       EXPECT_FALSE(cook()) << file << " cut to " << cut;
-      EXPECT_EQ(read_text(file), whole);
+      EXPECT_EQ(what_counts(read_text(file)), what_counts(whole));
       EXPECT_EQ(read_text(out()), good);
       ++damages;
     }
@@ -184,7 +191,7 @@ TEST_F(CliCache, DamagedEntriesAreReplaced) {
       bad[at] = static_cast<char>(bad[at] ^ 4);
       write_text(file, bad);
       EXPECT_FALSE(cook()) << file << " at " << at;
-      EXPECT_EQ(read_text(file), whole);
+      EXPECT_EQ(what_counts(read_text(file)), what_counts(whole));
       EXPECT_EQ(read_text(out()), good);
       ++damages;
     }
@@ -213,7 +220,7 @@ TEST_F(CliCache, EntriesUnderOthersNamesAreNone) {
     write_text(mine, read_text(other));
     EXPECT_FALSE(cook()) << extension;
     EXPECT_EQ(read_text(out()), two);
-    EXPECT_EQ(read_text(mine), whole) << "written anew";
+    EXPECT_EQ(what_counts(read_text(mine)), what_counts(whole)) << "written anew";
     EXPECT_TRUE(cook());
   }
 }

@@ -16,6 +16,8 @@
 #include "disk/files.h"
 #include "disk/thread_pool.h"
 #include "jobs/depfile.h"
+#include "jobs/plan.h"
+#include "jobs/program.h"
 #include "marrow/cook.h"
 #include "terminal/progress.h"
 
@@ -74,9 +76,10 @@ int cook_one(const CookArguments& a) {
   return 0;
 }
 
-int cook_batch(const CookArguments& a) {
-  const auto start = Clock::now();
-  const std::vector<CookJob> jobs = plan_batch(a.inputs, a.out);
+// What is to be cooked into where, and the options of each.
+std::vector<Order> read_orders(const CookArguments& a) {
+  const std::vector<CookJob> jobs =
+      is_batch(a.inputs, a.out) ? plan_batch(a.inputs, a.out) : std::vector{plan_one(a.inputs[0], a.out)};
   std::vector<std::string> written = {a.report, a.depfile}, read;
   for (const CookJob& job : jobs) {
     written.push_back(job.out);
@@ -88,28 +91,78 @@ int cook_batch(const CookArguments& a) {
   std::vector<Order> orders;
   for (const CookJob& job : jobs) orders.push_back(settings.order(job, given));
   settings.warn_of_unused(a.inputs);
-  create_folders(a.out);
+  return orders;
+}
+
+// Those of this process's share.
+std::vector<Unit> own_units(const std::vector<Order>& orders, const Part& part) {
+  std::vector<Unit> all;
+  if (part.fits) {
+    all = fit_units(orders);
+  } else {
+    const History history(part.history);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      all.push_back(part.shard.count > 1 ? file_unit(i, orders[i], history) : Unit{i, {}, 0, 0, false});
+  }
+  if (part.shard.count == 1) return all;
+  const std::vector<unsigned> share = share_out(all, part.shard.count);
+  std::vector<Unit> out;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (share[i] == part.shard.number) out.push_back(all[i]);
+  return out;
+}
+
+int exit_code_of(const std::vector<Outcome>& outcomes) {
+  std::fflush(stdout);
+  for (const Outcome& outcome : outcomes)
+    if (outcome.code != Exit::done) fmt::print(stderr, "{}\n", outcome.failure);
+  const auto first = std::ranges::find_if(outcomes, [](const Outcome& o) { return o.code != Exit::done; });
+  return first == outcomes.end() ? 0 : static_cast<int>(first->code);
+}
+
+// Of each unit what became of it.
+std::vector<Outcome> do_units(Cook& cook, const std::vector<Order>& orders, const std::vector<Unit>& units) {
+  std::vector<Outcome> outcomes(units.size());
+  Progress progress;
+  std::atomic<std::size_t> done{0};
+  for_each_in_parallel(units.size(), [&](std::size_t i) {
+    const Order& order = orders[units[i].order];
+    progress.show(done, units.size(), fs::path(order.job.in).filename().string());
+    outcomes[i] = units[i].fit ? cook.learn_fit(order, *units[i].fit) : cook.cook_into_folder(order);
+    ++done;
+  });
+  cook.end();
+  return outcomes;
+}
+
+int learn_fits(const CookArguments& a, const Part& part) {
+  const std::vector<Order> orders = read_orders(a);
+  const std::vector<Unit> units = own_units(orders, part);
+  Cook cook(a);
+  const std::vector<Outcome> outcomes = do_units(cook, orders, units);
+  fmt::print("{} meshes learnt for\n", units.size());
+  return exit_code_of(outcomes);
+}
+
+int cook_batch(const CookArguments& a, const Part& part) {
+  const auto start = Clock::now();
+  const std::vector<Order> orders = read_orders(a);
+  const std::vector<Unit> units = own_units(orders, part);
+  if (is_batch(a.inputs, a.out)) create_folders(a.out);
   expect_all_writable({a.report, a.depfile});
 
   Cook cook(a);
-  std::vector<Outcome> outcomes(jobs.size());
-  {
-    Progress progress;
-    std::atomic<std::size_t> done{0};
-    for_each_in_parallel(jobs.size(), [&](std::size_t i) {
-      progress.show(done, jobs.size(), fs::path(jobs[i].in).filename().string());
-      outcomes[i] = cook.cook_into_folder(orders[i]);
-      ++done;
-    });
-  }
-  cook.end();
+  const std::vector<Outcome> outcomes = do_units(cook, orders, units);
   nlohmann::ordered_json reports = nlohmann::ordered_json::array();
+  std::vector<CookJob> jobs;
   std::string rules;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    print_warnings(jobs[i], outcomes[i]);
-    reports.push_back(report_of(jobs[i], outcomes[i]));
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const Order& order = orders[units[i].order];
+    jobs.push_back(order.job);
+    print_warnings(order.job, outcomes[i]);
+    reports.push_back(report_of(order.job, outcomes[i], orders.size()));
     if (outcomes[i].code == Exit::done && !a.depfile.empty())
-      rules += depfile_rule(jobs[i].out, cook.inputs_of(orders[i], outcomes[i]));
+      rules += depfile_rule(order.job.out, cook.inputs_of(order, outcomes[i]));
   }
   if (!a.depfile.empty()) write_file_atomically(a.depfile, rules);
   if (!a.report.empty()) write_file_atomically(a.report, report_text(reports));
@@ -118,18 +171,28 @@ int cook_batch(const CookArguments& a) {
   } else {
     print_table(jobs, outcomes, seconds_since(start));
   }
-  std::fflush(stdout);
-  for (const Outcome& outcome : outcomes)
-    if (outcome.code != Exit::done) fmt::print(stderr, "{}\n", outcome.failure);
-  const auto first = std::ranges::find_if(outcomes, [](const Outcome& o) { return o.code != Exit::done; });
-  return first == outcomes.end() ? 0 : static_cast<int>(first->code);
+  return exit_code_of(outcomes);
+}
+
+int write_plan(const CookArguments& a, const Part& part) {
+  expect_writable(part.plan);
+  const nlohmann::ordered_json plan = plan_of(read_orders(a), part.history);
+  write_file_atomically(part.plan, report_text(plan));
+  fmt::print("{} files, about {:.0f} s on one thread, the longest {:.1f} s, at most {} MB\n", plan.at("units").size(),
+             plan.at("seconds").get<double>(), plan.at("longest_s").get<double>(),
+             plan.at("memory_bytes").get<std::uint64_t>() / 1'000'000);
+  return 0;
 }
 
 }  // namespace
 
-int run_cook(const CookArguments& arguments) {
-  if (arguments.jobs > 0) set_thread_count(arguments.jobs);
-  return is_batch(arguments.inputs, arguments.out) ? cook_batch(arguments) : cook_one(arguments);
+int run_cook(const CookArguments& a, const Part& part) {
+  if (a.jobs > 0) set_thread_count(a.jobs);
+  if (!part.program.empty() && part.program != program_hash())
+    throw Failure(Exit::usage, "--program", "", "another program", "this one is " + program_hash() + "; plan again");
+  if (!part.plan.empty()) return write_plan(a, part);
+  if (part.fits) return learn_fits(a, part);
+  return part.is_given || is_batch(a.inputs, a.out) ? cook_batch(a, part) : cook_one(a);
 }
 
 int cook_graph_pack(const CookArguments& a) {

@@ -87,7 +87,8 @@ std::size_t odd_words(const KnownClip& clip) {
     out += is_known ? 0 : 1;
   }
   std::size_t actions = 0;  // a blow out of a guard is two
-  for (const Words* const words : {&kAttack, &kHit, &kArms, &kWhole}) actions += has(clip, *words) ? 1 : 0;
+  for (const Words* const words : {&kAttack, &kHit, &kArms, &kWhole})
+    if (has(clip, *words)) ++actions;
   return out + (actions > 1 ? actions - 1 : 0) + (has(clip, kStill) ? 2 : 0);
 }
 

@@ -223,11 +223,11 @@ void add_graph_file(CLI::App* command, GraphCommandArguments& a) {
 void add_check(CLI::App* command, GraphCommandArguments& a) {
   CLI::App* const checks = command->add_subcommand("check", "Say whether a graph is right, and fits a character");
   add_graph_file(checks, a);
-  CLI::Option* const hero =
+  CLI::Option* const is_for =
       checks->add_option("--for", a.character, "the character that is to go by it: a cooked file, or a model")
           ->type_name("HERO.mrw");
   add_packs(checks, a.packs);
-  checks->get_option("--clips")->needs(hero);
+  checks->get_option("--clips")->needs(is_for);
   checks->callback([&a] {
     FoundGraph found = open_graph(a.file, a.name);
     for (const std::string& warning : found.warnings) fmt::print(stderr, "{}\n", warning);

@@ -112,7 +112,7 @@ Character& Sitting::prepared() {
 }
 
 void Sitting::act_to(float time_s) {
-  if (time_s < acting_->now_s() || acting_->now_s() < 0) springs_ = FileSprings(file());
+  if (double{time_s} < acting_->now_s() || acting_->now_s() < 0) springs_ = FileSprings(file());
   if (arguments_.springs) swung_s_ = time_s;
   acting_->play_to(static_cast<double>(time_s), [this](float dt_s) {
     dt_s_ = dt_s;
@@ -199,7 +199,7 @@ void Sitting::warn_of_misses() const {
   for (std::size_t i = 0; i < misses_.size(); ++i) {
     if (misses_[i].pictures == 0) continue;
     std::vector<std::string> names = reach_.chain(reach_.goals()[i]);
-    for (std::string& name : names) name = "\"" + printable(name) + "\"";
+    for (std::string& name : names) name = fmt::format("\"{}\"", printable(name));
     const std::string when =
         pictures_ == 1 ? "" : fmt::format(" at most, in {} of {} pictures", misses_[i].pictures, pictures_);
     fmt::print(stderr, "--ik: warning: {} misses its goal by {:.3g} m{}\n", fmt::join(names, " > "),

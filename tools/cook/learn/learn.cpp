@@ -9,6 +9,7 @@
 
 #include "common/evenly.h"
 #include "common/failure.h"
+#include "cook/learn/kept_fit.h"
 #include "cook/learn/look_better.h"
 #include "cook/learn/trainees.h"
 #include "cook/skin/deform_source.h"
@@ -360,7 +361,7 @@ LearntBinding learn_binding(const RawScene& scene, const RawMesh& mesh, const Ra
   if (fits) remember_truth(options, scene, skin, mesh, source, notes);
   report.poses = trained.poses.size();
   report.made_up = trained.made_up;
-  const Learnt learnt = learn(source, std::move(trained.poses), options, notes.progress_of(Stage::learn));
+  const Learnt learnt = learn_or_find(source, std::move(trained.poses), options, notes);
   report.held_out_share = learnt.quality.share;
   report.worse_share = learnt.quality.worse_share;
   if (fits && !(learnt.quality.share < 1)) {

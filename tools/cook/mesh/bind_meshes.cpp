@@ -21,20 +21,18 @@ const RawSkin& skin_of(const RawScene& scene, int skin) {
 }
 
 // Bound, and learnt from its poses, once for all its primitives.
-void bind_mesh(const RawScene& scene, int number, int skin, const BuiltScene& built, const SceneScale& scale,
+void bind_mesh(const RawScene& scene, MeshOnSkin which, const BuiltScene& built, const SceneScale& scale,
                const MeshOptions& options, const LearnOptions& learn, BoundMeshes& out, Notes& notes) {
-  const auto [at, is_new] = out.bindings.try_emplace({number, skin});
-  if (!is_new) return;
-  const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(number)];
-  const RawSkin& onto = skin_of(scene, skin);
-  auto [binding, report] = learn_binding(scene, mesh, onto, built, learn, bind_to_skin(mesh, notes), notes);
-  const MeshGrid grid = mesh_grid(mesh, scale.of(scene, built, number), options);
-  LearntDeformers learnt = learn_deformers(scene, mesh, onto, built, options, learn, grid, binding, notes);
+  const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(which.first)];
+  const RawSkin& skin = skin_of(scene, which.second);
+  auto [binding, report] = learn_binding(scene, mesh, skin, built, learn, bind_to_skin(mesh, notes), notes);
+  const MeshGrid grid = mesh_grid(mesh, scale.of(scene, built, which.first), options);
+  LearntDeformers learnt = learn_deformers(scene, mesh, skin, built, options, learn, grid, binding, notes);
   binding.deformers = std::move(learnt.deformers);
   binding.report = static_cast<int>(out.learnt.size());
   report.multi_weights = learnt.multi_weights;
   report.pose_space = learnt.pose_space;
-  at->second = std::move(binding);
+  out.bindings.emplace(which, std::move(binding));
   out.learnt.push_back(report);
 }
 
@@ -99,14 +97,30 @@ MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const MeshOptions& o
   return {low, step > 0 ? step : 1.0};
 }
 
+std::vector<MeshOnSkin> skinned_meshes(const RawScene& scene) {
+  std::vector<MeshOnSkin> out;
+  for (const RawInstance& instance : scene.instances) {
+    const MeshOnSkin which(instance.mesh, instance.skin);
+    const auto& primitives = scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives;
+    if (std::ranges::any_of(primitives, [&](const RawPrimitive& p) { return is_skinned(instance, p); }) &&
+        std::ranges::find(out, which) == out.end())
+      out.push_back(which);
+  }
+  return out;
+}
+
+void learn_ahead(const RawScene& scene, const BuiltScene& built, MeshOnSkin which, const LearnOptions& learn,
+                 Notes& notes) {
+  const RawMesh& mesh = scene.meshes[static_cast<std::size_t>(which.first)];
+  learn_binding(scene, mesh, skin_of(scene, which.second), built, learn, bind_to_skin(mesh, notes), notes);
+}
+
 BoundMeshes bind_meshes(const RawScene& scene, const BuiltScene& built, const MeshOptions& options,
                         const LearnOptions& learn, Notes& notes) {
   BoundMeshes out;
   const SceneScale scale(built.skeletons, scene);
-  for (const RawInstance& instance : scene.instances)
-    for (const RawPrimitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-      if (is_skinned(instance, primitive))
-        bind_mesh(scene, instance.mesh, instance.skin, built, scale, options, learn, out, notes);
+  for (const MeshOnSkin& which : skinned_meshes(scene))
+    bind_mesh(scene, which, built, scale, options, learn, out, notes);
   if (options.subdivide > 0) subdivide_meshes(scene, built, options.subdivide, out, notes);
   for (auto& [of, binding] : out.bindings)
     binding.part_of = split_primitives(scene.source, out.mesh(scene, of.first), skin_of(scene, of.second).joints.size(),

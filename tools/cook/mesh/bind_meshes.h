@@ -13,8 +13,11 @@
 
 namespace marrow::cook {
 
+// A mesh and a skin that moves it.
+using MeshOnSkin = std::pair<int, int>;
+
 struct BoundMeshes {
-  std::map<std::pair<int, int>, SkinBinding> bindings;  // mesh, skin
+  std::map<MeshOnSkin, SkinBinding> bindings;
   std::vector<LearnReport> learnt;                      // see SkinBinding::report
   std::map<int, RawMesh> finer;                         // in the place of the scene's
   const RawMesh& mesh(const RawScene& scene, int number) const;
@@ -25,6 +28,13 @@ bool is_skinned(const RawInstance& instance, const RawPrimitive& primitive);
 
 // One grid for all primitives of a mesh, so that where they touch they still do. scene_scale: see SceneScale.
 MeshGrid mesh_grid(const RawMesh& mesh, double scene_scale, const MeshOptions& options);
+
+// Each once, in the order of instances.
+std::vector<MeshOnSkin> skinned_meshes(const RawScene& scene);
+
+// Learns for one of skinned_meshes() what bind_meshes() would, into `notes.host->fits`.
+void learn_ahead(const RawScene& scene, const BuiltScene& built, MeshOnSkin which, const LearnOptions& learn,
+                 Notes& notes);
 
 // built: its skeletons and clips. Throws tools::Failure: unsupported for what needs too large a palette, invalid for
 // examples that do not fit.

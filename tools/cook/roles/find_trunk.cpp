@@ -180,9 +180,9 @@ void find_spine_and_neck(Body& body) {
     if (const JointPart& p = body.part(*j); !p.own_side && (is_spine(p.part) || (bounded && p.part == Part::none)))
       trunk.push_back(*j);
   // Of four joints without names the last may be a neck's.
-  if (body.is_nameless && trunk.size() > 3) trunk.resize(1);
+  if (body.is_nameless && trunk.size() > 3) trunk.erase(trunk.begin() + 1, trunk.end());
   // Without a neck or arms nobody knows how far up the trunk goes.
-  if (named == way.end() && meet == way.end() && trunk.size() > 1) trunk.resize(1);
+  if (named == way.end() && meet == way.end() && trunk.size() > 1) trunk.erase(trunk.begin() + 1, trunk.end());
   give_trunk(body, trunk);
   if (end != way.end() && may_be_middle(body.part(*end))) body.give(Role::neck, *end);
 }

@@ -46,6 +46,15 @@ struct Result {
 // at the option; interrupted.
 Result cook(const std::string& name, const Options& options, const Host& host);
 
+struct Looked {
+  std::vector<Read> reads;        // as Result has them, but for what the skeletons of options refer to
+  std::vector<std::size_t> fits;  // of each skinned mesh that the options let learn its vertices
+};
+// What cooking of `name` would read and learn. Reads the scene, and does no more. Throws as cook().
+Looked look(const std::string& name, const Options& options, const Host& host);
+// Learns for one of Looked::fits into `host.fits`, so that cook() of the same finds it there. Throws as cook().
+void learn_fit(const std::string& name, std::size_t which, const Options& options, const Host& host);
+
 // A graph pack: the options' graphs alone, for characters of other files. Throws as cook(), and usage without a graph.
 Result cook_graphs(const Options& options, const Host& host);
 

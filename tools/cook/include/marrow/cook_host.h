@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,15 @@ struct RuleOrigin {
   bool must_fit = true;
 };
 
+// Keeps what meshes have learnt, which can take minutes, by what they learnt it from. From any thread. What find() gives
+// is checked: wrong bytes are as good as none.
+class Fits {
+ public:
+  virtual ~Fits() = default;
+  virtual std::optional<std::string> find(const std::string& key) = 0;
+  virtual void keep(const std::string& key, const std::string& bytes) = 0;
+};
+
 // What a cook is at.
 enum class Stage { read, prepare, clip, mesh, learn, write };
 const char* name_of(Stage stage);
@@ -55,6 +65,7 @@ struct Host {
   // How far a stage has come, `done` of `count` parts; 0 of 0 as it begins. From any thread, at the same time too.
   std::function<void(Stage stage, std::size_t done, std::size_t count)> progress = {};
   const std::atomic<bool>* stop = nullptr;  // once it is true, cook() soon throws tools::Failure (interrupted)
+  Fits* fits = nullptr;                     // null: nothing is kept
 };
 
 }  // namespace marrow::cook

@@ -36,7 +36,7 @@ std::vector<float> with_more(const std::vector<float>& times_s, std::size_t join
   const double widest = std::max(kWidest, length * static_cast<double>(joints) / kMostPoses) * 1.001;
   std::vector<float> out = {times_s[0]};
   for (std::size_t i = 1; i < times_s.size(); ++i) {
-    const double from = times_s[i - 1], gap = times_s[i] - from;
+    const double from = times_s[i - 1], gap = double{times_s[i]} - from;
     const auto parts = static_cast<std::size_t>(std::ceil(gap / widest));
     for (std::size_t part = 1; part < parts; ++part) {
       const auto time_s = static_cast<float>(from + gap * static_cast<double>(part) / static_cast<double>(parts));
