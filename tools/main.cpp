@@ -22,7 +22,7 @@ namespace {
 
 // In the order of --help.
 constexpr AddCommand kCommands[] = {
-    add_cook,   add_watch,   add_report,  add_retarget, add_graph, add_info,
+    add_cook,   add_watch,   add_report, add_retarget, add_graph, add_info,
 #ifdef MARROW_HAS_ALL_COMMANDS
     add_diff,   add_export,
 #endif

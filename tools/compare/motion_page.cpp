@@ -44,14 +44,14 @@ std::string cells(const MotionRow& row) {
 }
 
 std::string name_cell(const std::string& name) {
-  return fmt::format("<tr><td data-value=\"{0}\">{0}</td>", escaped(name));
+  return fmt::format("<tr><td data-value=\"{0}\">{0}</td>", html_text(name));
 }
 
 constexpr const char* kEnd = "</tbody></table></div>\n";
 
 std::string of_joints(const Study& study, const MotionStudy& motion, const std::string& deformer, std::size_t d) {
   std::string out =
-      fmt::format("<details><summary>{}, joint by joint</summary>{}", escaped(deformer), head("joint", true));
+      fmt::format("<details><summary>{}, joint by joint</summary>{}", html_text(deformer), head("joint", true));
   for (const MotionJoint& joint : motion.joints)
     out += name_cell(study.joint_names[joint.joint]) + cell(joint.poses) + cell(joint.folding) + cells(joint.of[d]);
   return out + kEnd + "</details>\n";
@@ -73,7 +73,7 @@ std::string folding(const Study& study, const MotionStudy& motion) {
 std::string motion_tables(const Study& study, const DeformerComparison& comparison, const MotionStudy& motion) {
   std::string out;
   if (motion.joints.empty()) return out;
-  out += fmt::format("<p>{}</p>\n", escaped(summary(comparison, motion))) + head("deformer", false);
+  out += fmt::format("<p>{}</p>\n", html_text(summary(comparison, motion))) + head("deformer", false);
   for (std::size_t d = 0; d < motion.of.size(); ++d)
     out += name_cell(comparison.rows[d].deformer) + cells(motion.of[d]);
   out += kEnd;
@@ -88,7 +88,7 @@ std::string motion_tables(const Study& study, const DeformerComparison& comparis
   for (std::size_t d = 0; d < motion.of.size(); ++d) out += of_joints(study, motion, comparison.rows[d].deformer, d);
   out += folding(study, motion);
   for (const std::string& line : study.left_out_of_motion)
-    out += fmt::format("<p class=\"note\">Left out: {}</p>\n", escaped(line));
+    out += fmt::format("<p class=\"note\">Left out: {}</p>\n", html_text(line));
   return out;
 }
 

@@ -44,7 +44,7 @@ std::string table(const std::vector<TableColumn>& of, const std::vector<TableLin
                                    is_uglier(column, line, ssd) ? " class=\"ugly\"" : "", *value, column.decimals)
                      : std::string("<td data-value=\"\">–</td>");
     }
-    if (says_something) out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>{1}</tr>\n", escaped(line.name), cells);
+    if (says_something) out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>{1}</tr>\n", html_text(line.name), cells);
   }
   return out + "</tbody></table></div>\n";
 }
@@ -58,8 +58,8 @@ std::string truth_folds(const Study& study, const DeformerComparison& c) {
       "<th>by plain skinning</th></tr></thead>\n<tbody>\n",
       c.folding, c.held);
   for (const TruthFold& f : c.truth_folds) {
-    const std::string clip = escaped(f.clip.empty() ? "of no clip" : f.clip),
-                      joint = escaped(study.joint_names[f.joint]);
+    const std::string clip = html_text(f.clip.empty() ? "of no clip" : f.clip),
+                      joint = html_text(study.joint_names[f.joint]);
     out += fmt::format(
         "<tr><td data-value=\"{0}\">{0}</td><td data-value=\"{1:.6g}\">{1:.2f}</td><td data-value=\"{2}\">{2}</td>"
         "<td data-value=\"{3}\">{3}</td><td data-value=\"{4}\">{4}</td></tr>\n",
@@ -72,8 +72,8 @@ std::string truth_folds(const Study& study, const DeformerComparison& c) {
 std::string figure(const Picture& p, const std::string& name) {
   return fmt::format(
       "<figure{}><img alt=\"{}\" src=\"data:image/jpeg;base64,{}\"><figcaption>{}</figcaption></figure>\n",
-      name.empty() ? "" : " data-name=\"" + escaped(name) + '"', escaped(p.caption), base64(p.jpeg),
-      escaped(p.caption));
+      name.empty() ? "" : " data-name=\"" + html_text(name) + '"', html_text(p.caption), base64(p.jpeg),
+      html_text(p.caption));
 }
 
 std::string ramp(const PictureRow& row) {
@@ -126,7 +126,7 @@ double nice(double most) {
 }
 
 std::string axes(const std::string& clip, double top_mm, double last_s) {
-  std::string out = fmt::format("<text x=\"{}\" y=\"15\" font-weight=\"bold\">{}</text>", kLeft, escaped(clip));
+  std::string out = fmt::format("<text x=\"{}\" y=\"15\" font-weight=\"bold\">{}</text>", kLeft, html_text(clip));
   for (const double share : {0.0, 0.5, 1.0}) {
     const double y = kLow - kRise * share;
     out +=
@@ -154,7 +154,7 @@ std::string line(const Series& s, const DeformerRow& row, const Round& round, co
   }
   points.pop_back();
   return fmt::format("<polyline{} data-series=\"{}\" data-mm=\"{}\" stroke=\"{}\" points=\"{}\"/>",
-                     s.hidden ? " class=\"off\"" : "", escaped(row.deformer), values,
+                     s.hidden ? " class=\"off\"" : "", html_text(row.deformer), values,
                      kColours[s.row % std::size(kColours)], points);
 }
 
@@ -184,7 +184,7 @@ std::string key(const std::vector<Series>& series, const DeformerComparison& c) 
   std::string out = "<p class=\"key\">";
   for (const Series& s : series)
     out += fmt::format("<label data-series=\"{0}\"><span style=\"color:{1}\">■</span> {0}{2}</label>\n",
-                       escaped(c.rows[s.row].deformer), kColours[s.row % std::size(kColours)],
+                       html_text(c.rows[s.row].deformer), kColours[s.row % std::size(kColours)],
                        s.hidden ? ", up to " + length_text(s.most_m) + ": not drawn at first" : "");
   return out + "</p>\n";
 }
@@ -216,7 +216,7 @@ std::string picture_row(const PictureRow& row) {
   while (beside * beside < shapes) ++beside;
   std::string out =
       fmt::format("<div class=\"pose\" style=\"--across:{};--beside:{}\"><h3>{}</h3><div class=\"grid shapes\">\n",
-                  std::min(shapes, kMostAcross), beside, escaped(row.title));
+                  std::min(shapes, kMostAcross), beside, html_text(row.title));
   for (const Picture& p : row.shapes) out += figure(p, p.caption);
   out += "</div><div class=\"grid\">\n";
   for (const Picture& p : row.errors) out += figure(p, "");
@@ -226,14 +226,14 @@ std::string picture_row(const PictureRow& row) {
 
 std::string comparison_page(const PageContent& content) {
   const DeformerComparison& c = content.comparison;
-  const std::string title = escaped(content.title);
+  const std::string title = html_text(content.title);
   std::string out = fmt::format(
       "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>{}</title><style>{}</style>\n<h1>{}</h1>\n",
-      title, kPageStyle, escaped(content.verdict.use));
-  for (const std::string& line : content.verdict.why) out += fmt::format("<p class=\"why\">{}</p>\n", escaped(line));
+      title, kPageStyle, html_text(content.verdict.use));
+  for (const std::string& line : content.verdict.why) out += fmt::format("<p class=\"why\">{}</p>\n", html_text(line));
   out += fmt::format("<p>{}: truth {}, {} poses learnt from, {} held out. {} m across.</p>\n", title,
-                     escaped(content.truth), c.trained, c.held, plain_number(c.diagonal_m));
+                     html_text(content.truth), c.trained, c.held, plain_number(c.diagonal_m));
   if (!content.worst_poses.empty())
     out +=
         "<h2>Where linear blend skinning is worst</h2>\n<p class=\"note\">First plain linear blend skinning by the "
@@ -247,29 +247,6 @@ std::string comparison_page(const PageContent& content) {
   if (!motion.empty()) out += "<h2>Range of motion</h2>\n";
   for (const PictureRow& row : content.worst_joints) out += picture_row(row);
   out += motion + "<script>" + kPageScript + "</script></html>\n";
-  return out;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "compare/motion_study.h"
 #include "compare/pictures.h"
 #include "compare/verdict.h"
+#include "text/html.h"
 
 namespace marrow::tools {
 
@@ -26,9 +27,6 @@ std::string comparison_page(const PageContent& content);
 
 // Shapes above, and below each how far it is from the truth.
 std::string picture_row(const PictureRow& row);
-
-// Text of a page's body, with nothing in it that HTML would take for markup.
-std::string escaped(const std::string& text);
 
 // A key and a chart a clip, of the first round; empty if there is nothing to draw. Lines that would flatten the others
 // are hidden until the page's script shows them.

@@ -10,7 +10,7 @@
 #include "common/failure.h"
 #include "common/hash.h"
 #include "disk/files.h"
-#include "jobs/program.h"
+#include "jobs/program_hash.h"
 
 namespace marrow::tools {
 namespace {

@@ -26,7 +26,8 @@ constexpr std::size_t kMostBytes = 256u << 20;
 constexpr long kConnect_ms = 3000;
 constexpr int kMostFailures = 3;  // in a row: then the server is left alone
 
-// libcurl, loaded when the first server is asked: with what it needs it makes a start of the program take twice as long.
+// libcurl, loaded when the first server is asked: with what it needs it makes a start of the program take twice as
+// long.
 class Curl {
  public:
   Curl() {
@@ -134,7 +135,9 @@ class HttpStore final : public Store {
     }
   }
 
-  void reject(const std::string& name) override { note("it gave other bytes for " + name + " than were kept; they are cooked"); }
+  void reject(const std::string& name) override {
+    note("it gave other bytes for " + name + " than were kept; they are cooked");
+  }
 
  private:
   using Handle = std::unique_ptr<CURL, decltype(&curl_easy_cleanup)>;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "jobs/program.h"
+#include "jobs/program_hash.h"
 #include "terminal/warnings.h"
 
 namespace marrow::tools {

@@ -5,7 +5,7 @@
 #include "common/parallel.h"
 #include "disk/disk_files.h"
 #include "disk/thread_pool.h"
-#include "jobs/program.h"
+#include "jobs/program_hash.h"
 #include "jobs/units.h"
 
 namespace marrow::tools {

@@ -45,11 +45,12 @@ class Store {
 };
 
 // A folder, which processes may share: files are replaced whole and never changed. Once it has grown, end() removes
-// those that were not used for longest until the rest has at most so many bytes. Only what a cache has written is removed.
+// those that were not used for longest until the rest has at most so many bytes. Only what a cache has written is
+// removed.
 std::unique_ptr<Store> folder_store(const std::string& folder, std::uint64_t most_bytes);
 
-// A server that knows GET and PUT, as caches of Bazel and ccache do: ADDRESS/ac/ and 64 hexadecimal digits. Throws Failure:
-// usage for an address or where this program was built without HTTP, io for the file with the token.
+// A server that knows GET and PUT, as caches of Bazel and ccache do: ADDRESS/ac/ and 64 hexadecimal digits. Throws
+// Failure: usage for an address or where this program was built without HTTP, io for the file with the token.
 std::unique_ptr<Store> http_store(const std::string& address, const CacheArguments& arguments);
 
 bool is_http(const std::string& place);

@@ -94,8 +94,7 @@ Shard read_shard(const std::string& text) {
   Shard out;
   const char* const end = text.data() + text.size();
   const auto [slash, wrong] = std::from_chars(text.data(), end, out.number);
-  const auto [rest, wrong_count] =
-      std::from_chars(slash == end ? end : slash + 1, end, out.count);
+  const auto [rest, wrong_count] = std::from_chars(slash == end ? end : slash + 1, end, out.count);
   if (wrong != std::errc() || wrong_count != std::errc() || *slash != '/' || rest != end || out.number < 1 ||
       out.number > out.count)
     throw Failure(Exit::usage, "--shard", "", "not a share: " + text, "give it as 3/8, from 1/8 to 8/8");

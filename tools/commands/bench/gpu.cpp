@@ -12,6 +12,7 @@
 #include "common/failure.h"
 #include "common/formats.h"
 #include "disk/files.h"
+#include "text/html.h"
 
 namespace marrow::tools {
 namespace {
@@ -95,10 +96,7 @@ constexpr const char* kSsd = "#4477aa";
 constexpr const char* kAs = "#cc6677";
 
 std::string text(double x, double y, const char* more, const std::string& words) {
-  std::string safe;
-  for (const char c : words)
-    safe += c == '<' ? std::string("&lt;") : c == '&' ? std::string("&amp;") : std::string(1, c);
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, more, safe);
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, more, html_text(words));
 }
 
 std::string bar(const GpuRow& row, double y, double ns_per_pixel) {

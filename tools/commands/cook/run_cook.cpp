@@ -17,7 +17,7 @@
 #include "disk/thread_pool.h"
 #include "jobs/depfile.h"
 #include "jobs/plan.h"
-#include "jobs/program.h"
+#include "jobs/program_hash.h"
 #include "marrow/cook.h"
 #include "terminal/progress.h"
 

@@ -74,7 +74,7 @@ std::string first_table(const ThesisStudy& study) {
     if (has_values(column, study)) out += fmt::format("<th>{}</th>", column.heading);
   out += "</tr></thead>\n<tbody>\n";
   for (const ThesisRow& row : study.rows) {
-    out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>", escaped(title_of_algorithm(row.algorithm)));
+    out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>", html_text(title_of_algorithm(row.algorithm)));
     for (const Column& column : kColumns)
       if (has_values(column, study)) out += cell(column.value(row), column.decimals);
     out += "</tr>\n";
@@ -89,7 +89,7 @@ std::string third_table(const Thesis& thesis) {
   for (const FrameRate& rate : thesis.rates) {
     out +=
         fmt::format("<tr><td data-value=\"{0}\">{0}</td><td data-value=\"{1}\">{1}</td><td data-value=\"{2}\">{2}</td>",
-                    escaped(title_of_algorithm(rate.algorithm)), escaped(rate.path), rate.normals ? "yes" : "no");
+                    html_text(title_of_algorithm(rate.algorithm)), html_text(rate.path), rate.normals ? "yes" : "no");
     for (const double rate_hz : rate.frames_per_s) out += cell(rate_hz, 0);
     out += "</tr>\n";
   }
@@ -99,7 +99,7 @@ std::string third_table(const Thesis& thesis) {
 std::string claim_list(const Thesis& thesis) {
   std::string out;
   for (const Claim& c : claims(thesis))
-    out += fmt::format("<h3>{}</h3>\n<p><b>Here: {}.</b> {}</p>\n", escaped(c.claim), escaped(c.holds), escaped(c.why));
+    out += fmt::format("<h3>{}</h3>\n<p><b>Here: {}.</b> {}</p>\n", html_text(c.claim), html_text(c.holds), html_text(c.why));
   return out;
 }
 
@@ -174,7 +174,7 @@ std::string thesis_page(const Thesis& thesis) {
   out += "<h2>What holds</h2>\n" + claim_list(thesis);
   out += "<h2>Table 1: speed, labour, smoothness</h2>\n";
   for (const ThesisStudy& study : thesis.studies)
-    out += fmt::format("<h3>{}, {} vertices, {} joints</h3>\n", escaped(study.name), study.vertices, study.joints) +
+    out += fmt::format("<h3>{}, {} vertices, {} joints</h3>\n", html_text(study.name), study.vertices, study.joints) +
            first_table(study);
   out +=
       "<p class=\"note\">Speed: of positions, on the machine that made this page, one core. Kernels are the runtime's, "
@@ -187,13 +187,13 @@ std::string thesis_page(const Thesis& thesis) {
       "the root mean square of the mean curvature.</p>\n";
   out += "<h2>Table 3: frames a second</h2>\n<p>Vertices × joints, four influences, with helpers five.";
   out +=
-      thesis.driver.empty() ? " No OpenGL ES here.</p>\n" : fmt::format(" Drawn by {}.</p>\n", escaped(thesis.driver));
+      thesis.driver.empty() ? " No OpenGL ES here.</p>\n" : fmt::format(" Drawn by {}.</p>\n", html_text(thesis.driver));
   out += third_table(thesis);
   out +=
       "<p class=\"note\">kernel: the runtime's, one core, nothing drawn. double: the plain formulas. Others are drawn, "
       "from the first call to a pixel read back.</p>\n";
   for (const ThesisStudy& study : thesis.studies) {
-    if (!study.pictures.empty()) out += fmt::format("<h2>{}, bones in motion</h2>\n", escaped(study.name));
+    if (!study.pictures.empty()) out += fmt::format("<h2>{}, bones in motion</h2>\n", html_text(study.name));
     for (const PictureRow& row : study.pictures) out += picture_row(row);
   }
   return out + kSlips + "<script>" + kPageScript + "</script></html>\n";

@@ -18,8 +18,8 @@ using MeshOnSkin = std::pair<int, int>;
 
 struct BoundMeshes {
   std::map<MeshOnSkin, SkinBinding> bindings;
-  std::vector<LearnReport> learnt;                      // see SkinBinding::report
-  std::map<int, RawMesh> finer;                         // in the place of the scene's
+  std::vector<LearnReport> learnt;  // see SkinBinding::report
+  std::map<int, RawMesh> finer;     // in the place of the scene's
   const RawMesh& mesh(const RawScene& scene, int number) const;
 };
 

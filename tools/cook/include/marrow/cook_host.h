@@ -46,8 +46,8 @@ struct RuleOrigin {
   bool must_fit = true;
 };
 
-// Keeps what meshes have learnt, which can take minutes, by what they learnt it from. From any thread. What find() gives
-// is checked: wrong bytes are as good as none.
+// Keeps what meshes have learnt, which can take minutes, by what they learnt it from. From any thread. What find()
+// gives is checked: wrong bytes are as good as none.
 class Fits {
  public:
   virtual ~Fits() = default;

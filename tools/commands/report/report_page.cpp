@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "commands/report/merge.h"
+#include "text/html.h"
 #include "text/printable.h"
 
 namespace marrow::tools {
@@ -21,24 +22,14 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space:
 </style>
 )";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
+std::string shown(const std::string& text) {
+  return html_text(printable(text));
 }
 
 std::string bytes_text(std::uint64_t bytes) {
-  return bytes < 10'000 ? fmt::format("{} B", bytes)
-                        : bytes < 10'000'000 ? fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3)
-                                             : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
+  return bytes < 10'000       ? fmt::format("{} B", bytes)
+         : bytes < 10'000'000 ? fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1e3)
+                              : fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
 }
 
 // Rows of cells that are HTML already; the first column is words, the others numbers if `numbers`.
@@ -88,20 +79,20 @@ std::string totals(const Summary& s, bool has_since) {
 
 std::string page_of(const Merged& merged, const Summary& s, bool has_since) {
   std::string out = std::string(kHead) + "<h1>Cooked files</h1>\n";
-  for (const std::string& problem : merged.problems) out += "<p class=\"bad\">" + escaped(problem) + "</p>\n";
+  for (const std::string& problem : merged.problems) out += "<p class=\"bad\">" + shown(problem) + "</p>\n";
   out += totals(s, has_since);
   Table failures("Failures", {"file", "why"}, false);
-  for (const auto& [name, why] : s.failures) failures.add({escaped(name), escaped(why)});
+  for (const auto& [name, why] : s.failures) failures.add({shown(name), shown(why)});
   Table grown("Grown", {"file", "before", "now", "more"});
   for (const Grown& g : s.grown)
-    grown.add({escaped(g.name), bytes_text(g.before), bytes_text(g.now), bytes_text(g.now - g.before)});
+    grown.add({shown(g.name), bytes_text(g.before), bytes_text(g.now), bytes_text(g.now - g.before)});
   Table slowest("Slowest", {"file", "cooking", ""});
   for (const Timed& t : s.slowest)
-    slowest.add({escaped(t.name), fmt::format("{:.2f} s", t.seconds), t.from_cache ? "from the cache" : ""});
+    slowest.add({shown(t.name), fmt::format("{:.2f} s", t.seconds), t.from_cache ? "from the cache" : ""});
   Table warnings("Warnings", {"rule", "times"});
-  for (const auto& [rule, times] : s.warnings) warnings.add({escaped(rule), std::to_string(times)});
+  for (const auto& [rule, times] : s.warnings) warnings.add({shown(rule), std::to_string(times)});
   Table gone("Gone", {"file"});
-  for (const std::string& name : s.gone) gone.add({escaped(name)});
+  for (const std::string& name : s.gone) gone.add({shown(name)});
   return out + failures.text() + grown.text() + slowest.text() + warnings.text() + gone.text();
 }
 

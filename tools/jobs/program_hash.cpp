@@ -1,4 +1,4 @@
-#include "jobs/program.h"
+#include "jobs/program_hash.h"
 
 #include <elf.h>
 #include <link.h>
