@@ -215,6 +215,25 @@ TEST(Includes, HardlyTwoFilesAreCalledTheSame) {
   EXPECT_LE(twice, 12);
 }
 
+// Two types of one name in one namespace are one to the linker, which takes either's functions for both.
+TEST(Includes, NoTwoTypesOfTheToolsAreCalledTheSame) {
+  std::map<std::string, std::string> file_of;
+  for (const auto& entry : fs::recursive_directory_iterator(kTools)) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream lines(entry.path());
+    std::string space;
+    for (std::string line; std::getline(lines, line);) {
+      std::smatch found;
+      if (std::regex_match(line, found, std::regex("namespace (\\S*) \\{"))) space = found[1];
+      if (!std::regex_match(line, found, std::regex("(?:struct|class) (\\w+)(?: final)?(?: : .*)? \\{"))) continue;
+      const std::string name = space + "::" + found[1].str();
+      const auto [other, is_new] = file_of.try_emplace(name, entry.path().string());
+      EXPECT_TRUE(is_new) << name << " of " << entry.path() << " and " << other->second;
+    }
+  }
+  EXPECT_GT(file_of.size(), 300u);
+}
+
 // A command's files are its own; what lies beside the folders in tools/commands is for all of them.
 TEST(Includes, CommandsDoNotKnowOneAnother) {
   const fs::path commands = kTools / "commands";

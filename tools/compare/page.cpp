@@ -44,7 +44,8 @@ std::string table(const std::vector<TableColumn>& of, const std::vector<TableLin
                                    is_uglier(column, line, ssd) ? " class=\"ugly\"" : "", *value, column.decimals)
                      : std::string("<td data-value=\"\">–</td>");
     }
-    if (says_something) out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>{1}</tr>\n", html_text(line.name), cells);
+    if (says_something)
+      out += fmt::format("<tr><td data-value=\"{0}\">{0}</td>{1}</tr>\n", html_text(line.name), cells);
   }
   return out + "</tbody></table></div>\n";
 }

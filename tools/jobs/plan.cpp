@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json unit_of(std::size_t index, const Order& order, const History& history) {
+ordered_json unit_of(std::size_t index, const Order& order, const KnownTimes& history) {
   const Unit unit = file_unit(index, order, history);
   ordered_json out = {{"in", order.job.in}, {"out", order.job.out}};
   DiskFiles files;
@@ -38,7 +38,7 @@ ordered_json unit_of(std::size_t index, const Order& order, const History& histo
 }  // namespace
 
 ordered_json plan_of(const std::vector<Order>& orders, const std::vector<std::string>& reports) {
-  const History history(reports);
+  const KnownTimes history(reports);
   std::vector<ordered_json> units(orders.size());
   for_each_in_parallel(orders.size(), [&](std::size_t i) { units[i] = unit_of(i, orders[i], history); });
   std::ranges::stable_sort(units, std::greater(), [](const ordered_json& u) { return u.at("seconds").get<double>(); });

@@ -101,7 +101,7 @@ Shard read_shard(const std::string& text) {
   return out;
 }
 
-History::History(const std::vector<std::string>& reports) {
+KnownTimes::KnownTimes(const std::vector<std::string>& reports) {
   for (const std::string& path : reports) {
     const AlignedBytes bytes = read_file(path);
     const char* const text = reinterpret_cast<const char*>(bytes.data());
@@ -116,7 +116,7 @@ History::History(const std::vector<std::string>& reports) {
   }
 }
 
-std::optional<double> History::seconds_of(const std::string& input) const {
+std::optional<double> KnownTimes::seconds_of(const std::string& input) const {
   const auto found = seconds_.find(input);
   return found == seconds_.end() ? std::nullopt : std::optional(found->second);
 }
@@ -127,7 +127,7 @@ double fit_seconds(const cook::LearnOptions& options, std::size_t vertices) {
   return elastic ? kElastic_s + kElasticSecondsAVertex * count : kFit_s + kFitSecondsAVertex * count;
 }
 
-Unit file_unit(std::size_t index, const Order& order, const History& history) {
+Unit file_unit(std::size_t index, const Order& order, const KnownTimes& history) {
   const Amounts amounts = amounts_of(order.job.in);
   Unit out{index, std::nullopt, amounts.bytes, 0, false};
   if (const std::optional<double> before = history.seconds_of(order.job.in)) {

@@ -29,11 +29,11 @@ struct Unit {
 };
 
 // What files took before: reports of several inputs, or merged ones.
-class History {
+class KnownTimes {
  public:
-  History() = default;
+  KnownTimes() = default;
   // Throws Failure (io, invalid).
-  explicit History(const std::vector<std::string>& reports);
+  explicit KnownTimes(const std::vector<std::string>& reports);
   std::optional<double> seconds_of(const std::string& input) const;
 
  private:
@@ -41,7 +41,7 @@ class History {
 };
 
 // Of a file: by what it took before, or by the vertices and keys that its document has.
-Unit file_unit(std::size_t index, const Order& order, const History& history);
+Unit file_unit(std::size_t index, const Order& order, const KnownTimes& history);
 // What learning takes for a mesh with so many vertices.
 double fit_seconds(const cook::LearnOptions& options, std::size_t vertices);
 // A unit for each mesh that learns, file by file. Reads those files' scenes; one that cannot be read has none.

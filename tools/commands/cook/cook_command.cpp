@@ -6,7 +6,7 @@ namespace marrow::tools {
 
 namespace {
 
-Part part;
+ShareOfWork part;
 
 // Work that several machines share.
 void add_part(CLI::App* command) {

@@ -95,12 +95,12 @@ std::vector<Order> read_orders(const CookArguments& a) {
 }
 
 // Those of this process's share.
-std::vector<Unit> own_units(const std::vector<Order>& orders, const Part& part) {
+std::vector<Unit> own_units(const std::vector<Order>& orders, const ShareOfWork& part) {
   std::vector<Unit> all;
   if (part.fits) {
     all = fit_units(orders);
   } else {
-    const History history(part.history);
+    const KnownTimes history(part.history);
     for (std::size_t i = 0; i < orders.size(); ++i)
       all.push_back(part.shard.count > 1 ? file_unit(i, orders[i], history) : Unit{i, {}, 0, 0, false});
   }
@@ -135,7 +135,7 @@ std::vector<Outcome> do_units(Cook& cook, const std::vector<Order>& orders, cons
   return outcomes;
 }
 
-int learn_fits(const CookArguments& a, const Part& part) {
+int learn_fits(const CookArguments& a, const ShareOfWork& part) {
   const std::vector<Order> orders = read_orders(a);
   const std::vector<Unit> units = own_units(orders, part);
   Cook cook(a);
@@ -144,7 +144,7 @@ int learn_fits(const CookArguments& a, const Part& part) {
   return exit_code_of(outcomes);
 }
 
-int cook_batch(const CookArguments& a, const Part& part) {
+int cook_batch(const CookArguments& a, const ShareOfWork& part) {
   const auto start = Clock::now();
   const std::vector<Order> orders = read_orders(a);
   const std::vector<Unit> units = own_units(orders, part);
@@ -174,7 +174,7 @@ int cook_batch(const CookArguments& a, const Part& part) {
   return exit_code_of(outcomes);
 }
 
-int write_plan(const CookArguments& a, const Part& part) {
+int write_plan(const CookArguments& a, const ShareOfWork& part) {
   expect_writable(part.plan);
   const nlohmann::ordered_json plan = plan_of(read_orders(a), part.history);
   write_file_atomically(part.plan, report_text(plan));
@@ -186,7 +186,7 @@ int write_plan(const CookArguments& a, const Part& part) {
 
 }  // namespace
 
-int run_cook(const CookArguments& a, const Part& part) {
+int run_cook(const CookArguments& a, const ShareOfWork& part) {
   if (a.jobs > 0) set_thread_count(a.jobs);
   if (!part.program.empty() && part.program != program_hash())
     throw Failure(Exit::usage, "--program", "", "another program", "this one is " + program_hash() + "; plan again");

@@ -7,7 +7,7 @@
 namespace marrow::tools {
 
 // What of the work this process does.
-struct Part {
+struct ShareOfWork {
   Shard shard;
   bool is_given = false;             // by --shard, --plan or --fits: then a single file is a list of one
   bool fits = false;                 // learns into the cache, and cooks nothing
@@ -19,7 +19,7 @@ struct Part {
 // One file; throws Failure, and then neither the output nor the report nor the depfile is touched. Or a folder's worth:
 // one bad file does not stop the others. Returns the process's exit code: of a folder's, the first failure's in the
 // inputs' order.
-int run_cook(const CookArguments& arguments, const Part& part);
+int run_cook(const CookArguments& arguments, const ShareOfWork& part);
 
 // No input but graphs, into a file of them alone. Throws Failure: also usage for options of anything else.
 int cook_graph_pack(const CookArguments& arguments);

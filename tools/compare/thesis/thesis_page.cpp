@@ -99,7 +99,8 @@ std::string third_table(const Thesis& thesis) {
 std::string claim_list(const Thesis& thesis) {
   std::string out;
   for (const Claim& c : claims(thesis))
-    out += fmt::format("<h3>{}</h3>\n<p><b>Here: {}.</b> {}</p>\n", html_text(c.claim), html_text(c.holds), html_text(c.why));
+    out += fmt::format("<h3>{}</h3>\n<p><b>Here: {}.</b> {}</p>\n", html_text(c.claim), html_text(c.holds),
+                       html_text(c.why));
   return out;
 }
 
@@ -186,8 +187,8 @@ std::string thesis_page(const Thesis& thesis) {
       "and "
       "the root mean square of the mean curvature.</p>\n";
   out += "<h2>Table 3: frames a second</h2>\n<p>Vertices × joints, four influences, with helpers five.";
-  out +=
-      thesis.driver.empty() ? " No OpenGL ES here.</p>\n" : fmt::format(" Drawn by {}.</p>\n", html_text(thesis.driver));
+  out += thesis.driver.empty() ? " No OpenGL ES here.</p>\n"
+                               : fmt::format(" Drawn by {}.</p>\n", html_text(thesis.driver));
   out += third_table(thesis);
   out +=
       "<p class=\"note\">kernel: the runtime's, one core, nothing drawn. double: the plain formulas. Others are drawn, "

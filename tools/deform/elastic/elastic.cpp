@@ -86,7 +86,7 @@ class EmbeddedMesh {
 
   // All in the lattice's places. by_rig: where joints alone take a vertex.
   template <class ByRig>
-  glm::dvec3 place_of(std::size_t v, const Shape& shape, const Carried& carried, const ByRig& by_rig) const {
+  glm::dvec3 place_of(std::size_t v, const BodyShape& shape, const Carried& carried, const ByRig& by_rig) const {
     if (rig_[v] >= 1) return by_rig();
     glm::dvec3 whole(0), moved(0);
     double sum = 0;
@@ -327,7 +327,7 @@ void Elastic::pose(const Pose& pose, Positions& out) const {
   for (const Matrix& m : pose) placed.push_back(motion.without(m, lattice.side));
   const std::vector<glm::dquat> rotations = rotations_of(placed);
   const Carried carried = parts.carry(placed, rotations);
-  const Shape shape = find_shape(parts.body, carried);
+  const BodyShape shape = find_shape(parts.body, carried);
   out.resize(parts.mesh.positions.size());
   for (std::size_t v = 0; v < out.size(); ++v) {
     const auto by_rig = [&] {

@@ -109,7 +109,7 @@ class Rounds {
     for (std::size_t c = 0; c < body.cells.size(); ++c) begin(c, carried);
   }
 
-  Shape run() {
+  BodyShape run() {
     for (int round = 0; round < kRounds; ++round) {
       for (std::size_t c = 0; c < body_.free; ++c) find_modes(c);
       for (std::size_t c = 0; c < body_.free; c += 4)
@@ -268,8 +268,8 @@ class Rounds {
   }
 
   // Gradients of nodes are means of their cells', by what these fill.
-  Shape result() {
-    Shape out;
+  BodyShape result() {
+    BodyShape out;
     out.gradients.resize(places_.size());
     std::vector<float> filled(places_.size(), 0);
     for (std::size_t c = 0; c < body_.cells.size(); ++c) {
@@ -297,7 +297,7 @@ class Rounds {
 
 }  // namespace
 
-Shape find_shape(const Body& body, const Carried& carried) {
+BodyShape find_shape(const Body& body, const Carried& carried) {
   return Rounds(body, carried).run();
 }
 

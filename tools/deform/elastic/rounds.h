@@ -17,7 +17,7 @@ struct Carried {
   std::vector<glm::dmat3> stretches;  // of nodes, symmetric; empty: all are the identity
 };
 
-struct Shape {
+struct BodyShape {
   std::vector<Four> places;                    // of nodes
   std::vector<std::array<Four, 3>> gradients;  // of nodes: how the body is turned and stretched there, by columns
 };
@@ -30,6 +30,6 @@ struct Shape {
 // as-rigid-as-possible mesh animation", IEEE TVCG 21(2), 2015. A cell of volume 1 nearest to its gradient pulls as
 // well, that one of its share of volume.
 // Thread-safe. The same bits everywhere.
-Shape find_shape(const Body& body, const Carried& carried);
+BodyShape find_shape(const Body& body, const Carried& carried);
 
 }  // namespace marrow::deform
