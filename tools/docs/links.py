@@ -35,6 +35,8 @@ def dead_links(folder):
                 target /= "index.html"
             if not target.exists():
                 yield path, link
+            elif url.query:  # a page that reads its address: what follows is no anchor
+                continue
             elif target in pages and urllib.parse.unquote(url.fragment) not in pages[target].anchors:
                 yield path, link
 
