@@ -105,6 +105,8 @@ export interface ImageReport {
 }
 
 export interface Report {
+  // Of several inputs alone: by which program, and how long.
+  run?: { program: string; files: number; from_cache: boolean; seconds: number; cooking_s: number };
   source: { file: string; bytes: number };  // bytes: of all that was read
   output: { file: string; bytes: number; sections: Section[] };
   clip_pack: boolean;
