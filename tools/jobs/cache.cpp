@@ -138,7 +138,8 @@ std::string relative_to_scene(const std::string& scene, const std::string& path)
 
 Cache::Cache(const CacheArguments& arguments) {
   for (const std::string& place : arguments.places)
-    stores_.push_back(is_http(place) ? http_store(place, arguments) : folder_store(place, arguments.folder_bytes));
+    if (!place.empty())
+      stores_.push_back(is_http(place) ? http_store(place, arguments) : folder_store(place, arguments.folder_bytes));
 }
 
 // An entry without the hash in front. Places before the one that has it get it as well.

@@ -138,16 +138,29 @@ cook::Options for_many(cook::Options given) {
 }
 
 Cook::Cook(const CookArguments& arguments) : a_(arguments) {
-  if (!a_.cache.places.empty()) cache_.emplace(a_.cache);
+  const auto is_named = [](const std::string& place) { return !place.empty(); };
+  if (std::ranges::any_of(a_.cache.places, is_named)) cache_.emplace(a_.cache);
+}
+
+// Within the bounds of memory once it is known how much has been read.
+void Cook::with_host(const Order& order, const Show& show, const std::function<void(const cook::Host&)>& work) {
+  CountingFiles files;
+  std::optional<MemoryGate::Pass> pass;
+  work({files, &all_cores(),
+        [&](cook::Stage stage, std::size_t done, std::size_t count) {
+          if (stage == cook::Stage::prepare && !pass)
+            pass.emplace(memory_, files.bytes() << (2 * order.options.mesh.subdivide));
+          if (show) show(stage, done, count);
+        },
+        nullptr, cache_ ? &*cache_ : nullptr});
 }
 
 Cook::Cooked Cook::cook(const Order& order, const Show& show) {
   const auto start = Clock::now();
   Cooked out;
   std::optional<cook::Result> result;
-  const cook::CookOptions& options = order.options;
   std::string options_text = order.options_text;
-  if (cache_ && !options.clips_only) options_text += named_files_text(order);
+  if (cache_ && !order.options.clips_only) options_text += named_files_text(order);
   if (cache_) options_text += files_of_clips_text(order);
   if (cache_) {
     if (std::optional<Cache::Kept> kept = cache_->find(order.job.in, options_text)) {
@@ -157,16 +170,7 @@ Cook::Cooked Cook::cook(const Order& order, const Show& show) {
     }
   }
   if (!result) {
-    CountingFiles files;
-    std::optional<MemoryGate::Pass> pass;  // once it is known how much has been read
-    const cook::Host host{files, &all_cores(),
-                          [&](cook::Stage stage, std::size_t done, std::size_t count) {
-                            if (stage == cook::Stage::prepare && !pass)
-                              pass.emplace(memory_, files.bytes() << (2 * options.mesh.subdivide));
-                            if (show) show(stage, done, count);
-                          },
-                          nullptr, cache_ ? &*cache_ : nullptr};
-    result = cook::cook(order.job.in, order.given, host);
+    with_host(order, show, [&](const cook::Host& host) { result = cook::cook(order.job.in, order.given, host); });
     out.outcome.cooking_s = seconds_since(start);
     if (cache_) cache_->store(*result, out.outcome.cooking_s, options_text);
   }
@@ -191,9 +195,7 @@ Outcome Cook::cook_into_folder(const Order& order) {
 
 Outcome Cook::learn_fit(const Order& order, std::size_t which) {
   return told(order, [&] {
-    CountingFiles files;
-    const cook::Host host{files, &all_cores(), {}, nullptr, &*cache_};
-    cook::learn_fit(order.job.in, which, order.given, host);
+    with_host(order, {}, [&](const cook::Host& host) { cook::learn_fit(order.job.in, which, order.given, host); });
     return Outcome{};
   });
 }

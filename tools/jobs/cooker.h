@@ -116,6 +116,7 @@ class Cook {
   Cooked cook(const Order& order, const Show& show = {});
   // Writes the output and makes its folder. Throws nothing: what went wrong is in the outcome.
   Outcome cook_into_folder(const Order& order);
+  bool has_cache() const { return cache_.has_value(); }
   // Learns for one mesh of cook::look() into the cache, which there must be. Throws nothing.
   Outcome learn_fit(const Order& order, std::size_t which);
 
@@ -130,6 +131,7 @@ class Cook {
  private:
   void expect_not_read(const Order& order, const std::vector<cook::Read>& reads) const;
   Outcome told(const Order& order, const std::function<Outcome()>& work);
+  void with_host(const Order& order, const Show& show, const std::function<void(const cook::Host&)>& work);
 
   const CookArguments& a_;
   std::optional<Cache> cache_;

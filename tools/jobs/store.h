@@ -13,7 +13,8 @@ namespace marrow::tools {
 
 // What the user says about caches.
 struct CacheArguments {
-  std::vector<std::string> places;  // folders and http:// or https:// addresses; the first that has an entry gives it
+  std::vector<std::string> places;  // folders and http:// or https:// addresses; the first that has an entry gives it;
+                                    // empty ones do not count
   std::uint64_t folder_bytes = 1u << 30;
   bool read_only = false;  // of what is asked by HTTP
   std::string token_file;  // whose first line says who asks

@@ -99,7 +99,11 @@ TEST_F(Shards, WhatMakesNoSenseIsRefused) {
   EXPECT_EQ(cook("out/", {"--shard", "4/3"}).code, 1);
   EXPECT_EQ(cook("out/", {"--shard", "3"}).code, 1);
   EXPECT_EQ(cook("out/", {"--fits"}).code, 1) << "without a cache there is nowhere to keep them";
+  EXPECT_EQ(cook("out/", {"--fits", "--cache", ""}).code, 1);
+  EXPECT_EQ(cook("out/", {"--fits", "--cache", folder_ / "c", "--report", folder_ / "r.json"}).code, 1);
   EXPECT_EQ(cook("out/", {"--plan", folder_ / "p.json", "--shard", "1/2"}).code, 1);
+  EXPECT_EQ(run_marrow({"cook", folder_ / "in/1.gltf", "-o", folder_ / "one.txt", "--shard", "1/1"}).code, 1);
+  EXPECT_EQ(run_marrow({"cook", "--graph", "none.toml", "-o", folder_ / "g.mrw", "--shard", "1/2"}).code, 1);
   const Ran other = cook("out/", {"--program", "0123"});
   EXPECT_EQ(other.code, 1);
   EXPECT_NE(other.err.find("--program: another program: this one is "), std::string::npos) << other.err;

@@ -26,7 +26,10 @@ void add_part(CLI::App* command) {
       ->add_flag("--fits", part.fits,
                  "cook nothing: learn for meshes, each by itself, into --cache, where cooking finds it")
       ->needs("--cache")
-      ->excludes(plan);
+      ->excludes(plan)
+      ->excludes("--report")
+      ->excludes("--json")
+      ->excludes("--depfile");
   command->add_option("--history", part.history, "reports of before, which say what takes how long")
       ->allow_extra_args(false)
       ->type_name("R.json");
@@ -49,8 +52,8 @@ void add_cook(CLI::App& app, int& exit_code) {
   command->get_option("inputs")->required(false);
   command->callback([&exit_code, command] {
     // Graphs alone need no model.
-    if (a.inputs.empty() && !a.given.contains("graph")) throw CLI::RequiredError("inputs");
     part.is_given = part.fits || !part.plan.empty() || command->count("--shard") > 0;
+    if (a.inputs.empty() && (part.is_given || !a.given.contains("graph"))) throw CLI::RequiredError("inputs");
     exit_code = a.inputs.empty() ? cook_graph_pack(a) : run_cook(a, part);
   });
 }

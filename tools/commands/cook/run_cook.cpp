@@ -78,6 +78,7 @@ int cook_one(const CookArguments& a) {
 
 // What is to be cooked into where, and the options of each.
 std::vector<Order> read_orders(const CookArguments& a) {
+  if (!is_batch(a.inputs, a.out)) expect_cooked_name(a.out);
   const std::vector<CookJob> jobs =
       is_batch(a.inputs, a.out) ? plan_batch(a.inputs, a.out) : std::vector{plan_one(a.inputs[0], a.out)};
   std::vector<std::string> written = {a.report, a.depfile}, read;
@@ -137,8 +138,9 @@ std::vector<Outcome> do_units(Cook& cook, const std::vector<Order>& orders, cons
 
 int learn_fits(const CookArguments& a, const ShareOfWork& part) {
   const std::vector<Order> orders = read_orders(a);
-  const std::vector<Unit> units = own_units(orders, part);
   Cook cook(a);
+  if (!cook.has_cache()) throw Failure(Exit::usage, "--fits", "", "no cache", "name one by --cache");
+  const std::vector<Unit> units = own_units(orders, part);
   const std::vector<Outcome> outcomes = do_units(cook, orders, units);
   fmt::print("{} meshes learnt for\n", units.size());
   return exit_code_of(outcomes);
